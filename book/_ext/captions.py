@@ -1,0 +1,68 @@
+"""A paragraph below a picture that begins with **Figure ...** is the caption of that picture.
+
+So a notebook reads well in JupyterLab, where it is a paragraph, and the page has a real
+figure, which can be linked: ``[Figure 1](#figure-1)``.
+"""
+
+import re
+from typing import Any
+
+from docutils import nodes
+from rotedu.book_pages import scene
+from sphinx.application import Sphinx
+from sphinx.transforms import SphinxTransform
+from sphinx.transforms.post_transforms import SphinxPostTransform
+from sphinx.util.nodes import NodeMatcher
+
+BEGINNING = re.compile(r"(Figure [\w-]+)\.")
+
+
+def title_of(paragraph: nodes.Element) -> str | None:
+    """Return the title, as in ``Figure 3-a``, if the paragraph is a caption."""
+    # MyST puts an empty text before a word in bold.
+    first = next((child for child in paragraph.children if child.astext()), None)
+    match = BEGINNING.match(first.astext()) if isinstance(first, nodes.strong) else None
+    return match[1] if match else None
+
+
+class NameCaptions(SphinxTransform):
+    """Make every caption a target that all pages can link to."""
+
+    default_priority = 210
+
+    def apply(self, **_: Any) -> None:
+        """Register the captions of a page with Sphinx's standard domain."""
+        for paragraph in self.document.findall(nodes.paragraph):
+            if title := title_of(paragraph):
+                name = nodes.make_id(title)
+                paragraph["ids"].append(name)
+                standard = self.env.domains["std"]
+                standard.labels[name] = (self.env.docname, name, title)
+                standard.anonlabels[name] = (self.env.docname, name)
+
+
+class BuildFigures(SphinxPostTransform):
+    """Join pictures and captions, once MyST-NB has chosen what each output shows."""
+
+    default_priority = 5
+
+    def run(self, **_: Any) -> None:
+        """Move the last picture of a cell and the caption below it into one figure."""
+        captions = [p for p in self.document.findall(nodes.paragraph) if title_of(p)]
+        for caption in captions:
+            cell = caption.parent[caption.parent.index(caption) - 1]
+            pictures = list(cell.findall(NodeMatcher(scene))) or list(cell.findall(nodes.image))
+            if not pictures:
+                raise ValueError(f"{title_of(caption)}: no picture above the caption")
+            picture = pictures[-1]
+            figure = nodes.figure(ids=caption["ids"])
+            picture.replace_self(figure)
+            figure += [picture, nodes.caption("", "", *caption.children)]
+            caption.parent.remove(caption)
+
+
+def setup(app: Sphinx) -> dict[str, Any]:
+    """Register both steps."""
+    app.add_transform(NameCaptions)
+    app.add_post_transform(BuildFigures)
+    return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -1,0 +1,200 @@
+"""Figures for a book out of pyvista scenes.
+
+A page that is read in a browser has no Python behind it. This module turns what
+``Plotter.show()`` would open in a window into something such a page can carry: a
+poster (a picture with a see-through background, at twice the size it is shown at), an
+alternative text, and the labels of the scene as text over the poster, typeset like the
+formulas of the page. Nothing here knows what the scenes are about.
+
+How another book would use it
+-----------------------------
+1. Install the package next to `pyvista` and `myst_nb`. Two entry points announce it:
+   the group ``pyvista.jupyter_backends`` brings the backend ``book`` (`book_figure`),
+   the group ``myst_nb.mime_renderers`` brings `rotedu.book_pages.SceneRenderer`.
+2. Add ``rotedu.book_pages`` to the Sphinx extensions (in Jupyter Book:
+   ``sphinx: extra_extensions``). While Sphinx runs, notebooks then use the backend
+   ``book``; anywhere else they keep the one they would have had.
+3. Say in words what a scene shows, then show it as always::
+
+       plotter = pyvista.Plotter()
+       plotter.add_mesh(pyvista.Sphere())
+       plotter.add_point_labels([[0, 0, 1]], ["$P_0$"], show_points=False)
+       describe(plotter, "A ball with its north pole marked P0.")
+       plotter.show()
+
+A label may hold a formula between dollar signs. Meshes added with ``pickable=False``
+never hide a label that stands behind them. The page gives the classes ``scene``,
+``scene-poster`` and ``scene-label`` their looks.
+"""
+
+import base64
+import ctypes
+import io
+import os
+import sys
+from typing import Any
+
+import numpy as np
+import pyvista
+
+MIME_TYPE = "application/vnd.pyvista.scene+json"
+POSTER_SCALE = 2
+
+
+def choose_render_window() -> None:
+    """Tell VTK which off-screen window to use where there is no display.
+
+    It would try the display first and complain on stderr, in the middle of the page. OSMesa
+    draws without any device; where it is missing, EGL is next.
+    """
+    if sys.platform != "linux" or os.environ.get("DISPLAY"):
+        return
+    try:
+        ctypes.CDLL("libOSMesa.so.8")
+        window = "vtkOSOpenGLRenderWindow"
+    except OSError:
+        window = "vtkEGLRenderWindow"
+    os.environ.setdefault("VTK_DEFAULT_OPENGL_WINDOW", window)
+
+
+choose_render_window()
+
+
+def describe(plotter: pyvista.Plotter, alt: str) -> None:
+    """Give a scene the text that stands for it where it cannot be seen.
+
+    Parameters
+    ----------
+    plotter : pyvista.Plotter
+        The scene.
+    alt : str
+        What the picture shows, in one to three plain sentences.
+
+    Raises
+    ------
+    ValueError
+        If `alt` is empty.
+    """
+    if not alt.strip():
+        raise ValueError("alt: expected a text that says what the scene shows, got an empty one")
+    pyvista.set_new_attribute(plotter, "alt_text", " ".join(alt.split()))
+
+
+class BookFigure:
+    """A scene as a notebook output: a picture for anyone, and all of it for the book."""
+
+    def __init__(self, scene: dict[str, Any], poster: bytes) -> None:
+        self.scene = scene
+        self.poster = poster
+
+    def __repr__(self) -> str:
+        return f"<scene: {self.scene['alt']}>"
+
+    def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, Any]:
+        poster = base64.b64encode(self.poster).decode()
+        return {
+            "text/plain": repr(self),
+            "image/png": poster,
+            MIME_TYPE: self.scene | {"poster": poster},
+        }
+
+
+def book_figure(plotter: pyvista.Plotter, **_: object) -> BookFigure:
+    """Make the figure of a scene: the handler of the pyvista backend ``book``.
+
+    Parameters
+    ----------
+    plotter : pyvista.Plotter
+        The scene, with its alternative text given by `describe`.
+
+    Returns
+    -------
+    BookFigure
+        Poster, size, alternative text and labels.
+
+    Raises
+    ------
+    ValueError
+        If the scene has no alternative text.
+    """
+    alt = getattr(plotter, "alt_text", None)
+    if alt is None:
+        raise ValueError(
+            "plotter: expected a scene with an alternative text, got one without;"
+            " call rotedu.book_backend.describe(plotter, ...) before show()"
+        )
+    width, height = plotter.window_size
+    labels = scene_labels(plotter)
+    for actor in _label_actors(plotter):
+        actor.VisibilityOff()
+    poster = io.BytesIO()
+    plotter.render()
+    plotter.screenshot(poster, transparent_background=True, scale=POSTER_SCALE)
+    scene = {"alt": alt, "width": width, "height": height, "labels": labels}
+    return BookFigure(scene, poster.getvalue())
+
+
+def scene_labels(plotter: pyvista.Plotter) -> list[dict[str, Any]]:
+    """Find the labels of a scene and where its camera sees them.
+
+    Parameters
+    ----------
+    plotter : pyvista.Plotter
+        The scene; its labels were added by ``add_point_labels``.
+
+    Returns
+    -------
+    list of dict
+        For each label ``text``, ``color`` (as ``#rrggbb``), ``position`` (x, y, z),
+        ``left`` and ``top`` (fractions of the picture's width and height) and
+        ``hidden`` (whether a surface stands in front of it).
+    """
+    from vtkmodules.vtkRenderingLabel import vtkLabelPlacementMapper
+
+    width, height = plotter.window_size
+    camera = plotter.camera
+    view = pyvista.array_from_vtkmatrix(
+        camera.GetCompositeProjectionTransformMatrix(width / height, -1, 1)
+    )
+    labels = []
+    for actor in _label_actors(plotter):
+        mapper = actor.GetMapper()
+        assert isinstance(mapper, vtkLabelPlacementMapper)
+        hierarchy = mapper.GetInputAlgorithm()
+        points = pyvista.wrap(hierarchy.GetInputDataObject(0, 0))
+        texts = points.point_data[hierarchy.GetLabelArrayName()]
+        color = pyvista.Color(hierarchy.GetTextProperty().GetColor()).hex_rgb
+        for position, text in zip(np.asarray(points.points, float), texts, strict=True):
+            x, y, _, w = view @ [*position, 1.0]
+            labels.append(
+                {
+                    "text": str(text),
+                    "color": color,
+                    "position": position.tolist(),
+                    "left": round((1 + x / w) / 2, 4),
+                    "top": round((1 - y / w) / 2, 4),
+                    "hidden": _stands_behind(plotter, np.asarray(camera.position), position),
+                }
+            )
+    return labels
+
+
+def _label_actors(plotter: pyvista.Plotter) -> list[Any]:
+    return [actor for name, actor in plotter.actors.items() if name.endswith("-labels")]
+
+
+def _stands_behind(plotter: pyvista.Plotter, eye: np.ndarray, point: np.ndarray) -> bool:
+    """Tell whether surfaces come between the eye and a point.
+
+    One opaque surface hides what is behind it. A see-through one does so only where the
+    line of sight goes in and out again: what is inside a glass ball stays labelled.
+    """
+    for actor in plotter.actors.values():
+        if not isinstance(actor, pyvista.Actor) or not actor.GetPickable():
+            continue
+        surface = actor.mapper.dataset.extract_surface(algorithm=None)
+        # Stop just short of the point, which often lies on a surface itself.
+        hits, _ = surface.ray_trace(eye, eye + (point - eye) * (1 - 1e-3))
+        if len(hits) >= (1 if actor.prop.opacity == 1 else 2):
+            return True
+    return False

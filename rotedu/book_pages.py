@@ -1,0 +1,111 @@
+"""The Sphinx side of `rotedu.book_backend`: the output of a scene becomes part of a page.
+
+A scene is a box with the shape of its picture. In it lie the poster and, over the poster,
+one element a label, placed in per cent of the box so that it stays where it belongs at any
+size. No script is needed to see it.
+"""
+
+import base64
+import hashlib
+import io
+import json
+import os
+import posixpath
+from typing import Any, ClassVar
+
+from docutils import nodes
+from PIL import Image
+from sphinx.application import Sphinx
+
+from rotedu.book_backend import MIME_TYPE
+
+
+class scene(nodes.General, nodes.Element):  # noqa: N801 (docutils names nodes so)
+    """A figure drawn by pyvista: a poster and its labels."""
+
+
+class scene_poster(nodes.image):  # noqa: N801
+    """The picture of a scene at rest."""
+
+
+class scene_label(nodes.inline):  # noqa: N801
+    """A text at a place of the scene."""
+
+
+class SceneRenderer:
+    """Renders the notebook output of a scene, for MyST-NB."""
+
+    mime_priority_overrides: ClassVar[list[tuple[str, str, int]]] = [("html", MIME_TYPE, 1)]
+
+    @staticmethod
+    def handle_mime(renderer: Any, data: Any, inline: bool) -> list[nodes.Element] | None:
+        """Return the nodes of a scene, or None for an output of another type."""
+        if data.mime_type != MIME_TYPE:
+            return None
+        content = json.loads(data.content) if isinstance(data.content, str) else data.content
+        return [scene_node(renderer, content)]
+
+
+def scene_node(renderer: Any, content: dict[str, Any]) -> scene:
+    """Write the files of a scene and build its node."""
+    file = io.BytesIO()
+    Image.open(io.BytesIO(base64.b64decode(content["poster"]))).save(
+        file, "WEBP", quality=85, method=6
+    )
+    digest = hashlib.sha256(file.getvalue()).hexdigest()[:16]
+    uri = renderer.write_file([f"scene-{digest}.webp"], file.getvalue(), exists_ok=True)
+    size = {key: content[key] for key in ("width", "height")}
+    node = scene(**size)
+    node += scene_poster(uri=uri, alt=content["alt"], **size)
+    for label in content["labels"]:
+        text = label.pop("text")
+        if text.startswith("$") and text.endswith("$"):
+            child: nodes.Node = nodes.math(text, text.strip("$"))
+        else:
+            child = nodes.Text(text)
+        node += scene_label("", "", child, **label)
+    return node
+
+
+def visit_scene(writer: Any, node: scene) -> None:
+    """Open the box, with the shape of the picture."""
+    shape = f"aspect-ratio: {node['width']} / {node['height']}"
+    writer.body.append(writer.starttag(node, "div", CLASS="scene", style=shape))
+
+
+def depart_scene(writer: Any, node: scene) -> None:
+    """Close the box."""
+    writer.body.append("</div>\n")
+
+
+def visit_scene_poster(writer: Any, node: scene_poster) -> None:
+    """Write the picture, from where Sphinx keeps the pictures of the book."""
+    source = posixpath.join(writer.builder.imgpath, writer.builder.images[node["uri"]])
+    attributes = {key: node[key] for key in ("alt", "width", "height")}
+    writer.body.append(
+        writer.emptytag(node, "img", CLASS="scene-poster", src=source, **attributes)
+    )
+    raise nodes.SkipNode
+
+
+def visit_scene_label(writer: Any, node: scene_label) -> None:
+    """Open a label at its place over the poster."""
+    place = f"left: {node['left']:.2%}; top: {node['top']:.2%}; color: {node['color']}"
+    hidden = {"data-hidden": ""} if node["hidden"] else {}
+    position = " ".join(f"{coordinate:.6g}" for coordinate in node["position"])
+    attributes = {"style": place, "data-position": position} | hidden
+    writer.body.append(writer.starttag(node, "span", "", CLASS="scene-label", **attributes))
+
+
+def depart_scene_label(writer: Any, node: scene_label) -> None:
+    """Close a label."""
+    writer.body.append("</span>")
+
+
+def setup(app: Sphinx) -> dict[str, Any]:
+    """Teach Sphinx the nodes, and the notebooks that it runs the backend ``book``."""
+    os.environ["PYVISTA_JUPYTER_BACKEND"] = "book"
+    app.add_node(scene, html=(visit_scene, depart_scene))
+    app.add_node(scene_poster, html=(visit_scene_poster, None))
+    app.add_node(scene_label, html=(visit_scene_label, depart_scene_label))
+    return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -1,0 +1,192 @@
+"""The counts of the paper come out of the code that runs."""
+
+import math
+from concurrent.futures import ThreadPoolExecutor
+from typing import Any
+
+import numpy as np
+import pytest
+
+from rotedu.cost import CountingScalar, OperationCount, count
+from rotedu.ordinary_rotation import axis_angle, rotate, rotation_matrix, transform
+
+AXIS, ANGLE, POINT = np.array([2.0, 3.0, 6.0]) / 7, 0.7, np.array([1.0, -2.0, 3.0])
+MATRIX = rotation_matrix(AXIS, ANGLE)
+
+
+def homogeneous(last_row: tuple[float, ...]) -> np.ndarray[Any, Any]:
+    return np.vstack([np.column_stack([MATRIX, POINT]), last_row])
+
+
+def counted_result(function: Any, *args: Any) -> Any:
+    """What the function returns while it is counted, as floats."""
+    results = []
+    count(lambda *counting: results.append(function(*counting)), *args)
+    return np.vectorize(lambda scalar: scalar.value, otypes=[float])(results[0])
+
+
+class TestCountsOfThePaper:
+    def test_building_the_matrix_3_3(self) -> None:
+        assert count(rotation_matrix, AXIS, ANGLE) == OperationCount(24, 10, trigonometric=2)
+
+    def test_applying_it_3_2(self) -> None:
+        assert count(transform, MATRIX, POINT) == OperationCount(9, 6)
+
+    def test_both_together(self) -> None:
+        both = count(lambda p, n, a: transform(rotation_matrix(n, a), p), POINT, AXIS, ANGLE)
+        assert both == OperationCount(33, 16, trigonometric=2)
+
+    @pytest.mark.parametrize("n", [1, 2, 100])
+    def test_n_points(self, n: int) -> None:
+        points = np.tile(POINT, (n, 1))
+        both = count(lambda p, n, a: transform(rotation_matrix(n, a), p), points, AXIS, ANGLE)
+        assert both == OperationCount(24 + 9 * n, 10 + 6 * n, trigonometric=2)
+
+
+class TestCountsOfTheAudit:
+    def test_rodrigues_formula_3_1_second_line(self) -> None:
+        assert count(rotate, POINT, AXIS, ANGLE) == OperationCount(19, 12, trigonometric=2)
+
+    def test_affine_matrix(self) -> None:
+        assert count(transform, homogeneous((0, 0, 0, 1)), POINT) == OperationCount(9, 9)
+
+    def test_projective_matrix(self) -> None:
+        matrix = homogeneous((0, 0, 1, 5))
+        assert count(transform, matrix, POINT) == OperationCount(12, 12, divisions=3)
+
+    def test_each_point_of_a_stack_pays_for_its_matrix(self) -> None:
+        matrices, points = np.stack([MATRIX] * 5), np.stack([POINT] * 5)
+        assert count(transform, matrices, points) == 5 * OperationCount(9, 6)
+
+
+class TestWhatIsCounted:
+    @pytest.mark.parametrize(
+        ("function", "expected"),
+        [
+            (lambda x: 2 * x, OperationCount(multiplications=1)),
+            (lambda x: x * np.float64(2), OperationCount(multiplications=1)),
+            (lambda x: np.float64(2) * x, OperationCount(multiplications=1)),
+            (lambda x: x**3, OperationCount(multiplications=2)),
+            (lambda x: x**1, OperationCount()),
+            (lambda x: x - 1, OperationCount(additions=1)),
+            (lambda x: 1 - x, OperationCount(additions=1)),
+            (lambda x: x + x, OperationCount(additions=1)),
+            (lambda x: 1 / x, OperationCount(divisions=1)),
+            (lambda x: x / 2, OperationCount(divisions=1)),
+            (np.sqrt, OperationCount(square_roots=1)),
+            (np.tan, OperationCount(trigonometric=1)),
+            (np.arcsin, OperationCount(trigonometric=1)),
+            (np.arccos, OperationCount(trigonometric=1)),
+            (np.arctan, OperationCount(trigonometric=1)),
+            (lambda x: np.arctan2(x, 2), OperationCount(trigonometric=1)),
+            (lambda x: [-x, +x, abs(x), x < 1, x <= x, x > 0, x >= 0, x == 1], OperationCount()),
+            (lambda x: 3 * 4 + math.cos(1), OperationCount()),
+            (lambda x: None, OperationCount()),
+        ],
+    )
+    def test_one_operation(self, function: Any, expected: OperationCount) -> None:
+        assert count(function, 0.25) == expected
+
+    @pytest.mark.parametrize("values", [[1.0, 2, 3], (1, 2, 3), np.array([1, 2, 3], np.float32)])
+    def test_reductions_start_from_their_first_term(self, values: Any) -> None:
+        assert count(np.sum, values) == OperationCount(additions=2)
+        assert count(np.vecdot, values, values) == OperationCount(3, 2)
+        assert count(np.matmul, np.eye(3), values) == OperationCount(9, 6)
+        assert count(np.cross, values, values) == OperationCount(6, 3)
+
+    @pytest.mark.parametrize("other", [None, "text", True, len])
+    def test_other_arguments_are_passed_on(self, other: object) -> None:
+        seen: list[object] = []
+        assert count(lambda x, y: seen.append(y), 1.0, other) == OperationCount()
+        assert seen == [other]
+
+    @pytest.mark.parametrize(
+        "function",
+        [
+            math.cos,
+            float,
+            np.exp,
+            lambda x: x**0.5,
+            lambda x: x**0,
+            lambda x: x * [1, 2],
+            lambda x: [1, 2] * x,
+        ],
+    )
+    def test_nothing_escapes_the_count(self, function: Any) -> None:
+        with pytest.raises(TypeError):
+            count(function, 0.5)
+
+
+class TestComputedWhileCounted:
+    @pytest.mark.parametrize(
+        ("function", "args"),
+        [
+            (rotation_matrix, (AXIS, ANGLE)),
+            (rotate, (POINT, AXIS, ANGLE)),
+            (transform, (homogeneous((0, 0, 1, 5)), POINT)),
+            (lambda m: axis_angle(m)[0], (MATRIX,)),
+            (lambda m: axis_angle(m)[1], (MATRIX,)),
+            (lambda m: axis_angle(m)[1], (np.stack([MATRIX, np.eye(3), MATRIX.T]),)),
+        ],
+    )
+    def test_result_is_that_of_the_floats(self, function: Any, args: Any) -> None:
+        np.testing.assert_allclose(counted_result(function, *args), function(*args), atol=1e-15)
+
+    def test_branches_are_taken_by_value(self) -> None:
+        def reciprocal(x: Any) -> Any:
+            return 1 / x if x and x != 2 else 0
+
+        assert count(reciprocal, 4.0).divisions == 1
+        assert count(reciprocal, 2.0).divisions == 0
+        assert count(reciprocal, 0.0).divisions == 0
+
+    def test_errors_come_through(self) -> None:
+        with pytest.raises(ValueError, match="points must have shape"):
+            count(rotate, [1.0, 2.0], AXIS, ANGLE)
+
+
+class TestIndependence:
+    def test_counts_leave_nothing_behind(self) -> None:
+        assert count(rotate, POINT, AXIS, ANGLE) == count(rotate, POINT, AXIS, ANGLE)
+
+    def test_nested_counts_each_see_their_own(self) -> None:
+        inner = []
+
+        def outer(x: Any) -> Any:
+            inner.append(count(lambda y: y * y + 1, x))
+            return x * x
+
+        # The inner function works on the outer one's numbers: the outer tally has it all.
+        assert count(outer, 3.0) == OperationCount(2, 1)
+        assert inner == [OperationCount(1, 1)]
+
+    def test_a_number_of_an_outer_count_is_charged_to_the_outer_count_too(self) -> None:
+        inner = []
+        total = count(lambda x: inner.append(count(lambda y: y * x, 2.0)), 3.0)
+        assert inner == [OperationCount(1)]
+        assert total == OperationCount(1)
+
+    def test_threads_do_not_mix(self) -> None:
+        with ThreadPoolExecutor(4) as pool:
+            counts = set(pool.map(lambda _: count(rotation_matrix, AXIS, ANGLE), range(40)))
+        assert counts == {OperationCount(24, 10, trigonometric=2)}
+
+    def test_arguments_are_not_changed(self) -> None:
+        points = POINT.copy()
+        count(lambda p: p.__setitem__(0, p[1] * 2), points)
+        np.testing.assert_array_equal(points, POINT)
+
+
+def test_sums_and_multiples_of_counts() -> None:
+    assert OperationCount(1, 2, 3, 4, 5) + OperationCount(10, 20, 30, 40, 50) == OperationCount(
+        11, 22, 33, 44, 55
+    )
+    assert 3 * OperationCount(1, 2, 3, 4, 5) == OperationCount(3, 6, 9, 12, 15)
+    assert OperationCount(1, 2) * 3 == 3 * OperationCount(1, 2)
+
+
+def test_counting_scalars_show_their_value() -> None:
+    shown: list[str] = []
+    count(lambda x: shown.append(repr(x + 1)), 1.5)
+    assert shown == ["CountingScalar(np.float64(2.5))"]
+    assert not hasattr(CountingScalar, "__float__")

@@ -1,0 +1,93 @@
+"""Set up everything that the Makefile's targets need, inside the checkout.
+
+``python3 tools/set_up.py`` makes the virtual environment ``.venv`` from requirements.txt and
+makes sure that VTK can draw; with ``--browser`` it also looks for a browser for the tests of
+the built book. Only where the system lacks an OpenGL library or a browser, and where apt and
+the rights are there, is anything installed outside the checkout.
+"""
+
+import os
+import shutil
+import subprocess
+import sys
+import venv
+from pathlib import Path
+
+ROOT = Path(__file__).parents[1]
+VENV = ROOT / ".venv"
+PYTHON = VENV / "bin" / "python"
+
+# In a process of its own: without an OpenGL library VTK ends in a segmentation fault.
+TRIAL_RENDER = """
+from rotedu import scenes
+plotter = scenes.new_scene((3, 3, 3), (0, 0, 0))
+plotter.add_mesh(scenes.pyvista.Sphere())
+assert plotter.screenshot(return_img=True).std() > 1
+"""
+OPENGL_PACKAGES = ("libosmesa6", "libegl1")
+OPENGL_HELP = """\
+VTK finds no OpenGL library that it can draw with. Install one, then call make again:
+  Debian, Ubuntu  sudo apt-get install {packages}
+  Fedora          sudo dnf install mesa-libEGL mesa-dri-drivers
+  macOS           OpenGL is part of the system: log in to a desktop session
+  Windows         OpenGL is part of the graphics driver: update the driver
+"""
+BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
+
+
+def say(text: str) -> None:
+    """Print a step of the set-up at once."""
+    print(f"[set-up] {text}", flush=True)
+
+
+def apt_install(package: str) -> bool:
+    """Install a Debian package if apt and the rights to use it are there."""
+    if not shutil.which("apt-get") or os.geteuid() != 0:
+        return False
+    say(f"installing the system package {package}")
+    quiet = {"env": os.environ | {"DEBIAN_FRONTEND": "noninteractive"}, "stdout": sys.stderr}
+    subprocess.run(["apt-get", "update", "-qq"], **quiet)
+    install = ["apt-get", "install", "-qq", "--no-install-recommends", package]
+    return subprocess.run(install, **quiet).returncode == 0
+
+
+def make_environment() -> None:
+    """Create .venv and install the locked packages and rotedu itself."""
+    say("installing the packages of requirements.txt into .venv (about two minutes)")
+    venv.create(VENV, with_pip=True)
+    pip = [PYTHON, "-m", "pip", "install", "--quiet", "--disable-pip-version-check"]
+    # The list names rotedu relative to the checkout.
+    subprocess.run([*pip, "-r", "requirements.txt"], cwd=ROOT, check=True)
+
+
+def can_draw() -> bool:
+    """Tell whether VTK draws a picture on this machine."""
+    trial = subprocess.run([PYTHON, "-c", TRIAL_RENDER], capture_output=True, check=False)
+    return trial.returncode == 0
+
+
+def make_vtk_draw() -> None:
+    """Find out whether VTK draws; install an OpenGL library or say how."""
+    say("drawing a first picture")
+    if can_draw() or any(apt_install(package) and can_draw() for package in OPENGL_PACKAGES):
+        return
+    sys.exit(OPENGL_HELP.format(packages=OPENGL_PACKAGES[0]))
+
+
+def find_browser() -> None:
+    """Look for a browser for the tests of the built book; install one where possible."""
+    say("looking for a browser for the tests of the built book")
+    if any(map(shutil.which, BROWSERS)) or apt_install("chromium"):
+        return
+    browsers = {"PLAYWRIGHT_BROWSERS_PATH": str(VENV / "browsers")}
+    install = [PYTHON, "-m", "playwright", "install", "chromium"]
+    if subprocess.run(install, env=os.environ | browsers, check=False).returncode != 0:
+        say("no browser: the tests that need one will be skipped, and will say so")
+
+
+if __name__ == "__main__":
+    if "--browser" in sys.argv:
+        find_browser()
+    else:
+        make_environment()
+        make_vtk_draw()

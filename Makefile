@@ -2,7 +2,7 @@
 PYTHON ?= python3
 BIN := .venv/bin
 
-.PHONY: book test lab lock clean help
+.PHONY: book test lab notebooks lock clean help
 .DEFAULT_GOAL := help
 
 help: ## list the targets
@@ -21,6 +21,9 @@ test: .venv/ready .venv/browser ## check code, notebooks and the built book
 
 lab: .venv/ready ## open the notebooks in JupyterLab, with live scenes
 	$(BIN)/jupyter lab book
+
+notebooks: .venv/ready ## run the notebooks and store what they print
+	$(BIN)/python tools/run_notebooks.py
 
 lock: .venv/ready ## write requirements.txt and package-lock.json anew
 	echo '-e .[bench,book,lab,lock,test]' | $(BIN)/uv pip compile - --universal \

@@ -32,10 +32,11 @@ import ctypes
 import io
 import os
 import sys
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 import pyvista
+from vtkmodules.vtkRenderingLabel import vtkPointSetToLabelHierarchy
 
 MIME_TYPE = "application/vnd.pyvista.scene+json"
 POSTER_SCALE = 2
@@ -149,8 +150,6 @@ def scene_labels(plotter: pyvista.Plotter) -> list[dict[str, Any]]:
         ``left`` and ``top`` (fractions of the picture's width and height) and
         ``hidden`` (whether a surface stands in front of it).
     """
-    from vtkmodules.vtkRenderingLabel import vtkLabelPlacementMapper
-
     width, height = plotter.window_size
     camera = plotter.camera
     view = pyvista.array_from_vtkmatrix(
@@ -158,9 +157,7 @@ def scene_labels(plotter: pyvista.Plotter) -> list[dict[str, Any]]:
     )
     labels = []
     for actor in _label_actors(plotter):
-        mapper = actor.GetMapper()
-        assert isinstance(mapper, vtkLabelPlacementMapper)
-        hierarchy = mapper.GetInputAlgorithm()
+        hierarchy = cast(vtkPointSetToLabelHierarchy, actor.GetMapper().GetInputAlgorithm())
         points = pyvista.wrap(hierarchy.GetInputDataObject(0, 0))
         texts = points.point_data[hierarchy.GetLabelArrayName()]
         color = pyvista.Color(hierarchy.GetTextProperty().GetColor()).hex_rgb

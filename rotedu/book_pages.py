@@ -55,7 +55,7 @@ def scene_node(renderer: Any, content: dict[str, Any]) -> scene:
     digest = hashlib.sha256(file.getvalue()).hexdigest()[:16]
     uri = renderer.write_file([f"scene-{digest}.webp"], file.getvalue(), exists_ok=True)
     size = {key: content[key] for key in ("width", "height")}
-    node = scene(**size)
+    node: scene = scene(**size)
     node += scene_poster(uri=uri, alt=content["alt"], **size)
     for label in content["labels"]:
         text = label.pop("text")
@@ -82,9 +82,7 @@ def visit_scene_poster(writer: Any, node: scene_poster) -> None:
     """Write the picture, from where Sphinx keeps the pictures of the book."""
     source = posixpath.join(writer.builder.imgpath, writer.builder.images[node["uri"]])
     attributes = {key: node[key] for key in ("alt", "width", "height")}
-    writer.body.append(
-        writer.emptytag(node, "img", CLASS="scene-poster", src=source, **attributes)
-    )
+    writer.body.append(writer.emptytag(node, "img", CLASS="scene-poster", src=source, **attributes))
     raise nodes.SkipNode
 
 

@@ -115,12 +115,12 @@ def rotation_matrix(axis: npt.ArrayLike, angle: npt.ArrayLike) -> Array:
     n, theta = arrays(axis=(axis, (3,)), angle=(angle, ()))
     nu, nv, nw = np.moveaxis(unit("axis", n), -1, 0)
     cos, sin = np.cos(theta), np.sin(theta)
-    versine = 1 - cos
+    k = 1 - cos
     matrix = np.array(
         [
-            [cos + versine * nu * nu, versine * nu * nv - sin * nw, versine * nu * nw + sin * nv],
-            [versine * nu * nv + sin * nw, cos + versine * nv * nv, versine * nv * nw - sin * nu],
-            [versine * nu * nw - sin * nv, versine * nv * nw + sin * nu, cos + versine * nw * nw],
+            [cos + k * nu * nu, k * nu * nv - sin * nw, k * nu * nw + sin * nv],
+            [k * nu * nv + sin * nw, cos + k * nv * nv, k * nv * nw - sin * nu],
+            [k * nu * nw - sin * nv, k * nv * nw + sin * nu, cos + k * nw * nw],
         ]
     )
     return np.moveaxis(matrix, (0, 1), (-2, -1))

@@ -1,9 +1,10 @@
 """The figures of the book in three dimensions: one function each, returning a pyvista scene.
 
-A colour means the same thing in every picture and formula. The colours are those of Okabe
-and Ito that stand out on white as well as on black, so a scene needs no background of its
-own: `VECTOR` is what is turned, `AXIS` what it is turned about, `RESULT` what comes of it,
-`CROSS` what is perpendicular to both, `NEUTRAL` everything that only helps to see.
+A colour means the same thing in every picture and formula. Blue, orange and green are those
+of the colour-blind-safe set of Okabe and Ito, the purple is a darker shade of theirs; all stand
+out on white as well as on black, so a scene needs no background of its own. `VECTOR` is what is
+turned, `AXIS` what it is turned about, `RESULT` what comes of it, `CROSS` what is perpendicular
+to both, `NEUTRAL` everything that only helps to see.
 
 Each scene shows itself: ``figure_1().show()``.
 """
@@ -21,7 +22,7 @@ RESULT = "#009e73"
 CROSS = "#b65f92"
 NEUTRAL = "#7d858d"
 
-SIZE = (720, 540)
+SIZE = (720, 480)
 ORIGIN = np.zeros(3)
 
 
@@ -41,7 +42,7 @@ def new_scene(eye: ArrayLike, target: ArrayLike, view_angle: float = 24.0) -> py
         The scene.
     """
     plotter = pyvista.Plotter(window_size=list(SIZE))
-    plotter.enable_anti_aliasing("ssaa")  # type: ignore[call-arg]
+    plotter.enable_anti_aliasing("ssaa")
     plotter.camera_position = (tuple(np.asarray(eye)), tuple(np.asarray(target)), (0, 0, 1))
     plotter.camera.view_angle = view_angle
     return plotter
@@ -74,9 +75,7 @@ def add_arrow(
     add_thin(plotter, arrow, color)
 
 
-def add_point(
-    plotter: pyvista.Plotter, point: ArrayLike, color: str, radius: float = 0.03
-) -> None:
+def add_point(plotter: pyvista.Plotter, point: ArrayLike, color: str, radius: float = 0.03) -> None:
     """Add a point, drawn as a small ball."""
     ball = pyvista.Sphere(
         radius=radius, center=tuple(np.asarray(point)), theta_resolution=16, phi_resolution=12
@@ -89,9 +88,7 @@ def add_thin(plotter: pyvista.Plotter, mesh: pyvista.PolyData, color: str) -> No
     plotter.add_mesh(mesh, color=color, smooth_shading=True, split_sharp_edges=True, pickable=False)
 
 
-def add_label(
-    plotter: pyvista.Plotter, point: ArrayLike, text: str, color: str = "black"
-) -> None:
+def add_label(plotter: pyvista.Plotter, point: ArrayLike, text: str, color: str = "black") -> None:
     """Write a text, or a formula between dollar signs, centred at a point."""
     plotter.add_point_labels(
         np.reshape(np.asarray(point, float), (1, 3)),
@@ -115,7 +112,9 @@ def add_coordinate_axes(plotter: pyvista.Plotter, length: float) -> None:
         add_label(plotter, (length + 0.07) * direction, f"${name}$")
 
 
-def turning(point: ArrayLike, axis: ArrayLike, angle: float, steps: int = 48) -> NDArray[np.float64]:
+def turning(
+    point: ArrayLike, axis: ArrayLike, angle: float, steps: int = 48
+) -> NDArray[np.float64]:
     """Sample the path of a point that is turned, shape (steps + 1, 3)."""
     return rotate(point, axis, np.linspace(0, angle, steps + 1))
 
@@ -147,8 +146,8 @@ def figure_1(
     turned = rotate(r, n, angle)
     spoke = r - center
 
-    plotter = new_scene(eye=(5.0, 0.9, 3.1), target=(0.1, 0.0, 0.52))
-    add_coordinate_axes(plotter, 1.15)
+    plotter = new_scene(eye=(4.45, 0.8, 2.76), target=(0.1, 0.03, 0.43))
+    add_coordinate_axes(plotter, 1.1)
     add_label(plotter, (0, -0.05, -0.09), "$O$")
 
     add_line(plotter, turning(r, n, 2 * np.pi, 96), NEUTRAL, radius=0.005)
@@ -165,8 +164,8 @@ def figure_1(
     add_arrow(plotter, ORIGIN, r, VECTOR)
     add_arrow(plotter, ORIGIN, turned, RESULT)
     add_label(plotter, 1.29 * n, r"$\hat n$", AXIS)
-    add_label(plotter, 1.08 * r, r"$\vec r$", VECTOR)
-    add_label(plotter, 1.09 * turned, r"$\vec r\,'$", RESULT)
+    add_label(plotter, 1.13 * r, r"$\vec r$", VECTOR)
+    add_label(plotter, 1.13 * turned, r"$\vec r^{\,\prime}$", RESULT)
 
     first = np.cos(angle) * r
     second = first + (1 - np.cos(angle)) * (r @ n) * n
@@ -189,9 +188,16 @@ def figure_1(
 def fan(center: ArrayLike, rim: ArrayLike) -> pyvista.PolyData:
     """Fill the region between a point, shape (3,), and a rim, shape (n, 3), by triangles."""
     points = np.vstack([center, rim])
-    n = len(points) - 2
-    corners = np.column_stack([np.zeros(n, int), np.arange(n) + 1, np.arange(n) + 2])
-    return pyvista.PolyData.from_regular_faces(points, corners)
+    second = np.arange(1, len(points) - 1)
+    triangles = np.column_stack([np.zeros_like(second), second, second + 1])
+    return triangle_mesh(points, triangles)
+
+
+def triangle_mesh(points: ArrayLike, triangles: ArrayLike) -> pyvista.PolyData:
+    """Make a mesh of points, shape (n, 3), and of triples of their indices, shape (m, 3)."""
+    corners = np.asarray(triangles)
+    faces = np.insert(corners, 0, 3, axis=1).ravel()
+    return pyvista.PolyData(np.asarray(points), faces=faces)
 
 
 def teaspoon(stations: int = 121, around: int = 40) -> pyvista.PolyData:
@@ -212,28 +218,31 @@ def teaspoon(stations: int = 121, around: int = 40) -> pyvista.PolyData:
     pyvista.PolyData
         A triangle mesh, about 2 units long, along the U axis, the bowl open upwards.
     """
-    s = np.linspace(0, 1, stations)[:, None]
-    phi = np.linspace(0, 2 * np.pi, around, endpoint=False)
+    # Close together at both ends, where the outline turns.
+    s = (1 - np.cos(np.linspace(0, np.pi, stations)))[:, np.newaxis] / 2
     bowl = np.clip((s - 0.62) / 0.38, 0, 1)
-    handle = 0.035 + 0.055 * np.exp(-((s / 0.14) ** 2))
-    egg = np.sqrt(np.clip(bowl * (1 - bowl), 0, None)) * (1.1 - 0.35 * bowl)
     ends = np.clip(np.minimum(s / 0.03, (1 - s) / 0.004), 0, 1)
-    width = np.sqrt(ends * (2 - ends)) * np.maximum(handle * (1 - bowl), 0.5 * egg + handle * (1 - bowl))
-    depth = 0.62 * width * np.sin(np.pi * np.sqrt(bowl)) * (bowl > 0)
+    rounding = np.sqrt(ends * (2 - ends))
+    handle = (0.035 + 0.055 * np.exp(-((s / 0.14) ** 2))) * (1 - bowl)
+    egg = np.sqrt(bowl * (1 - bowl)) * (0.55 - 0.175 * bowl)
+    width = rounding * (handle + egg)
+    depth = 0.62 * width * np.sin(np.pi * np.sqrt(bowl))
     lift = 0.16 * np.sin(np.pi * np.clip(s / 0.62, 0, 1)) + 0.05 * (1 - s)
-    thickness = 0.022 * np.sqrt(ends * (2 - ends))
 
-    across = np.cos(phi)
+    phi = np.linspace(0, 2 * np.pi, around, endpoint=False)
     u = np.broadcast_to(2 * s - 1, (stations, around))
-    v = width * across
-    w = lift - depth * (1 - across**2) + thickness * np.sin(phi)
+    v = width * np.cos(phi)
+    w = lift - depth * np.sin(phi) ** 2 + 0.022 * rounding * np.sin(phi)
     points = np.stack([u, v, w], axis=-1).reshape(-1, 3)
 
-    i, j = np.meshgrid(np.arange(stations - 1), np.arange(around), indexing="ij")
-    k = (j + 1) % around
-    a, b, c, d = (x.ravel() for x in (i * around + j, i * around + k, (i + 1) * around + k, (i + 1) * around + j))
-    triangles = np.vstack([np.column_stack([a, d, c]), np.column_stack([a, c, b])])
-    return pyvista.PolyData.from_regular_faces(points, triangles)
+    ring = np.arange(stations * around).reshape(stations, around)
+    after = np.roll(ring, -1, axis=1)
+    corners = (
+        (ring[:-1], ring[1:], after[1:]),
+        (ring[:-1], after[1:], after[:-1]),
+    )
+    triangles = np.vstack([np.stack(three, axis=-1).reshape(-1, 3) for three in corners])
+    return triangle_mesh(points, triangles)
 
 
 def rotated_mesh(
@@ -262,7 +271,7 @@ def rotated_mesh(
     after.points = transform(rotation_matrix(axis, angle), before.points)
     n = np.asarray(axis, float) / np.linalg.norm(axis)
 
-    plotter = new_scene(eye=(2.9, -3.5, 2.7), target=(0.0, 0.0, 0.1))
+    plotter = new_scene(eye=(2.3, -2.8, 2.16), target=(-0.1, -0.02, 0.1))
     plotter.add_mesh(before, color=VECTOR, smooth_shading=True)
     plotter.add_mesh(after, color=RESULT, smooth_shading=True)
     add_arrow(plotter, -0.7 * n, 0.9 * n, AXIS)
@@ -275,5 +284,38 @@ def rotated_mesh(
         plotter,
         f"A mesh of {before.n_points} vertices in blue, and in green the same mesh turned by"
         f" {np.rad2deg(angle):.0f} degrees about an axis n. An arc shows the path of one vertex.",
+    )
+    return plotter
+
+
+def turning_spoon(steps: int = 5, angle: float = np.deg2rad(288)) -> pyvista.Plotter:
+    """Draw a teaspoon on its way around an axis: the picture of the title page.
+
+    Parameters
+    ----------
+    steps : int
+        Number of spoons, at least 2.
+    angle : float
+        Angle in radians between the first and the last.
+
+    Returns
+    -------
+    pyvista.Plotter
+        The scene.
+    """
+    n = np.array([0.1, 0.3, 1.0]) / np.linalg.norm([0.1, 0.3, 1.0])
+    plotter = new_scene(eye=(2.5, -3.2, 2.6), target=(0.0, 0.0, 0.06))
+    spoon = teaspoon(stations=61, around=24)
+    first, last = (np.array(pyvista.Color(color).float_rgb) for color in (VECTOR, RESULT))
+    for t in np.linspace(0, 1, steps):
+        turned = spoon.copy()
+        turned.points = transform(rotation_matrix(n, t * angle), spoon.points)
+        plotter.add_mesh(turned, color=(1 - t) * first + t * last, smooth_shading=True)
+    add_arrow(plotter, -0.75 * n, 1.0 * n, AXIS)
+    add_label(plotter, 1.1 * n, r"$\hat n$", AXIS)
+    describe(
+        plotter,
+        f"A teaspoon in {steps} positions, fanned out around an axis n, the first blue,"
+        " the last green.",
     )
     return plotter

@@ -544,11 +544,11 @@ class TestRefusals:
 
 
 MUTATIONS = [
-    ("versine * nu * nv - sin * nw", "versine * nu * nv + sin * nw"),
-    ("versine * nu * nw - sin * nv", "versine * nu * nw + sin * nv"),
-    ("versine * nv * nw + sin * nu", "versine * nv * nw - sin * nu"),
-    ("cos + versine * nw * nw", "cos + versine * nw * nv"),
-    ("versine = 1 - cos", "versine = 1 + cos"),
+    ("k * nu * nv - sin * nw", "k * nu * nv + sin * nw"),
+    ("k * nu * nw - sin * nv", "k * nu * nw + sin * nv"),
+    ("k * nv * nw + sin * nu", "k * nv * nw - sin * nu"),
+    ("cos + k * nw * nw", "cos + k * nw * nv"),
+    ("k = 1 - cos", "k = 1 + cos"),
     ("(0, 1), (-2, -1)", "(0, 1), (-1, -2)"),
     ("np.cross(n, r)", "np.cross(r, n)"),
     ("(1 - cos) * _dot", "(1 + cos) * _dot"),

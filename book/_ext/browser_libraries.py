@@ -35,8 +35,12 @@ def serve_katex(app: Sphinx, config: Config) -> None:
     install()
     source = LIBRARIES / "katex" / "dist"
     static = Path(app.outdir).parent / "static"
-    shutil.copytree(source / "fonts", static / "katex" / "fonts",
-                    ignore=shutil.ignore_patterns("*.ttf", "*.woff"), dirs_exist_ok=True)
+    shutil.copytree(
+        source / "fonts",
+        static / "katex" / "fonts",
+        ignore=shutil.ignore_patterns("*.ttf", "*.woff"),
+        dirs_exist_ok=True,
+    )
     styles = (source / "katex.min.css").read_text(encoding="utf-8")
     styles = re.sub(r',url\([^)]*\.(woff|ttf)\) format\("\w+"\)', "", styles)
     (static / "katex" / "katex.css").write_text(styles, encoding="utf-8")

@@ -8,11 +8,12 @@ import re
 from typing import Any
 
 from docutils import nodes
-from rotedu.book_pages import scene
 from sphinx.application import Sphinx
 from sphinx.transforms import SphinxTransform
 from sphinx.transforms.post_transforms import SphinxPostTransform
 from sphinx.util.nodes import NodeMatcher
+
+from rotedu.book_pages import scene
 
 BEGINNING = re.compile(r"(Figure [\w-]+)\.")
 

@@ -12,7 +12,7 @@ class PaperMathDomain(MathDomain):
     """Sphinx's domain for formulas, with numbers read from the labels."""
 
     def note_equation(self, docname: str, labelid: str, location: Any = None) -> None:
-        """Number an equation by what follows ``eq-`` in its label."""
+        """Give an equation the number that follows ``eq-`` in its label."""
         super().note_equation(docname, labelid, location)
         if not labelid.startswith(PREFIX):
             raise ValueError(f"equation label: expected {PREFIX}<number>, got {labelid!r}")

@@ -1,0 +1,104 @@
+"""What the notebooks of the book need to show code and to state a check."""
+
+import ast
+import inspect
+import textwrap
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+
+class Source:
+    """The source of a function, shown as highlighted code."""
+
+    def __init__(self, code: str) -> None:
+        self.code = code
+
+    def __repr__(self) -> str:
+        return self.code
+
+    def _repr_markdown_(self) -> str:
+        return f"```python\n{self.code}\n```"
+
+
+def source(function: Callable[..., Any]) -> Source:
+    """Show the code of a function as it stands in its module, without the docstring.
+
+    Parameters
+    ----------
+    function : callable
+        A function of the package.
+
+    Returns
+    -------
+    Source
+        Shown by a notebook as code; since the notebook's outputs are compared when it is
+        tested, a page cannot show code that the package no longer has.
+
+    Examples
+    --------
+    >>> from rotedu.ordinary_rotation import rotation_matrix
+    >>> print(repr(source(rotation_matrix)).splitlines()[0])
+    def rotation_matrix(axis: npt.ArrayLike, angle: npt.ArrayLike) -> Array:
+    """
+    code = textwrap.dedent(inspect.getsource(function))
+    first = ast.parse(code).body[0]
+    assert isinstance(first, ast.FunctionDef)
+    lines = code.splitlines()
+    if ast.get_docstring(first) is not None:
+        docstring = first.body[0]
+        del lines[docstring.lineno - 1 : docstring.end_lineno]
+    return Source("\n".join(lines))
+
+
+class Statement(str):
+    """A text that a notebook shows without quotation marks."""
+
+    __slots__ = ()
+
+    def __repr__(self) -> str:
+        return str(self)
+
+
+def agree(found: npt.ArrayLike, expected: npt.ArrayLike, within: float) -> Statement:
+    """State that two arrays agree, or fail.
+
+    The bound is printed instead of the residual itself, whose last digits depend on the
+    machine.
+
+    Parameters
+    ----------
+    found, expected : array_like
+        Arrays of one shape.
+    within : float
+        The largest difference allowed in any entry.
+
+    Returns
+    -------
+    Statement
+        How many numbers were compared and the bound.
+
+    Raises
+    ------
+    ValueError
+        If the shapes differ.
+    AssertionError
+        If an entry differs by more than the bound; the message tells by how much.
+
+    Examples
+    --------
+    >>> agree([1.0, 2.0], [1.0, 2.0 + 1e-16], within=1e-15)
+    2 numbers agree within 1e-15
+    """
+    found, expected = np.asarray(found, float), np.asarray(expected, float)
+    if found.shape != expected.shape:
+        raise ValueError(
+            f"found and expected must have one shape; got {found.shape} and {expected.shape}"
+        )
+    residual = np.abs(found - expected).max()
+    # A comparison that NaN fails, too.
+    if not residual <= within:
+        raise AssertionError(f"expected a residual of at most {within:.0e}, got {residual:.1e}")
+    return Statement(f"{found.size:,} numbers agree within {within:.0e}")

@@ -1,0 +1,166 @@
+"""The built book, page by page: as files, and as a browser sees it."""
+
+import functools
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+from urllib.parse import unquote, urlsplit
+
+import pytest
+from bs4 import BeautifulSoup
+
+FILES = ("href", "src", "data-scene")
+
+
+@functools.cache
+def parse(page: Path) -> BeautifulSoup:
+    return BeautifulSoup(page.read_text(encoding="utf-8"), "html.parser")
+
+
+@functools.cache
+def anchors(page: Path) -> set[str]:
+    """Everything on a page that can be linked to."""
+    return {element["id"] for element in parse(page).find_all(id=True)}
+
+
+@pytest.fixture(scope="module")
+def pages(book: Path) -> dict[str, BeautifulSoup]:
+    """Every page of the book by its path."""
+    files = [file for file in book.rglob("*.html") if "_static" not in file.parts]
+    return {file.relative_to(book).as_posix(): parse(file) for file in sorted(files)}
+
+
+def references(soup: BeautifulSoup) -> Iterator[str]:
+    """Everything that a page links to or loads."""
+    for attribute in FILES:
+        for element in soup.find_all(attrs={attribute: True}):
+            yield element[attribute]
+
+
+def loads(soup: BeautifulSoup) -> Iterator[str]:
+    """What a page loads without being asked."""
+    yield from (element["src"] for element in soup.find_all(src=True))
+    yield from (element["href"] for element in soup.find_all("link", href=True))
+
+
+def test_there_are_pages(pages: dict[str, BeautifulSoup]) -> None:
+    assert {"book/index.html", "book/03-ordinary-rotation.html"} <= set(pages)
+
+
+def test_the_root_leads_to_the_first_page(book: Path) -> None:
+    assert "url=book/index.html" in (book / "index.html").read_text(encoding="utf-8")
+
+
+def test_links_and_anchors_lead_somewhere(book: Path, pages: dict[str, BeautifulSoup]) -> None:
+    broken = []
+    for name, soup in pages.items():
+        for reference in references(soup):
+            url = urlsplit(reference)
+            if url.scheme or url.netloc:
+                continue
+            target = (book / name).parent / unquote(url.path) if url.path else book / name
+            target = target.resolve()
+            if not target.exists() or (
+                url.fragment
+                and target.suffix == ".html"
+                and unquote(url.fragment) not in anchors(target)
+            ):
+                broken.append(f"{name}: {reference}")
+    assert broken == []
+
+
+def test_nothing_is_loaded_from_another_host(book: Path, pages: dict[str, BeautifulSoup]) -> None:
+    foreign = [
+        f"{name}: {reference}"
+        for name, soup in pages.items()
+        for reference in loads(soup)
+        if urlsplit(reference).netloc and not reference.startswith("data:")
+    ]
+    for styles in book.rglob("*.css"):
+        text = styles.read_text(encoding="utf-8")
+        foreign += [
+            f"{styles.name}: {url}" for url in re.findall(r"url\(\W?(?:https?:)?//.*?\)", text)
+        ]
+    assert foreign == []
+
+
+def test_pictures_say_what_they_show(pages: dict[str, BeautifulSoup]) -> None:
+    silent = [
+        f"{name}: {picture['src']}"
+        for name, soup in pages.items()
+        for picture in soup.select("article img, .navbar-brand img")
+        if len(picture.get("alt", "")) < (20 if picture.find_parent("article") else 1)
+    ]
+    assert silent == []
+
+
+def test_figures_have_captions(pages: dict[str, BeautifulSoup]) -> None:
+    bare = [
+        f"{name}: {scene.get('class')}"
+        for name, soup in pages.items()
+        for scene in soup.select("article .cell_output :is(.scene, img)")
+        if not (figure := scene.find_parent("figure")) or not figure.find("figcaption")
+    ]
+    assert bare == []
+
+
+def test_no_page_shows_an_error(pages: dict[str, BeautifulSoup]) -> None:
+    wrong = [
+        name
+        for name, soup in pages.items()
+        if soup.select(".stderr, .traceback, .katex-error")
+        or any("Traceback (most" in output.get_text() for output in soup.select(".cell_output"))
+    ]
+    assert wrong == []
+
+
+def test_equations_carry_the_numbers_of_the_paper(pages: dict[str, BeautifulSoup]) -> None:
+    numbers = {}
+    for soup in pages.values():
+        for number in soup.select(".eqno"):
+            label = number.find_parent("div")["id"]
+            numbers[label] = number.get_text().split(")")[0] + ")"
+    assert numbers
+    assert all(f"equation-eq-{text.strip('()')}" == label for label, text in numbers.items())
+    assert {"(3-1)", "(3-2)", "(3-3)"} <= set(numbers.values())
+
+
+@pytest.mark.parametrize("width", [1440, 390])
+def test_a_browser_finds_everything_here(
+    browser: Any, site: str, pages: dict[str, BeautifulSoup], width: int
+) -> None:
+    """No request fails or goes elsewhere, no script complains, no page scrolls sideways."""
+    complaints = []
+    context = browser.new_context(viewport={"width": width, "height": 900})
+    page = context.new_page()
+    page.on("request", lambda r: r.url.startswith((site, "data:")) or complaints.append(r.url))
+    page.on("response", lambda r: r.status < 400 or complaints.append(f"{r.status} {r.url}"))
+    page.on("pageerror", lambda error: complaints.append(str(error)))
+    for name in pages:
+        page.goto(f"{site}/{name}", wait_until="networkidle")
+        missing = page.evaluate(
+            """async () => {
+                const seen = [...document.images].filter((image) => image.checkVisibility());
+                for (const image of seen) image.loading = "eager";
+                await Promise.allSettled(seen.map((image) => image.decode()));
+                return seen.filter((image) => !image.naturalWidth).map((image) => image.src);
+            }"""
+        )
+        complaints += missing
+        sideways = page.evaluate("document.documentElement.scrollWidth - innerWidth")
+        if sideways > 0:
+            complaints.append(f"{name} is {sideways} pixels too wide")
+    context.close()
+    assert complaints == []
+
+
+def test_pages_can_be_read_from_the_file_system(browser: Any, book: Path) -> None:
+    """Without a server, formulas are typeset and posters are seen."""
+    page = browser.new_page()
+    page.goto((book / "book" / "03-ordinary-rotation.html").as_uri())
+    assert page.evaluate("document.querySelector('.scene-poster').naturalWidth") > 1000
+    family = page.evaluate("getComputedStyle(document.querySelector('.katex')).fontFamily")
+    assert family.startswith("KaTeX_Main")
+    assert page.evaluate("document.fonts.check('16px KaTeX_Main')")
+    page.close()

@@ -1,0 +1,47 @@
+"""The committed notebooks, so that nbval compares what a reader sees."""
+
+from pathlib import Path
+from typing import Any
+
+import nbformat
+import pytest
+
+NOTEBOOKS = sorted((Path(__file__).parents[1] / "book").glob("*.ipynb"))
+
+
+def code_cells(file: Path) -> list[Any]:
+    notebook = nbformat.read(file, as_version=4)
+    return [cell for cell in notebook.cells if cell.cell_type == "code"]
+
+
+@pytest.mark.parametrize("file", NOTEBOOKS, ids=lambda file: file.stem)
+class TestNotebook:
+    def test_is_valid(self, file: Path) -> None:
+        nbformat.validate(nbformat.read(file, as_version=4))
+
+    def test_was_run_from_top_to_bottom(self, file: Path) -> None:
+        """A cell without a count is not compared at all."""
+        counts = [cell.execution_count for cell in code_cells(file)]
+        assert counts == list(range(1, len(counts) + 1))
+
+    def test_holds_no_pictures_and_no_errors(self, file: Path) -> None:
+        for cell in code_cells(file):
+            for output in cell.outputs:
+                assert output.output_type != "error"
+                assert output.get("name") != "stderr"
+                assert not [mime for mime in output.get("data", {}) if mime.startswith("image/")]
+
+    def test_names_no_backend_and_no_path(self, file: Path) -> None:
+        for cell in code_cells(file):
+            for word in ("jupyter_backend", "PYVISTA", "__file__", "os.path", "pathlib"):
+                assert word not in cell.source
+
+    def test_compares_what_it_prints(self, file: Path) -> None:
+        """Only pictures and timings may go uncompared."""
+        compared = [
+            cell
+            for cell in code_cells(file)
+            if cell.outputs and "nbval-ignore-output" not in cell.metadata.get("tags", [])
+        ]
+        printed = [cell for cell in code_cells(file) if cell.outputs]
+        assert len(compared) >= 0.8 * len(printed) > 0

@@ -1,0 +1,43 @@
+"""Run the notebooks of the book and store them as they are committed.
+
+Kept are the execution counts and what was printed, which the tests compare. Outputs that hold
+a picture are dropped: pictures are made when the book is built. Names of notebooks may be
+given; without any, all are run.
+"""
+
+import os
+import sys
+from pathlib import Path
+
+import nbformat
+from nbclient import NotebookClient
+
+BOOK = Path(__file__).parents[1] / "book"
+
+
+def is_picture(output: nbformat.NotebookNode) -> bool:
+    """Tell whether an output shows a picture."""
+    return any(mime.startswith("image/") for mime in output.get("data", {}))
+
+
+def run(file: Path) -> None:
+    """Execute a notebook in place."""
+    notebook = nbformat.read(file, as_version=4)
+    NotebookClient(notebook, timeout=300, kernel_name="python3").execute()
+    for cell in notebook.cells:
+        cell.metadata.pop("execution", None)
+        if cell.cell_type == "code":
+            cell.outputs = [output for output in cell.outputs if not is_picture(output)]
+    notebook.metadata = {
+        "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
+        "language_info": {"name": "python"},
+    }
+    nbformat.write(notebook, file)
+
+
+if __name__ == "__main__":
+    # A picture without a window, whatever the machine.
+    os.environ["PYVISTA_JUPYTER_BACKEND"] = "static"
+    for file in map(Path, sys.argv[1:] or sorted(BOOK.glob("*.ipynb"))):
+        print(f"running {file.name}", flush=True)
+        run(file)

@@ -26,7 +26,7 @@ notebooks: .venv/ready ## run the notebooks and store what they print
 	$(BIN)/python tools/run_notebooks.py
 
 lock: .venv/ready ## write requirements.txt and package-lock.json anew
-	echo '-e .[bench,book,lab,lock,test]' | $(BIN)/uv pip compile - --universal \
+	echo '-e .[book,lab,lock,test]' | $(BIN)/uv pip compile - --universal \
 	    --python-version 3.11 --no-header --upgrade --output-file requirements.txt
 	$(BIN)/npm install --package-lock-only --no-audit --no-fund
 

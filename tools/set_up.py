@@ -54,7 +54,8 @@ def apt_install(package: str) -> bool:
 def make_environment() -> None:
     """Create .venv and install the locked packages and rotedu itself."""
     say("installing the packages of requirements.txt into .venv (about two minutes)")
-    venv.create(VENV, with_pip=True)
+    if not PYTHON.exists():
+        venv.create(VENV, with_pip=True)
     pip = [PYTHON, "-m", "pip", "install", "--quiet", "--disable-pip-version-check"]
     # The list names rotedu relative to the checkout.
     subprocess.run([*pip, "-r", "requirements.txt"], cwd=ROOT, check=True)

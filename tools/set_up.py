@@ -20,9 +20,10 @@ PYTHON = VENV / "bin" / "python"
 # In a process of its own: without an OpenGL library VTK ends in a segmentation fault.
 TRIAL_RENDER = """
 from rotedu import scenes
-plotter = scenes.new_scene((3, 3, 3), (0, 0, 0))
-plotter.add_mesh(scenes.pyvista.Sphere())
-assert plotter.screenshot(return_img=True).std() > 1
+scenes.pyvista.OFF_SCREEN = True
+plotter = scenes.figure_1()
+plotter.render()
+assert plotter.screenshot().std() > 1
 """
 OPENGL_PACKAGES = ("libosmesa6", "libegl1")
 OPENGL_HELP = """\
@@ -63,7 +64,10 @@ def make_environment() -> None:
 
 def can_draw() -> bool:
     """Tell whether VTK draws a picture on this machine."""
-    trial = subprocess.run([PYTHON, "-c", TRIAL_RENDER], capture_output=True, check=False)
+    trial = subprocess.run([PYTHON, "-c", TRIAL_RENDER], stderr=subprocess.PIPE, check=False)
+    if trial.returncode > 0:
+        # Python itself gave up: no library would mend that.
+        sys.exit(trial.stderr.decode())
     return trial.returncode == 0
 
 

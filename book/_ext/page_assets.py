@@ -39,8 +39,13 @@ def is_used(asset: Any, body: str) -> bool:
     return bool(name) and name not in UNUSED and USED_WITH.get(name, "") in body
 
 
-def choose(app: Sphinx, pagename: str, template: str, context: dict[str, Any],
-           doctree: nodes.document | None) -> None:
+def choose(
+    app: Sphinx,
+    pagename: str,
+    template: str,
+    context: dict[str, Any],
+    doctree: nodes.document | None,
+) -> None:
     """Choose the files of a page, after all extensions have added theirs."""
     for kind in ("css_files", "script_files"):
         context[kind] = [file for file in context[kind] if is_used(file, context.get("body", ""))]

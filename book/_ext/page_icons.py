@@ -21,14 +21,35 @@ FONT = THEME / "vendor" / "fontawesome" / "webfonts" / "fa-solid-900.ttf"
 # The fonts of Font Awesome may be changed, but then go by another name (SIL OFL 1.1).
 FAMILY = "Book Icons"
 
-BUTTONS = """
-    angle-down angle-left angle-right arrow-up bars chevron-down circle-half-stroke download
-    list magnifying-glass magnifying-glass-minus moon outdent sun up-right-from-square xmark
-""".split()
-BOXES = """
-    bell circle-check circle-exclamation circle-info circle-xmark lightbulb pencil share
-    triangle-exclamation
-""".split()
+BUTTONS = [
+    "angle-down",
+    "angle-left",
+    "angle-right",
+    "arrow-up",
+    "bars",
+    "chevron-down",
+    "circle-half-stroke",
+    "download",
+    "list",
+    "magnifying-glass",
+    "magnifying-glass-minus",
+    "moon",
+    "outdent",
+    "sun",
+    "up-right-from-square",
+    "xmark",
+]
+BOXES = [
+    "bell",
+    "circle-check",
+    "circle-exclamation",
+    "circle-info",
+    "circle-xmark",
+    "lightbulb",
+    "pencil",
+    "share",
+    "triangle-exclamation",
+]
 
 STYLES = """\
 /* Icons of Font Awesome Free {version}, fontawesome.com, SIL OFL 1.1 */

@@ -71,7 +71,7 @@ def visit_hidden_cell(writer: Any, node: HideCodeCellNode) -> None:
     writer.body.append(writer.starttag(node, "details", CLASS="admonition hide") + "<summary>")
     for state, prompt in (("collapsed", "prompt_show"), ("expanded", "prompt_hide")):
         text = escape(node[prompt])
-        writer.body.append(f'<span class="{state} admonition-title">{text}</span>')
+        writer.body.append(f'<p class="{state} admonition-title">{text}</p>')
     writer.body.append("</summary>\n")
 
 

@@ -3,7 +3,8 @@
 Jupyter Book and the theme add the files of all their extensions to every page. Here those go
 that no page uses, others stay only where the page has something for them, and all scripts but
 the one that chooses the colours wait until the page is there. Nothing is inline but what the
-theme's own templates have.
+theme's own templates have: its buttons to print and to fill the screen, which browsers have
+too, give way to one that downloads the notebook.
 """
 
 import html
@@ -25,6 +26,12 @@ USED_WITH = {
     "sphinx-design.min.css": 'class="sd-',
 }
 BEFORE_THE_PAGE = "theme-mode.js"
+DOWNLOAD = {
+    "type": "link",
+    "tooltip": "Download this page as a notebook",
+    "icon": "fas fa-download",
+    "label": "download-notebook-button",
+}
 DESCRIPTION_LENGTH = 160
 
 
@@ -54,6 +61,9 @@ def choose(
         for script in context["script_files"]:
             if name_of(script) != BEFORE_THE_PAGE:
                 script.attributes["defer"] = "defer"
+    if context.get("page_source_suffix") == ".ipynb":
+        source = context["pathto"](f"_sources/{context['sourcename']}", resource=True)
+        context["header_buttons"].append(DOWNLOAD | {"url": source})
     if doctree and (paragraph := next(iter(doctree.findall(nodes.paragraph)), None)):
         words = html.escape(textwrap.shorten(paragraph.astext(), DESCRIPTION_LENGTH))
         context["metatags"] += f'\n    <meta name="description" content="{words}">'

@@ -1,12 +1,16 @@
-"""The icons that the pages show, cut out of the theme's icon font: 4 kB instead of 550.
+"""The icons that the pages show, cut out of the theme's icon font: 4 kB instead of 570.
 
-The theme brings two thousand icons, as a script and as a font. Of the font, the glyphs named
-here go into a stylesheet of the book, ``icons.css``, with the font inside it, so that they are
-there when the page is. A test tells when a page shows an icon that is not named here.
+The theme brings two thousand icons, as a script, as a font and as rules in its stylesheet. Of
+the font, the glyphs named here go into a stylesheet of the book, ``icons.css``, with the font
+inside it, so that they are there when the page is. The script is left out by our copy of the
+theme's template (``_templates/static/webpack-macros.html``), the rules by our copy of its
+stylesheet, which Sphinx puts in the place of the theme's. A test tells when a page shows an
+icon that is not named here.
 """
 
 import base64
 import io
+import re
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +21,7 @@ from sphinx.application import Sphinx
 from sphinx.config import Config
 
 THEME = Path(pydata_sphinx_theme.__file__).parent / "theme" / "pydata_sphinx_theme" / "static"
+THEME_STYLES = "styles/pydata-sphinx-theme.css"
 FONT = THEME / "vendor" / "fontawesome" / "webfonts" / "fa-solid-900.ttf"
 # The fonts of Font Awesome may be changed, but then go by another name (SIL OFL 1.1).
 FAMILY = "Book Icons"
@@ -51,6 +56,8 @@ BOXES = [
     "triangle-exclamation",
 ]
 
+# .fa-gear:before,.fa-cog:before{content:"\\f013"}
+RULE = re.compile(r'(?:\.fa-[\w-]+:before,?)+\{content:"\\([0-9a-f]+)"\}')
 STYLES = """\
 /* Icons of Font Awesome Free {version}, fontawesome.com, SIL OFL 1.1 */
 @font-face {{
@@ -81,8 +88,10 @@ def cut(names: list[str]) -> TTFont:
 
 
 def write_styles(app: Sphinx, config: Config) -> None:
-    """Write icons.css among the static files of the book."""
+    """Write icons.css and the theme's other rules among the static files of the book."""
     font = cut(BUTTONS + BOXES)
+    theme = (THEME / THEME_STYLES).read_text(encoding="utf-8")
+    rules = [rule[0] for rule in RULE.finditer(theme) if int(rule[1], 16) in font.getBestCmap()]
     file = io.BytesIO()
     font.save(file)
     styles = STYLES.format(
@@ -91,8 +100,9 @@ def write_styles(app: Sphinx, config: Config) -> None:
         version=font["name"].getDebugName(5).split()[-1].rstrip(")"),
     )
     static = Path(app.outdir).parent / "static"
-    static.mkdir(parents=True, exist_ok=True)
-    (static / "icons.css").write_text(styles, encoding="utf-8")
+    (static / "styles").mkdir(parents=True, exist_ok=True)
+    (static / "icons.css").write_text(styles + "\n".join(rules) + "\n", encoding="utf-8")
+    (static / THEME_STYLES).write_text(RULE.sub("", theme), encoding="utf-8")
     config.html_static_path.append(str(static))
     app.add_css_file("icons.css")
 

@@ -48,6 +48,10 @@ def serve_katex(app: Sphinx, config: Config) -> None:
     config.katex_css_path = "katex/katex.css"
     config.katex_js_path = str(source / "katex.min.js")
     katex.NODEJS_BINARY = str(NODE)
+    katex.STARTUP_TIMEOUT = katex.RENDER_TIMEOUT = 60
+    # Through a Unix socket it would sometimes connect before the server listens, and give up;
+    # through a local port it tries again.
+    katex.KaTeXServer.start_server_process = katex.KaTeXServer.start_network_socket
     katex.KATEX_DEFAULT_OPTIONS.update(throwOnError=True, strict="error")
 
 

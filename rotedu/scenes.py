@@ -304,7 +304,7 @@ def turning_spoon(steps: int = 5, angle: float = np.deg2rad(288)) -> pyvista.Plo
         The scene.
     """
     n = np.array([0.1, 0.3, 1.0]) / np.linalg.norm([0.1, 0.3, 1.0])
-    plotter = new_scene(eye=(2.5, -3.2, 2.6), target=(0.0, 0.0, 0.06))
+    plotter = new_scene(eye=(2.2, -2.82, 2.3), target=(0.02, 0.0, 0.12))
     spoon = teaspoon(stations=61, around=24)
     first, last = (np.array(pyvista.Color(color).float_rgb) for color in (VECTOR, RESULT))
     for t in np.linspace(0, 1, steps):

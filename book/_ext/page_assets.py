@@ -56,11 +56,12 @@ def choose(
     """Choose the files of a page, after all extensions have added theirs."""
     for kind in ("css_files", "script_files"):
         context[kind] = [file for file in context[kind] if is_used(file, context.get("body", ""))]
-    # The theme's search page runs its scripts in the order of the page.
-    if pagename != "search":
-        for script in context["script_files"]:
-            if name_of(script) != BEFORE_THE_PAGE:
-                script.attributes["defer"] = "defer"
+    for script in context["script_files"]:
+        # The theme's search page runs its scripts in the order of the page.
+        if pagename == "search" or name_of(script) == BEFORE_THE_PAGE:
+            script.attributes.pop("defer", None)
+        else:
+            script.attributes["defer"] = "defer"
     if context.get("page_source_suffix") == ".ipynb":
         source = context["pathto"](f"_sources/{context['sourcename']}", resource=True)
         context["header_buttons"].append(DOWNLOAD | {"url": source})

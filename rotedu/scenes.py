@@ -146,26 +146,28 @@ def figure_1(
     turned = rotate(r, n, angle)
     spoke = r - center
 
-    plotter = new_scene(eye=(4.45, 0.8, 2.76), target=(0.1, 0.03, 0.43))
+    plotter = new_scene(eye=(4.45, 2.1, 2.35), target=(0.0, 0.05, 0.42))
     add_coordinate_axes(plotter, 1.1)
-    add_label(plotter, (0, -0.05, -0.09), "$O$")
+    add_label(plotter, (0, 0.09, -0.07), "$O$")
 
     add_line(plotter, turning(r, n, 2 * np.pi, 96), NEUTRAL, radius=0.005)
     sector = center + turning(0.42 * spoke, n, angle)
     plotter.add_mesh(
-        fan(center, sector), color=NEUTRAL, opacity=0.35, lighting=False, pickable=False
+        fan(center, sector), color=NEUTRAL, opacity=0.5, lighting=False, pickable=False
     )
     for tip in (r, turned):
         add_line(plotter, [center, tip], NEUTRAL, radius=0.004)
-    middle = center + rotate(0.27 * spoke, n, angle / 2)
-    add_label(plotter, middle, r"$\theta$")
+    add_point(plotter, center, NEUTRAL, radius=0.022)
+    add_label(plotter, center + rotate(0.56 * spoke, n, angle / 2), r"$\theta$")
+    add_label(plotter, center - 0.14 * spoke, r"$\vec r_\parallel$")
+    add_label(plotter, center + 0.72 * spoke + 0.09 * n, r"$\vec r_\perp$")
 
     add_arrow(plotter, ORIGIN, 1.2 * n, AXIS)
     add_arrow(plotter, ORIGIN, r, VECTOR)
     add_arrow(plotter, ORIGIN, turned, RESULT)
     add_label(plotter, 1.29 * n, r"$\hat n$", AXIS)
-    add_label(plotter, 1.13 * r, r"$\vec r$", VECTOR)
-    add_label(plotter, 1.13 * turned, r"$\vec r^{\,\prime}$", RESULT)
+    add_label(plotter, 1.2 * r, r"$\vec r$", VECTOR)
+    add_label(plotter, 1.17 * turned, r"$\vec r^{\,\prime}$", RESULT)
 
     first = np.cos(angle) * r
     second = first + (1 - np.cos(angle)) * (r @ n) * n
@@ -271,7 +273,7 @@ def rotated_mesh(
     after.points = transform(rotation_matrix(axis, angle), before.points)
     n = np.asarray(axis, float) / np.linalg.norm(axis)
 
-    plotter = new_scene(eye=(2.3, -2.8, 2.16), target=(-0.1, -0.02, 0.1))
+    plotter = new_scene(eye=(1.3, -2.8, 3.35), target=(0, 0, 0.1))
     plotter.add_mesh(before, color=VECTOR, smooth_shading=True)
     plotter.add_mesh(after, color=RESULT, smooth_shading=True)
     add_arrow(plotter, -0.7 * n, 0.9 * n, AXIS)
@@ -279,7 +281,7 @@ def rotated_mesh(
     far = before.points[np.argmax(np.linalg.norm(np.cross(before.points, n), axis=1))]
     path = turning(far, n, angle)
     add_line(plotter, path, NEUTRAL, radius=0.006)
-    add_label(plotter, 1.12 * path[len(path) // 2], r"$\theta$")
+    add_label(plotter, 1.06 * path[len(path) // 2], r"$\theta$")
     describe(
         plotter,
         f"A mesh of {before.n_points} vertices in blue, and in green the same mesh turned by"
@@ -304,7 +306,7 @@ def turning_spoon(steps: int = 5, angle: float = np.deg2rad(288)) -> pyvista.Plo
         The scene.
     """
     n = np.array([0.1, 0.3, 1.0]) / np.linalg.norm([0.1, 0.3, 1.0])
-    plotter = new_scene(eye=(2.2, -2.82, 2.3), target=(0.02, 0.0, 0.12))
+    plotter = new_scene(eye=(2.35, -3.02, 2.46), target=(0.02, 0.0, 0.2))
     spoon = teaspoon(stations=61, around=24)
     first, last = (np.array(pyvista.Color(color).float_rgb) for color in (VECTOR, RESULT))
     for t in np.linspace(0, 1, steps):

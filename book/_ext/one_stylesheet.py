@@ -1,8 +1,8 @@
 """The stylesheets of all pages become one, fetched at once and kept for the whole book.
 
 A page would ask for a dozen, one of them through another. The theme's own, which its template
-would link (see ``_templates/static/webpack-macros.html``), come first. When a style changes,
-so does the name of the file, and all pages are written again.
+would link, come first; our copy of it (``_templates/static/webpack-macros.html``) links the one.
+When a style changes, so does its digest, and all pages are written again.
 """
 
 import hashlib
@@ -18,6 +18,7 @@ from sphinx.config import Config
 
 from page_assets import USED_WITH, name_of
 
+NAME = "pages.css"
 # styles/theme.css of the theme does nothing but import basic.css.
 THEME = ["basic.css", "styles/pydata-sphinx-theme.css"]
 PACKAGES = ["sphinx", "sphinx-book-theme", "pydata-sphinx-theme", "myst-nb"]
@@ -25,22 +26,27 @@ REMARKS = re.compile(r'@charset "UTF-8";|/\*# sourceMappingURL=.*?\*/')
 LINK = re.compile(r"""url\((["']?)(?!data:|#|/|[a-z]+:)([^"')]+)\1\)""")
 
 
+def note_digest(app: Sphinx, config: Config) -> None:
+    """Tell Sphinx and the template what is in the stylesheet."""
+    digest = hashlib.sha256("".join(map(version, PACKAGES)).encode())
+    for folder in config.html_static_path:
+        for file in sorted((Path(app.confdir) / folder).rglob("*.css")):
+            digest.update(file.read_bytes())
+    config.stylesheet_digest = digest.hexdigest()[:16]
+    config.html_context["stylesheet_digest"] = config.stylesheet_digest
+
+
+def stylesheet(file: Any) -> str:
+    """Return the path of a stylesheet, or nothing for another file."""
+    is_one = file.attributes["rel"] == "stylesheet"
+    return str(file.filename).removeprefix("_static/") if is_one else ""
+
+
 class OneStylesheet:
     """The stylesheet of a build."""
 
     def __init__(self) -> None:
-        self.name = ""
         self.parts: list[str] = []
-
-    def announce(self, app: Sphinx, config: Config) -> None:
-        """Name it by what is in it."""
-        digest = hashlib.sha256("".join(map(version, PACKAGES)).encode())
-        for folder in config.html_static_path:
-            for file in sorted((Path(app.confdir) / folder).rglob("*.css")):
-                digest.update(file.read_bytes())
-        config.stylesheet_digest = digest.hexdigest()[:8]
-        self.name = f"pages-{config.stylesheet_digest}.css"
-        app.add_css_file(self.name, priority=1)
 
     def link(
         self,
@@ -50,27 +56,20 @@ class OneStylesheet:
         context: dict[str, Any],
         doctree: nodes.document | None,
     ) -> None:
-        """Link it on a page, in the place of its parts."""
+        """Leave to a page only the files that are not part of it."""
         if not self.parts:
-            own = {self.name, *USED_WITH}
-            self.parts = THEME + [
-                str(file.filename).removeprefix("_static/")
-                for file in sorted(context["css_files"], key=lambda file: file.priority)
-                if file.attributes["rel"] == "stylesheet" and name_of(file) not in own
-            ]
+            in_order = sorted(context["css_files"], key=lambda file: file.priority)
+            shared = [stylesheet(file) for file in in_order if name_of(file) not in USED_WITH]
+            self.parts = THEME + list(filter(None, shared))
         context["css_files"] = [
-            file
-            for file in context["css_files"]
-            if str(file.filename).removeprefix("_static/") not in self.parts
+            file for file in context["css_files"] if stylesheet(file) not in self.parts
         ]
 
     def write(self, app: Sphinx, error: Exception | None) -> None:
         """Write it, when all extensions have written theirs."""
         if self.parts and not error:
             static = Path(app.outdir) / "_static"
-            for old in static.glob("pages-*.css"):
-                old.unlink()
-            (static / self.name).write_text(joined(static, self.parts), encoding="utf-8")
+            (static / NAME).write_text(joined(static, self.parts), encoding="utf-8")
 
 
 def joined(static: Path, names: list[str]) -> str:
@@ -87,7 +86,7 @@ def setup(app: Sphinx) -> dict[str, Any]:
     """Come after page_assets, which chooses the files of a page."""
     one = OneStylesheet()
     app.add_config_value("stylesheet_digest", "", "html")
-    app.connect("config-inited", one.announce, priority=900)
+    app.connect("config-inited", note_digest, priority=900)
     app.connect("html-page-context", one.link, priority=950)
     app.connect("build-finished", one.write, priority=900)
     return {"parallel_read_safe": True, "parallel_write_safe": False}

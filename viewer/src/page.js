@@ -1,0 +1,31 @@
+/* What the loader says and adds to the page. */
+
+export const SERVE =
+  "To turn this figure, run “python -m http.server” in the folder of the book" +
+  " and open http://localhost:8000.";
+
+/** Say why a figure stays a picture. */
+export function reason(error) {
+  return `This figure stays a picture: ${error.message}.`;
+}
+
+/** Make an empty line whose text a screen reader will speak. */
+export function status() {
+  const line = document.createElement("p");
+  line.className = "scene-message";
+  line.setAttribute("role", "status");
+  return line;
+}
+
+/** Leave it to the reader whether to fetch a scene. */
+export function onClickOnly(scene, goLive) {
+  const button = document.createElement("button");
+  button.type = "button";
+  button.className = "scene-start";
+  button.textContent = "Turn this figure";
+  button.addEventListener("click", () => {
+    button.remove();
+    goLive(scene);
+  });
+  scene.append(button);
+}

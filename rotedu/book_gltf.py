@@ -285,7 +285,10 @@ def _surroundings(plotter: pyvista.Plotter) -> dict[str, Any]:
     lights = []
     for light in plotter.renderer.lights:
         if light.on:
+            # VTK moves a headlight along with the camera and says where in the scene it is.
             toward = np.subtract(light.position, light.focal_point)
+            if light.is_headlight:
+                toward = np.array([0, 0, 1])
             color = light.intensity * np.array(light.diffuse_color.float_rgb)
             lights.append(
                 {"toward": (toward / np.linalg.norm(toward)).tolist(), "color": color.tolist()}

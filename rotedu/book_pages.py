@@ -102,16 +102,20 @@ def visit_scene_poster(writer: Any, node: scene_poster) -> None:
 
 def visit_scene_label(writer: Any, node: scene_label) -> None:
     """Open a label at its place over the poster."""
-    place = f"--left: {node['left']:.2%}; --top: {node['top']:.2%}; color: {node['color']}"
-    hidden = {"data-hidden": ""} if node["hidden"] else {}
-    position = " ".join(f"{coordinate:.6g}" for coordinate in node["position"])
-    attributes = {"style": place, "data-position": position} | hidden
+    attributes = {
+        "style": f"--left: {node['left']:.2%}; --top: {node['top']:.2%}",
+        "data-position": " ".join(f"{coordinate:.6g}" for coordinate in node["position"]),
+    }
+    if node["hidden"]:
+        attributes["data-hidden"] = ""
     writer.body.append(writer.starttag(node, "span", "", CLASS="scene-label", **attributes))
+    # An element of its own: when the viewer moves the other, browsers rewrite its style.
+    writer.body.append(f'<span style="color: {node["color"]}">')
 
 
 def depart_scene_label(writer: Any, node: scene_label) -> None:
     """Close a label."""
-    writer.body.append("</span>")
+    writer.body.append("</span></span>")
 
 
 def add_viewer(

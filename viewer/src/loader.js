@@ -4,32 +4,45 @@
  * data-state of a scene: poster, loading, live or failed.
  */
 /* global VIEWER */
-import { SERVE, onClickOnly, reason, status } from "./page.js";
+import { SERVE, onClickOnly, pixels, reason, status } from "./page.js";
 
 const home = document.currentScript.src;
 const scenes = [...document.querySelectorAll(".scene[data-scene]")];
 const SIGNS_OF_A_READER = ["pointermove", "pointerdown", "touchstart", "wheel", "scroll", "keydown"];
 const NEAR = "50% 0%";
+let context;
 
 /** Fetch the viewer and the scene, both at once, and put the first frame over the poster. */
 async function goLive(scene) {
   if (scene.dataset.state !== "poster") return;
   scene.dataset.state = "loading";
   try {
-    const [viewer, file] = await Promise.all([
-      import(new URL(VIEWER, home)).catch(() => {
-        throw new Error("the viewer did not load");
-      }),
-      load(scene.dataset.scene),
-    ]);
-    await viewer.show(scene, file);
+    const needed = [loadViewer(), loadScene(scene.dataset.scene)];
+    context ??= openWebGL(scene);
+    const [viewer, file] = await Promise.all(needed);
+    await viewer.show(scene, file, context);
     scene.dataset.state = "live";
   } catch (error) {
     fail(scene, reason(error));
   }
 }
 
-async function load(url) {
+/** Open the one WebGL context of the page, as large as its first scene. */
+function openWebGL(scene) {
+  const canvas = document.createElement("canvas");
+  Object.assign(canvas, pixels(scene));
+  const opened = canvas.getContext("webgl2", { alpha: true, antialias: true });
+  if (!opened) throw new Error("this browser draws no WebGL");
+  return opened;
+}
+
+function loadViewer() {
+  return import(new URL(VIEWER, home)).catch(() => {
+    throw new Error("the viewer did not load");
+  });
+}
+
+async function loadScene(url) {
   const answer = await fetch(url).catch(() => {
     throw new Error("its scene did not load");
   });

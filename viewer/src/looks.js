@@ -1,11 +1,11 @@
 /* The looks of VTK: its light, without gamma, on both sides of a surface. */
 import {
-  BackSide,
   Color,
   ColorManagement,
   DoubleSide,
-  FrontSide,
   Mesh,
+  NoBlending,
+  NormalBlending,
   Points,
   ShaderMaterial,
   Vector3,
@@ -15,6 +15,11 @@ import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
 
 ColorManagement.enabled = false;
+
+// The sides of a surface that are drawn.
+const BACK = -1;
+const BOTH = 0;
+const FRONT = 1;
 
 const VERTEX = /* glsl */ `
   uniform vec3 base;
@@ -46,6 +51,7 @@ const FRAGMENT = /* glsl */ `
   uniform float diffuse;
   uniform float specular;
   uniform float specularPower;
+  uniform int sides;
   uniform bool lit;
   uniform bool smoothed;
   uniform bool isPoint;
@@ -64,14 +70,11 @@ const FRAGMENT = /* glsl */ `
     }
     vec3 flatNormal = cross(dFdx(place), dFdy(place));
     if (!smoothed) return normalize(flatNormal) * -sign(dot(flatNormal, place));
-    bool front = gl_FrontFacing;
-    #ifdef FLIP_SIDED
-      front = !front;
-    #endif
-    return normalize(direction) * (front ? 1.0 : -1.0);
+    return normalize(direction) * (gl_FrontFacing ? 1.0 : -1.0);
   }
 
   void main() {
+    if (!isPoint && sides * (gl_FrontFacing ? 1 : -1) < 0) discard;
     vec3 n = normalHere();
     vec3 color = (ambient + (lit ? 0.0 : diffuse)) * tint.rgb;
     for (int i = 0; lit && i < LIGHTS; i++) {
@@ -93,45 +96,47 @@ function frontLight(lights) {
   return sum;
 }
 
-function shader(part, lights) {
-  const { material, geometry } = part;
-  const looks = material.userData;
-  const seeThrough = material.transparent;
+/**
+ * Everything but lines is drawn by one program: to compile another takes longer than a frame.
+ * So three is told that all materials blend and show both sides; what differs are numbers.
+ */
+function shader({ material, geometry, isPoints }, lights, sides = BOTH) {
+  const { userData: looks, transparent } = material;
+  const uniforms = {
+    base: material.color.clone().convertLinearToSRGB(),
+    opacity: material.opacity,
+    ambient: looks.ambient,
+    diffuse: looks.diffuse,
+    specular: looks.specular,
+    specularPower: looks.specularPower,
+    pointSize: looks.pointSize,
+    sides,
+    lit: looks.lit,
+    smoothed: "normal" in geometry.attributes,
+    isPoint: Boolean(isPoints),
+    isRound: looks.roundPoints,
+    toward: lights.map(({ toward }) => new Vector3(...toward)),
+    light: lights.map(({ color }) => new Vector3(...color)),
+  };
   return new ShaderMaterial({
     vertexShader: VERTEX,
     fragmentShader: FRAGMENT,
     defines: { LIGHTS: Math.max(1, lights.length) },
-    uniforms: {
-      base: { value: material.color.clone().convertLinearToSRGB() },
-      opacity: { value: material.opacity },
-      ambient: { value: looks.ambient },
-      diffuse: { value: looks.diffuse },
-      specular: { value: looks.specular },
-      specularPower: { value: looks.specularPower },
-      pointSize: { value: looks.pointSize },
-      lit: { value: looks.lit },
-      smoothed: { value: "normal" in geometry.attributes },
-      isPoint: { value: Boolean(part.isPoints) },
-      isRound: { value: looks.roundPoints },
-      toward: { value: lights.map(({ toward }) => new Vector3(...toward)) },
-      light: { value: lights.map(({ color }) => new Vector3(...color)) },
-    },
+    uniforms: Object.fromEntries(Object.entries(uniforms).map(([key, value]) => [key, { value }])),
     vertexColors: "color" in geometry.attributes,
-    side: material.side,
-    transparent: seeThrough,
-    depthWrite: !seeThrough,
+    side: DoubleSide,
+    transparent,
+    depthWrite: !transparent,
+    blending: transparent ? NormalBlending : NoBlending,
   });
 }
 
 /** A see-through surface is drawn in two steps, for what is inside it comes in between. */
 function surface(part, lights) {
-  const material = shader(part, lights);
-  if (!material.transparent || material.side !== DoubleSide) return [new Mesh(part.geometry, material)];
-  return [BackSide, FrontSide].map((side) => {
-    const one = material.clone();
-    one.side = side;
-    return new Mesh(part.geometry, one);
-  });
+  const { transparent, side } = part.material;
+  let steps = [side === DoubleSide ? BOTH : FRONT];
+  if (transparent && side === DoubleSide) steps = [BACK, FRONT];
+  return steps.map((sides) => new Mesh(part.geometry, shader(part, lights, sides)));
 }
 
 function lines(part, lights) {
@@ -179,6 +184,8 @@ export function scaleWidths(objects, factor) {
   }
 }
 
+const isBack = ({ material }) => material.uniforms.sides?.value === BACK;
+
 /** Draw see-through surfaces from far to near: far sides by their far end, near by their near. */
 export function sortSeeThrough(objects, camera) {
   const center = new Vector3();
@@ -187,6 +194,6 @@ export function sortSeeThrough(objects, camera) {
     center.copy(boundingSphere.center).applyMatrix4(object.matrixWorld);
     const reach = boundingSphere.radius * object.matrixWorld.getMaxScaleOnAxis();
     const distance = center.distanceTo(camera.position);
-    object.renderOrder = -(distance + (object.material.side === BackSide ? reach : -reach));
+    object.renderOrder = -(distance + (isBack(object) ? reach : -reach));
   }
 }

@@ -1,5 +1,8 @@
 /* What the loader says and adds to the page. */
 
+// More pixels to a point nobody sees.
+const MOST = 2;
+
 export const SERVE =
   "To turn this figure, run “python -m http.server” in the folder of the book" +
   " and open http://localhost:8000.";
@@ -28,4 +31,10 @@ export function onClickOnly(scene, goLive) {
     goLive(scene);
   });
   scene.append(button);
+}
+
+/** The size of the picture that fills a scene. */
+export function pixels({ clientWidth, clientHeight }) {
+  const density = Math.min(devicePixelRatio, MOST);
+  return { width: Math.round(clientWidth * density), height: Math.round(clientHeight * density) };
 }

@@ -7,13 +7,23 @@ import { LinearSRGBColorSpace, WebGLRenderer } from "three";
 let renderer;
 const restored = new Set();
 
-function open() {
-  const canvas = document.createElement("canvas");
-  const context = canvas.getContext("webgl2", { alpha: true, antialias: true });
-  if (!context) throw new Error("this browser draws no WebGL");
-  renderer = new WebGLRenderer({ canvas, context });
-  renderer.outputColorSpace = LinearSRGBColorSpace;
-  canvas.addEventListener("webglcontextrestored", () => restored.forEach((redraw) => redraw()));
+/** Make the renderer, once, and let the browser compile what a scene is drawn with. */
+export async function prepare(context, scene, camera) {
+  if (!renderer) {
+    const { canvas } = context;
+    renderer = new WebGLRenderer({ canvas, context });
+    renderer.outputColorSpace = LinearSRGBColorSpace;
+    // To ask for errors is to wait for the compiler.
+    renderer.debug.checkShaderErrors = false;
+    canvas.addEventListener("webglcontextrestored", () => restored.forEach((redraw) => redraw()));
+    await pause();
+  }
+  await renderer.compileAsync(scene, camera);
+}
+
+/** Let the browser do other things before the next step. */
+function pause() {
+  return new Promise((resolve) => setTimeout(resolve));
 }
 
 /** Call back when pictures have to be drawn anew. */
@@ -23,7 +33,6 @@ export function onRestored(redraw) {
 
 /** Draw a scene into its canvas. */
 export function draw(scene, camera, canvas) {
-  if (!renderer) open();
   if (renderer.getContext().isContextLost()) return;
   const { width, height } = canvas;
   const shared = renderer.domElement;

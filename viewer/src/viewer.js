@@ -4,19 +4,18 @@ import { clipping, fieldOfView } from "./camera.js";
 import { takeInHand } from "./hand.js";
 import { isHidden, project } from "./labels.js";
 import { scaleWidths, sortSeeThrough } from "./looks.js";
+import { pixels } from "./page.js";
 import { read } from "./read.js";
-import { draw, onRestored } from "./screen.js";
+import { draw, onRestored, prepare } from "./screen.js";
 import { createCanvas, createTools } from "./stage.js";
-
-// More pixels than this nobody sees.
-const MOST_PIXELS_PER_POINT = 2;
 
 /**
  * Draw a scene over its poster and let the reader turn it.
  * @param {HTMLElement} element the scene in the page: a poster and labels
  * @param {ArrayBuffer} file
+ * @param {WebGL2RenderingContext} context the same for all scenes
  */
-export async function show(element, file) {
+export async function show(element, file, context) {
   const poster = element.querySelector(".scene-poster");
   const { objects, surfaces, around, camera: pose } = await read(file);
   const scene = new Scene();
@@ -49,13 +48,12 @@ export async function show(element, file) {
     });
   };
   const fit = () => {
-    const density = Math.min(devicePixelRatio, MOST_PIXELS_PER_POINT);
-    canvas.width = Math.round(element.clientWidth * density);
-    canvas.height = Math.round(element.clientHeight * density);
+    Object.assign(canvas, pixels(element));
     scaleWidths(objects, Math.min(canvas.width / poster.width, canvas.height / poster.height));
     drawNow();
   };
 
+  await prepare(context, scene, camera);
   const { controls, full } = takeInHand(camera, element, canvas, pose.target);
   fit();
   poster.after(canvas);

@@ -123,13 +123,11 @@ def _primitives(actor: pyvista.Actor, binary: _Binary, material: int) -> list[di
         if isinstance(dataset, pyvista.PolyData)
         else dataset.extract_surface(algorithm=None)
     )
-    colors, per_cell = _colors(actor)
-    if per_cell:
-        raise ValueError("scene: colours by cell cannot travel; use colours by point")
+    colors = _colors(actor)
     corners = {STRIP: _strip(surface), LINES: _segments(surface), POINTS: _vertices(surface)}
     style = actor.prop.style.lower()
     if style == "wireframe":
-        corners = {LINES: _segments(surface.extract_all_edges(use_all_points=True))}
+        corners = {LINES: _segments(surface.extract_all_edges())}
     elif style == "points":
         corners = {POINTS: np.arange(surface.n_points)}
 
@@ -167,7 +165,7 @@ def _strip(surface: pyvista.PolyData) -> NDArray[np.int64]:
     triangles without area; every strip begins at an even place, so that its faces keep
     their front.
     """
-    if not surface.n_faces:
+    if not surface.n_faces + surface.n_strips:
         return np.empty(0, np.int64)
     strips = surface.triangulate().strip(max_length=10**6)
     corners: list[int] = []
@@ -201,20 +199,20 @@ def _vertices(surface: pyvista.PolyData) -> NDArray[np.int64]:
     return np.asarray(surface.verts, np.int64).reshape(-1, 2)[:, 1]
 
 
-def _colors(actor: pyvista.Actor) -> tuple[NDArray[np.uint16] | None, bool]:
-    """Return the colours of the points, linear, and whether they belong to cells instead."""
+def _colors(actor: pyvista.Actor) -> NDArray[np.uint16] | None:
+    """Return the colours of the points, linear, if they have colours of their own."""
     mapper = actor.mapper
     if not mapper.scalar_visibility:
-        return None, False
-    # Otherwise VTK looks colours up in a texture and has none for the points.
+        return None
+    if mapper.array_name not in mapper.dataset.point_data:
+        raise ValueError("scene: expected colours by point, got colours by cell")
+    dataset = mapper.dataset.copy(deep=False)
+    dataset.set_active_scalars(mapper.array_name, preference="point")
+    # Otherwise VTK looks the colours of pixels up in a texture, and the points have none.
     mapper.SetInterpolateScalarsBeforeMapping(False)
-    mapped = mapper.MapScalars(1.0)
-    if mapped is None:
-        return None, False
-    rgba = pyvista.convert_array(mapped) / 255
-    per_cell = len(rgba) != mapper.dataset.n_points
+    rgba = pyvista.convert_array(mapper.MapScalars(dataset, 1.0)) / 255
     linear = np.column_stack([_linear(rgba[:, :3]), rgba[:, 3:]])
-    return np.rint(65535 * linear).astype(np.uint16), per_cell
+    return np.asarray(np.rint(65535 * linear), np.uint16)
 
 
 def _linear(color: ArrayLike) -> NDArray[np.float64]:
@@ -310,7 +308,7 @@ def _refuse_what_cannot_travel(plotter: pyvista.Plotter) -> None:
     actors = {name: actor for name, actor in plotter.actors.items() if actor.GetVisibility()}
     parts = [actor for actor in actors.values() if isinstance(actor, pyvista.Actor)]
     others = {
-        name: actor
+        type(actor).__name__
         for name, actor in actors.items()
         if not isinstance(actor, pyvista.Actor) and not name.endswith("-labels")
     }
@@ -323,11 +321,9 @@ def _refuse_what_cannot_travel(plotter: pyvista.Plotter) -> None:
         ),
         "textures": any(part.texture for part in parts),
         "visible edges": any(part.prop.show_edges for part in parts),
-        "physically based rendering": any(
-            part.prop.interpolation.name.startswith("PHYSICALLY") for part in parts
-        ),
+        "physically based rendering": any(part.prop.interpolation.name == "PBR" for part in parts),
         "culled front faces": any(part.prop.culling == "front" for part in parts),
-        f"these actors: {', '.join(others)}": bool(others),
+        ", ".join(sorted(others)): bool(others),
     }
     if found := [what for what, is_there in refused.items() if is_there]:
         raise ValueError(f"scene: expected what a web page can show, got {'; '.join(found)}")

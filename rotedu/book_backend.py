@@ -3,18 +3,24 @@
 A page that is read in a browser has no Python behind it. This module turns what
 ``Plotter.show()`` would open in a window into something such a page can carry: a
 poster (a picture with a see-through background, at twice the size it is shown at), an
-alternative text, and the labels of the scene as text over the poster, typeset like the
-formulas of the page. Nothing here knows what the scenes are about.
+alternative text, the labels of the scene as text over the poster, typeset like the formulas
+of the page, and the scene itself as binary glTF, which the viewer in the folder ``viewer``
+draws in place of the poster for the reader to turn. Nothing here knows what the scenes are
+about.
 
 How another book would use it
 -----------------------------
 1. Install the package next to `pyvista` and `myst_nb`. Two entry points announce it:
    the group ``pyvista.jupyter_backends`` brings the backend ``book`` (`book_figure`),
    the group ``myst_nb.mime_renderers`` brings `rotedu.book_pages.SceneRenderer`.
-2. Add ``rotedu.book_pages`` to the Sphinx extensions (in Jupyter Book:
+2. Bundle the viewer once, with Node: ``npm install three esbuild``, then ``node
+   viewer/build.js <folder>``; the folder is one of Sphinx's ``html_static_path``. All files
+   come from the book's own host, and no script is inline.
+3. Add ``rotedu.book_pages`` to the Sphinx extensions (in Jupyter Book:
    ``sphinx: extra_extensions``). While Sphinx runs, notebooks then use the backend
-   ``book``; anywhere else they keep the one they would have had.
-3. Say in words what a scene shows, then show it as always::
+   ``book``; anywhere else they keep the one they would have had. Pages with scenes load
+   ``scene/scene.css`` and ``scene/loader.js``; the viewer follows when a scene comes near.
+4. Say in words what a scene shows, then show it as always::
 
        plotter = pyvista.Plotter()
        plotter.add_mesh(pyvista.Sphere())
@@ -23,8 +29,8 @@ How another book would use it
        plotter.show()
 
 A label may hold a formula between dollar signs. Meshes added with ``pickable=False``
-never hide a label that stands behind them. The page gives the classes ``scene``,
-``scene-poster`` and ``scene-label`` their looks.
+never hide a label that stands behind them. What the viewer could not show as the poster does
+(textures, several views, lights that stay in place) is refused with a `ValueError`.
 """
 
 import base64
@@ -36,7 +42,10 @@ from typing import Any, cast
 
 import numpy as np
 import pyvista
+from PIL import Image
 from vtkmodules.vtkRenderingLabel import vtkPointSetToLabelHierarchy
+
+from rotedu.book_gltf import scene_gltf
 
 MIME_TYPE = "application/vnd.pyvista.scene+json"
 POSTER_SCALE = 2
@@ -84,9 +93,10 @@ def describe(plotter: pyvista.Plotter, alt: str) -> None:
 class BookFigure:
     """A scene as a notebook output: a picture for anyone, and all of it for the book."""
 
-    def __init__(self, scene: dict[str, Any], poster: bytes) -> None:
+    def __init__(self, scene: dict[str, Any], poster: bytes, gltf: bytes) -> None:
         self.scene = scene
         self.poster = poster
+        self.gltf = gltf
 
     def __repr__(self) -> str:
         return f"<scene: {self.scene['alt']}>"
@@ -96,7 +106,8 @@ class BookFigure:
         return {
             "text/plain": repr(self),
             "image/png": poster,
-            MIME_TYPE: self.scene | {"poster": poster},
+            MIME_TYPE: self.scene
+            | {"poster": poster, "gltf": base64.b64encode(self.gltf).decode()},
         }
 
 
@@ -111,12 +122,12 @@ def book_figure(plotter: pyvista.Plotter, **_: object) -> BookFigure:
     Returns
     -------
     BookFigure
-        Poster, size, alternative text and labels.
+        Poster, size, alternative text, labels and glTF.
 
     Raises
     ------
     ValueError
-        If the scene has no alternative text.
+        If the scene has no alternative text, or something that no page can show.
     """
     alt = getattr(plotter, "alt_text", None)
     if alt is None:
@@ -126,13 +137,46 @@ def book_figure(plotter: pyvista.Plotter, **_: object) -> BookFigure:
         )
     width, height = plotter.window_size
     labels = scene_labels(plotter)
+    plotter.render()
+    gltf = scene_gltf(plotter)
+    scene = {"alt": alt, "width": width, "height": height, "labels": labels}
+    return BookFigure(scene, take_poster(plotter), gltf)
+
+
+def take_poster(plotter: pyvista.Plotter) -> bytes:
+    """Take the picture of a scene without its labels.
+
+    Parameters
+    ----------
+    plotter : pyvista.Plotter
+        The scene.
+
+    Returns
+    -------
+    bytes
+        A PNG file, `POSTER_SCALE` times the size of the scene, see-through where nothing is.
+    """
+    for actor in plotter.actors.values():
+        if isinstance(actor, pyvista.Actor):
+            # Widths are in pixels of the picture.
+            actor.prop.line_width *= POSTER_SCALE
+            actor.prop.point_size *= POSTER_SCALE
     for actor in _label_actors(plotter):
         actor.VisibilityOff()
-    poster = io.BytesIO()
+    # What is seen through comes in the order of its depth, as in the viewer.
+    plotter.renderer.enable_depth_peeling(8)  # type: ignore[no-untyped-call]
+    # VTK mixes the colour of the background into every edge. Black adds nothing to it.
+    plotter.renderer.set_background("black")
     plotter.render()
-    plotter.screenshot(poster, transparent_background=True, scale=POSTER_SCALE)
-    scene = {"alt": alt, "width": width, "height": height, "labels": labels}
-    return BookFigure(scene, poster.getvalue())
+    picture = np.asarray(
+        plotter.screenshot(transparent_background=True, scale=POSTER_SCALE, return_img=True), float
+    )
+    colors, alpha = picture[..., :3], picture[..., 3:]
+    colors = np.divide(255 * colors, alpha, out=np.zeros_like(colors), where=alpha > 0)
+    picture = np.dstack([colors.clip(0, 255), alpha]).round().astype(np.uint8)
+    file = io.BytesIO()
+    Image.fromarray(picture).save(file, "PNG")
+    return file.getvalue()
 
 
 def scene_labels(plotter: pyvista.Plotter) -> list[dict[str, Any]]:

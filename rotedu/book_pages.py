@@ -2,7 +2,8 @@
 
 A scene is a box with the shape of its picture. In it lie the poster and, over the poster,
 one element a label, placed in per cent of the box so that it stays where it belongs at any
-size. No script is needed to see it.
+size. No script is needed to see it; on pages with scenes a small one waits for them to come
+near the screen and then makes them live.
 """
 
 import base64
@@ -15,13 +16,16 @@ from typing import Any, ClassVar
 
 from docutils import nodes
 from PIL import Image
+from sphinx import addnodes
 from sphinx.application import Sphinx
 
 from rotedu.book_backend import MIME_TYPE
 
+NO_SCRIPT = "This figure can be turned where JavaScript is on."
 
-class scene(nodes.General, nodes.Element):  # noqa: N801 (docutils names nodes so)
-    """A figure drawn by pyvista: a poster and its labels."""
+
+class scene(addnodes.download_reference):  # noqa: N801 (docutils names nodes so)
+    """A figure drawn by pyvista: a poster and its labels, and a file, the scene to turn."""
 
 
 class scene_poster(nodes.image):  # noqa: N801
@@ -48,14 +52,14 @@ class SceneRenderer:
 
 def scene_node(renderer: Any, content: dict[str, Any]) -> scene:
     """Write the files of a scene and build its node."""
-    file = io.BytesIO()
+    poster = io.BytesIO()
     Image.open(io.BytesIO(base64.b64decode(content["poster"]))).save(
-        file, "WEBP", quality=85, method=6
+        poster, "WEBP", quality=85, method=6
     )
-    digest = hashlib.sha256(file.getvalue()).hexdigest()[:16]
-    uri = renderer.write_file([f"scene-{digest}.webp"], file.getvalue(), exists_ok=True)
     size = {key: content[key] for key in ("width", "height")}
-    node: scene = scene(**size)
+    gltf = write_file(renderer, base64.b64decode(content["gltf"]), "glb")
+    node: scene = scene(reftarget=gltf, **size)
+    uri = write_file(renderer, poster.getvalue(), "webp")
     node += scene_poster(uri=uri, alt=content["alt"], **size)
     for label in content["labels"]:
         text = label.pop("text")
@@ -67,15 +71,25 @@ def scene_node(renderer: Any, content: dict[str, Any]) -> scene:
     return node
 
 
+def write_file(renderer: Any, content: bytes, suffix: str) -> str:
+    """Write a file under a name that changes with its content, and return where it is."""
+    digest = hashlib.sha256(content).hexdigest()[:16]
+    return str(renderer.write_file([f"scene-{digest}.{suffix}"], content, exists_ok=True))
+
+
 def visit_scene(writer: Any, node: scene) -> None:
     """Open the box, with the shape of the picture."""
-    shape = f"aspect-ratio: {node['width']} / {node['height']}"
-    writer.body.append(writer.starttag(node, "div", CLASS="scene", style=shape))
+    attributes = {
+        "style": f"aspect-ratio: {node['width']} / {node['height']}",
+        "data-scene": posixpath.join(writer.builder.dlpath, node["filename"]),
+    }
+    writer.body.append(writer.starttag(node, "div", CLASS="scene", **attributes))
 
 
 def depart_scene(writer: Any, node: scene) -> None:
     """Close the box."""
     writer.body.append("</div>\n")
+    writer.body.append(f'<noscript><p class="scene-message">{NO_SCRIPT}</p></noscript>\n')
 
 
 def visit_scene_poster(writer: Any, node: scene_poster) -> None:
@@ -88,16 +102,33 @@ def visit_scene_poster(writer: Any, node: scene_poster) -> None:
 
 def visit_scene_label(writer: Any, node: scene_label) -> None:
     """Open a label at its place over the poster."""
-    place = f"left: {node['left']:.2%}; top: {node['top']:.2%}; color: {node['color']}"
-    hidden = {"data-hidden": ""} if node["hidden"] else {}
-    position = " ".join(f"{coordinate:.6g}" for coordinate in node["position"])
-    attributes = {"style": place, "data-position": position} | hidden
+    attributes = {
+        "style": f"--left: {node['left']:.2%}; --top: {node['top']:.2%}",
+        "data-position": " ".join(f"{coordinate:.6g}" for coordinate in node["position"]),
+    }
+    if node["hidden"]:
+        attributes["data-hidden"] = ""
     writer.body.append(writer.starttag(node, "span", "", CLASS="scene-label", **attributes))
+    # An element of its own: when the viewer moves the other, browsers rewrite its style.
+    writer.body.append(f'<span style="color: {node["color"]}">')
 
 
 def depart_scene_label(writer: Any, node: scene_label) -> None:
     """Close a label."""
-    writer.body.append("</span>")
+    writer.body.append("</span></span>")
+
+
+def add_viewer(
+    app: Sphinx,
+    pagename: str,
+    template: str,
+    context: dict[str, Any],
+    doctree: nodes.document | None,
+) -> None:
+    """Load styles and script on a page that has scenes."""
+    if doctree and next(iter(doctree.findall(scene)), None):
+        app.add_css_file("scene/scene.css")
+        app.add_js_file("scene/loader.js", loading_method="defer")
 
 
 def setup(app: Sphinx) -> dict[str, Any]:
@@ -106,4 +137,5 @@ def setup(app: Sphinx) -> dict[str, Any]:
     app.add_node(scene, html=(visit_scene, depart_scene))
     app.add_node(scene_poster, html=(visit_scene_poster, None))
     app.add_node(scene_label, html=(visit_scene_label, depart_scene_label))
+    app.connect("html-page-context", add_viewer)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

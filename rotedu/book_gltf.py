@@ -1,0 +1,337 @@
+"""A pyvista scene as binary glTF: what a viewer needs to draw it as pyvista does.
+
+Surfaces, lines, points, colours, opacity and the camera are where the glTF standard has them.
+VTK's looks go beyond it and travel as ``extras``: the lights and the camera's target with the
+scene, the share of ambient, diffuse and specular light and the widths in pixels with each
+material, and whether a part hides labels with each node (``pickable``).
+
+Positions are the float32 of what pyvista was given. Normals are rounded to 1/127, colours
+are linear as the standard wants them.
+"""
+
+import json
+import struct
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+import pyvista
+from numpy.typing import ArrayLike, NDArray
+
+FLOAT, BYTE, USHORT, UINT = 5126, 5120, 5123, 5125
+COMPONENT_TYPES = {"float32": FLOAT, "int8": BYTE, "uint16": USHORT, "uint32": UINT}
+VERTEX_DATA, INDICES = 34962, 34963
+POINTS, LINES, STRIP = 0, 1, 5
+# glTF keeps the largest index of a type for itself.
+USHORT_POINTS = 65535
+
+
+def scene_gltf(plotter: pyvista.Plotter) -> bytes:
+    """Write a scene as binary glTF (``.glb``).
+
+    Parameters
+    ----------
+    plotter : pyvista.Plotter
+        The scene; its labels are left out.
+
+    Returns
+    -------
+    bytes
+        The content of the file.
+
+    Raises
+    ------
+    ValueError
+        If the scene has something that the file could not carry.
+    """
+    _refuse_what_cannot_travel(plotter)
+    binary = _Binary()
+    nodes: list[dict[str, Any]] = []
+    meshes: list[dict[str, Any]] = []
+    materials: list[dict[str, Any]] = []
+    for name, actor in plotter.actors.items():
+        if not isinstance(actor, pyvista.Actor) or not actor.visibility:
+            continue
+        primitives = _primitives(actor, binary, len(materials))
+        if not primitives:
+            continue
+        # Without a name of its own an actor goes by an address in memory.
+        title = f"part {len(meshes)}" if "Addr=" in name else name
+        nodes.append(_node(actor, len(meshes), title))
+        meshes.append({"name": title, "primitives": primitives})
+        materials.append(_material(actor))
+    camera, camera_node = _camera(plotter)
+    document = {
+        "asset": {"version": "2.0", "generator": "rotedu.book_gltf"},
+        "extensionsUsed": ["KHR_materials_unlit", "KHR_mesh_quantization"],
+        "extensionsRequired": ["KHR_mesh_quantization"],
+        "scene": 0,
+        "scenes": [{"nodes": list(range(len(nodes) + 1)), "extras": _surroundings(plotter)}],
+        "nodes": [*nodes, camera_node],
+        "meshes": meshes,
+        "materials": materials,
+        "cameras": [camera],
+        "accessors": binary.accessors,
+        "bufferViews": binary.views,
+        "buffers": [{"byteLength": len(binary.content)}],
+    }
+    return _container(json.dumps(document, separators=(",", ":")).encode(), bytes(binary.content))
+
+
+class _Binary:
+    """The numbers of a glTF file; the same array is stored once."""
+
+    def __init__(self) -> None:
+        self.content = bytearray()
+        self.views: list[dict[str, int]] = []
+        self.accessors: list[dict[str, Any]] = []
+        self.known: dict[tuple[bytes, str], int] = {}
+
+    def add(self, array: NDArray[Any], target: int, **properties: Any) -> int:
+        """Store an array, shape (count, components), and return the index of its accessor."""
+        key = (array.tobytes(), f"{array.dtype} {array.shape} {target}")
+        if key in self.known:
+            return self.known[key]
+        count, components = array.shape
+        row = components * array.itemsize
+        view = {"buffer": 0, "byteOffset": len(self.content), "target": target}
+        if target == VERTEX_DATA and row % 4:
+            # Every vertex starts at a multiple of four bytes.
+            array = np.pad(array, ((0, 0), (0, (-row % 4) // array.itemsize)))
+            view["byteStride"] = row + -row % 4
+        data = array.tobytes()
+        self.content += data + bytes(-len(data) % 4)
+        self.views.append(view | {"byteLength": len(data)})
+        self.accessors.append(
+            {
+                "bufferView": len(self.views) - 1,
+                "componentType": COMPONENT_TYPES[array.dtype.name],
+                "count": count,
+                "type": {1: "SCALAR", 3: "VEC3", 4: "VEC4"}[components],
+            }
+            | properties
+        )
+        self.known[key] = len(self.accessors) - 1
+        return self.known[key]
+
+
+def _primitives(actor: pyvista.Actor, binary: _Binary, material: int) -> list[dict[str, Any]]:
+    """Store the geometry of an actor: one primitive for each kind of cell that it draws."""
+    dataset = actor.mapper.dataset
+    surface = (
+        dataset
+        if isinstance(dataset, pyvista.PolyData)
+        else dataset.extract_surface(algorithm=None)
+    )
+    colors = _colors(actor)
+    corners = {STRIP: _strip(surface), LINES: _segments(surface), POINTS: _vertices(surface)}
+    style = actor.prop.style.lower()
+    if style == "wireframe":
+        corners = {LINES: _segments(surface.extract_all_edges())}
+    elif style == "points":
+        corners = {POINTS: np.arange(surface.n_points)}
+
+    points = np.asarray(surface.points, np.float32)
+    attributes = {
+        "POSITION": binary.add(
+            points,
+            VERTEX_DATA,
+            min=[float(x) for x in points.min(axis=0)],
+            max=[float(x) for x in points.max(axis=0)],
+        )
+    }
+    normals = surface.point_data.active_normals
+    if normals is not None and actor.prop.interpolation.value != 0:
+        rounded = np.rint(127 * np.asarray(normals)).astype(np.int8)
+        attributes["NORMAL"] = binary.add(rounded, VERTEX_DATA, normalized=True)
+    if colors is not None:
+        attributes["COLOR_0"] = binary.add(colors, VERTEX_DATA, normalized=True)
+
+    primitives = []
+    for mode, used in corners.items():
+        if used.size:
+            index_type = np.uint16 if len(points) <= USHORT_POINTS else np.uint32
+            indices = binary.add(used.astype(index_type).reshape(-1, 1), INDICES)
+            primitives.append(
+                {"attributes": attributes, "indices": indices, "mode": mode, "material": material}
+            )
+    return primitives
+
+
+def _strip(surface: pyvista.PolyData) -> NDArray[np.int64]:
+    """Return the corners of all faces as one strip of triangles.
+
+    A third as many numbers as for single triangles. Between the strips that VTK finds lie
+    triangles without area; every strip begins at an even place, so that its faces keep
+    their front.
+    """
+    if not surface.n_faces + surface.n_strips:
+        return np.empty(0, np.int64)
+    strips = surface.triangulate().strip(max_length=10**6)
+    corners: list[int] = []
+    for cells in (strips.strips, strips.faces):
+        for strip in _cells(np.asarray(cells)):
+            if corners:
+                corners += [corners[-1], *[strip[0]] * (1 + len(corners) % 2)]
+            corners += strip.tolist()
+    return np.array(corners, np.int64)
+
+
+def _cells(connectivity: NDArray[np.int64]) -> Iterator[NDArray[np.int64]]:
+    """Yield the points of each cell from VTK's list of lengths and points."""
+    start = 0
+    while start < len(connectivity):
+        end = start + 1 + connectivity[start]
+        yield connectivity[start + 1 : end]
+        start = end
+
+
+def _segments(surface: pyvista.PolyData) -> NDArray[np.int64]:
+    """Return the ends of all pieces of all lines, two by two."""
+    lines = [np.column_stack([line[:-1], line[1:]]) for line in _cells(np.asarray(surface.lines))]
+    return np.concatenate([np.empty((0, 2), np.int64), *lines]).ravel()
+
+
+def _vertices(surface: pyvista.PolyData) -> NDArray[np.int64]:
+    """Return the points that are drawn as points."""
+    if not surface.n_verts:
+        return np.empty(0, np.int64)
+    return np.asarray(surface.verts, np.int64).reshape(-1, 2)[:, 1]
+
+
+def _colors(actor: pyvista.Actor) -> NDArray[np.uint16] | None:
+    """Return the colours of the points, linear, if they have colours of their own."""
+    mapper = actor.mapper
+    if not mapper.scalar_visibility:
+        return None
+    if mapper.array_name not in mapper.dataset.point_data:
+        raise ValueError("scene: expected colours by point, got colours by cell")
+    dataset = mapper.dataset.copy(deep=False)
+    dataset.set_active_scalars(mapper.array_name, preference="point")
+    # Otherwise VTK looks the colours of pixels up in a texture, and the points have none.
+    mapper.SetInterpolateScalarsBeforeMapping(False)
+    rgba = pyvista.convert_array(mapper.MapScalars(dataset, 1.0)) / 255
+    linear = np.column_stack([_linear(rgba[:, :3]), rgba[:, 3:]])
+    return np.asarray(np.rint(65535 * linear), np.uint16)
+
+
+def _linear(color: ArrayLike) -> NDArray[np.float64]:
+    """Take the gamma of sRGB out of a colour."""
+    color = np.asarray(color, float)
+    return np.where(color <= 0.04045, color / 12.92, ((color + 0.055) / 1.055) ** 2.4)
+
+
+def _material(actor: pyvista.Actor) -> dict[str, Any]:
+    """Describe the looks of an actor."""
+    prop = actor.prop
+    color = np.ones(3) if actor.mapper.scalar_visibility else _linear(prop.color.float_rgb)
+    material: dict[str, Any] = {
+        "pbrMetallicRoughness": {
+            "baseColorFactor": [*(round(float(x), 6) for x in color), prop.opacity],
+            "metallicFactor": 0,
+        },
+        "doubleSided": prop.culling == "none",
+        "extras": {
+            "lit": prop.lighting,
+            "ambient": prop.ambient,
+            "diffuse": prop.diffuse,
+            "specular": prop.specular,
+            "specularPower": prop.specular_power,
+            "lineWidth": prop.line_width,
+            "pointSize": prop.point_size,
+            "roundPoints": prop.render_points_as_spheres,
+        },
+    }
+    if prop.opacity < 1:
+        material["alphaMode"] = "BLEND"
+    if not prop.lighting:
+        material["extensions"] = {"KHR_materials_unlit": {}}
+    return material
+
+
+def _node(actor: pyvista.Actor, mesh: int, name: str) -> dict[str, Any]:
+    """Place an actor in the scene."""
+    node = {"mesh": mesh, "name": name, "extras": {"pickable": bool(actor.GetPickable())}}
+    matrix = pyvista.array_from_vtkmatrix(actor.GetMatrix())
+    if not np.array_equal(matrix, np.eye(4)):
+        node["matrix"] = matrix.T.ravel().tolist()
+    return node
+
+
+def _camera(plotter: pyvista.Plotter) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Describe the camera as the standard has it, and its place in the scene."""
+    width, height = plotter.window_size
+    near, far = plotter.camera.clipping_range
+    view = pyvista.array_from_vtkmatrix(plotter.camera.GetModelViewTransformMatrix())
+    perspective = {
+        "aspectRatio": width / height,
+        "yfov": float(np.deg2rad(plotter.camera.view_angle)),
+        "znear": near,
+        "zfar": far,
+    }
+    node = {
+        "camera": 0,
+        "name": "camera",
+        "matrix": np.linalg.inv(view.astype(float)).T.ravel().tolist(),
+    }
+    return {"type": "perspective", "perspective": perspective}, node
+
+
+def _surroundings(plotter: pyvista.Plotter) -> dict[str, Any]:
+    """Return what an orbit needs of the camera, and the lights, which go with it."""
+    camera = plotter.camera
+    lights = []
+    for light in plotter.renderer.lights:
+        if light.on:
+            # VTK moves a headlight along with the camera and says where in the scene it is.
+            toward = np.subtract(light.position, light.focal_point)
+            if light.is_headlight:
+                toward = np.array([0, 0, 1])
+            color = light.intensity * np.array(light.diffuse_color.float_rgb)
+            lights.append(
+                {"toward": (toward / np.linalg.norm(toward)).tolist(), "color": color.tolist()}
+            )
+    return {
+        "camera": {
+            "position": list(camera.position),
+            "target": list(camera.focal_point),
+            "up": list(camera.up),
+            "viewAngle": camera.view_angle,
+            "aspect": plotter.window_size[0] / plotter.window_size[1],
+        },
+        "lights": lights,
+    }
+
+
+def _refuse_what_cannot_travel(plotter: pyvista.Plotter) -> None:
+    """Complain about what poster and viewer would show differently."""
+    actors = {name: actor for name, actor in plotter.actors.items() if actor.GetVisibility()}
+    parts = [actor for actor in actors.values() if isinstance(actor, pyvista.Actor)]
+    others = {
+        type(actor).__name__
+        for name, actor in actors.items()
+        if not isinstance(actor, pyvista.Actor) and not name.endswith("-labels")
+    }
+    refused = {
+        "several views": len(plotter.renderers) > 1,
+        "a parallel projection": plotter.camera.parallel_projection,
+        "lights that stay in place": any(
+            light.on and (light.is_scene_light or light.positional)
+            for light in plotter.renderer.lights
+        ),
+        "textures": any(part.texture for part in parts),
+        "visible edges": any(part.prop.show_edges for part in parts),
+        "physically based rendering": any(part.prop.interpolation.name == "PBR" for part in parts),
+        "culled front faces": any(part.prop.culling == "front" for part in parts),
+        ", ".join(sorted(others)): bool(others),
+    }
+    if found := [what for what, is_there in refused.items() if is_there]:
+        raise ValueError(f"scene: expected what a web page can show, got {'; '.join(found)}")
+
+
+def _container(document: bytes, binary: bytes) -> bytes:
+    """Join the two parts of the file, each filled up to a multiple of four bytes."""
+    chunks = b""
+    for kind, content in ((b"JSON", document.ljust(-len(document) // 4 * -4)), (b"BIN\0", binary)):
+        chunks += struct.pack("<I", len(content)) + kind + content
+    return b"glTF" + struct.pack("<II", 2, 12 + len(chunks)) + chunks

@@ -1,0 +1,314 @@
+"""The figures of the book as data: what is in a glTF file, where labels are, what hides them."""
+
+import base64
+import io
+import json
+import struct
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+import pyvista
+from PIL import Image
+
+sys.path.insert(0, str(Path(__file__).parent))
+from demanding import EYE, SIZE, TARGET, UP, VIEW_ANGLE, add_label, demanding_scene, new_plotter
+
+from rotedu import scenes
+from rotedu.book_backend import MIME_TYPE, POSTER_SCALE, book_figure, describe, scene_labels
+from rotedu.book_gltf import scene_gltf
+
+TYPES = {5120: np.int8, 5123: np.uint16, 5125: np.uint32, 5126: np.float32}
+COMPONENTS = {"SCALAR": 1, "VEC3": 3, "VEC4": 4}
+SCENES = [demanding_scene, scenes.figure_1, scenes.rotated_mesh]
+
+
+class Gltf:
+    """A binary glTF file, read by the letter of the standard."""
+
+    def __init__(self, content: bytes) -> None:
+        magic, version, length = struct.unpack_from("<4sII", content)
+        assert (magic, version, length) == (b"glTF", 2, len(content))
+        chunks, start = {}, 12
+        while start < length:
+            size, kind = struct.unpack_from("<I4s", content, start)
+            assert size % 4 == 0
+            chunks[kind] = content[start + 8 : start + 8 + size]
+            start += 8 + size
+        self.json = json.loads(chunks[b"JSON"])
+        self.binary = chunks[b"BIN\0"]
+        assert self.json["buffers"] == [{"byteLength": len(self.binary)}]
+
+    def array(self, index: int) -> np.ndarray:
+        accessor = self.json["accessors"][index]
+        view = self.json["bufferViews"][accessor["bufferView"]]
+        kind, width = np.dtype(TYPES[accessor["componentType"]]), COMPONENTS[accessor["type"]]
+        stride = view.get("byteStride", width * kind.itemsize)
+        assert view["byteOffset"] % 4 == 0
+        assert view["byteOffset"] + view["byteLength"] <= len(self.binary)
+        assert accessor["count"] * stride == view["byteLength"]
+        rows = np.frombuffer(
+            self.binary, np.uint8, accessor["count"] * stride, view["byteOffset"]
+        ).reshape(-1, stride)
+        return rows[:, : width * kind.itemsize].copy().view(kind)
+
+    def parts(self) -> list[tuple[dict[str, Any], dict[str, Any], dict[str, Any]]]:
+        """The node, the first primitive and the material of every part."""
+        found = []
+        for node in self.json["nodes"]:
+            if "mesh" in node:
+                primitive = self.json["meshes"][node["mesh"]]["primitives"][0]
+                found.append((node, primitive, self.json["materials"][primitive["material"]]))
+        return found
+
+
+def read(plotter: pyvista.Plotter) -> Gltf:
+    return Gltf(scene_gltf(plotter))
+
+
+def single(mesh: pyvista.DataSet, **looks: Any) -> tuple[Gltf, Any, Any, Any]:
+    """A scene with one mesh, and its part of the file."""
+    plotter = new_plotter()
+    plotter.add_mesh(mesh, show_scalar_bar=False, **looks)
+    gltf = read(plotter)
+    return gltf, *gltf.parts()[0]
+
+
+def faces_of(strip: np.ndarray) -> list[tuple[int, int, int]]:
+    """The triangles of a strip, each from its smallest corner on, without those of no area."""
+    faces = []
+    for i in range(len(strip) - 2):
+        a, b, c = (int(x) for x in strip[i : i + 3])
+        if len({a, b, c}) == 3:
+            a, b, c = (a, b, c) if i % 2 == 0 else (b, a, c)
+            faces.append(min((a, b, c), (b, c, a), (c, a, b)))
+    return sorted(faces)
+
+
+def actors_of(plotter: pyvista.Plotter) -> list[pyvista.Actor]:
+    return [actor for actor in plotter.actors.values() if isinstance(actor, pyvista.Actor)]
+
+
+class TestGltf:
+    @pytest.mark.parametrize("scene", SCENES)
+    def test_positions_and_faces_are_those_given_to_pyvista(self, scene: Any) -> None:
+        plotter = scene()
+        gltf = read(plotter)
+        assert len(gltf.parts()) == len(actors_of(plotter))
+        for (_, primitive, _), actor in zip(gltf.parts(), actors_of(plotter), strict=True):
+            mesh = actor.mapper.dataset
+            positions = gltf.array(primitive["attributes"]["POSITION"])
+            np.testing.assert_array_equal(positions, np.asarray(mesh.points, np.float32))
+            bounds = gltf.json["accessors"][primitive["attributes"]["POSITION"]]
+            np.testing.assert_array_equal(bounds["min"], positions.min(axis=0))
+            np.testing.assert_array_equal(bounds["max"], positions.max(axis=0))
+            triangles = mesh.triangulate().regular_faces
+            given = sorted(min((a, b, c), (b, c, a), (c, a, b)) for a, b, c in triangles.tolist())
+            assert primitive["mode"] == 5
+            assert faces_of(gltf.array(primitive["indices"]).ravel()) == given
+
+    def test_positions_survive_what_add_mesh_does_to_a_mesh(self) -> None:
+        """The array of the caller itself, in 64 bits, against the file."""
+        points = np.random.default_rng(1).normal(size=(50, 3))
+        mesh = pyvista.PolyData(points).delaunay_3d().extract_surface(algorithm=None)
+        given = np.asarray(mesh.points).copy()
+        gltf, _, primitive, _ = single(mesh, smooth_shading=True)
+        np.testing.assert_array_equal(
+            gltf.array(primitive["attributes"]["POSITION"]), given.astype(np.float32)
+        )
+
+    def test_normals_are_those_of_pyvista_to_half_a_degree(self) -> None:
+        gltf, _, primitive, _ = single(pyvista.Sphere(), smooth_shading=True)
+        normals = gltf.array(primitive["attributes"]["NORMAL"]) / 127
+        positions = gltf.array(primitive["attributes"]["POSITION"])
+        normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+        cosines = np.sum(normals * positions / 0.5, axis=1)
+        assert np.rad2deg(np.arccos(cosines.clip(-1, 1))).max() < 0.6
+
+    def test_flat_surfaces_have_no_normals(self) -> None:
+        _, _, primitive, _ = single(pyvista.Cube(), smooth_shading=False)
+        assert list(primitive["attributes"]) == ["POSITION"]
+
+    def test_looks(self) -> None:
+        looks = {"opacity": 0.25, "color": "#d55e00", "ambient": 0.1, "diffuse": 0.8}
+        _, node, _, material = single(pyvista.Sphere(), pickable=False, name="glass", **looks)
+        color = np.array([0xD5, 0x5E, 0x00]) / 255
+        linear = np.where(color < 0.04, color / 12.92, ((color + 0.055) / 1.055) ** 2.4)
+        factor = material["pbrMetallicRoughness"]["baseColorFactor"]
+        np.testing.assert_allclose(factor, [*linear, 0.25], atol=1e-6)
+        assert material["alphaMode"] == "BLEND"
+        assert material["doubleSided"]
+        assert material["extras"]["ambient"] == 0.1
+        assert material["extras"]["diffuse"] == 0.8
+        assert "extensions" not in material
+        assert node["name"] == "glass"
+        assert node["extras"] == {"pickable": False}
+
+    def test_opaque_and_unlit(self) -> None:
+        _, node, _, material = single(pyvista.Plane(), lighting=False)
+        assert "alphaMode" not in material
+        assert material["extensions"] == {"KHR_materials_unlit": {}}
+        assert node["extras"] == {"pickable": True}
+
+    def test_lines_and_points(self) -> None:
+        line = pyvista.lines_from_points([[0, 0, 0], [1, 0, 0], [1, 1, 0]])
+        gltf, _, primitive, material = single(line, line_width=3)
+        assert primitive["mode"] == 1
+        assert gltf.array(primitive["indices"]).ravel().tolist() == [0, 1, 1, 2]
+        assert material["extras"]["lineWidth"] == 3
+        cloud = pyvista.PolyData(np.eye(3))
+        gltf, _, primitive, material = single(cloud, point_size=9, render_points_as_spheres=True)
+        assert primitive["mode"] == 0
+        assert gltf.array(primitive["indices"]).ravel().tolist() == [0, 1, 2]
+        assert (material["extras"]["pointSize"], material["extras"]["roundPoints"]) == (9, True)
+
+    def test_wireframe(self) -> None:
+        gltf, _, primitive, _ = single(pyvista.Cube().clean(), style="wireframe")
+        assert primitive["mode"] == 1
+        assert gltf.array(primitive["indices"]).size == 2 * 12
+
+    def test_colors_by_point(self) -> None:
+        mesh = pyvista.Plane(i_resolution=1, j_resolution=1)
+        rgb = np.array([[255, 0, 0], [0, 255, 0], [0, 0, 255], [128, 128, 128]], np.uint8)
+        mesh.point_data["rgb"] = rgb
+        gltf, _, primitive, _ = single(mesh, scalars="rgb", rgb=True)
+        colors = gltf.array(primitive["attributes"]["COLOR_0"]) / 65535
+        np.testing.assert_allclose(colors[:3], np.eye(4)[:3] + np.eye(4)[3])
+        np.testing.assert_allclose(colors[3, :3], 0.2158605, atol=1e-5)
+
+    def test_moved_actors(self) -> None:
+        plotter = new_plotter()
+        actor = plotter.add_mesh(pyvista.Cube())
+        actor.position = (1, 2, 3)
+        node = read(plotter).json["nodes"][0]
+        np.testing.assert_array_equal(np.reshape(node["matrix"], (4, 4))[3], [1, 2, 3, 1])
+
+    def test_camera_and_lights(self) -> None:
+        for rendered in (False, True):
+            plotter = new_plotter()
+            plotter.add_mesh(pyvista.Sphere())
+            if rendered:
+                plotter.render()
+            gltf = read(plotter)
+            surroundings = gltf.json["scenes"][0]["extras"]
+            assert surroundings["camera"] == {
+                "position": list(EYE),
+                "target": list(TARGET),
+                "up": list(UP),
+                "viewAngle": VIEW_ANGLE,
+                "aspect": SIZE[0] / SIZE[1],
+            }
+            matrix = np.reshape(gltf.json["nodes"][-1]["matrix"], (4, 4)).T
+            np.testing.assert_allclose(matrix @ [0, 0, 0, 1], [*EYE, 1], atol=1e-12)
+            ahead = np.subtract(TARGET, EYE) / np.linalg.norm(np.subtract(TARGET, EYE))
+            np.testing.assert_allclose(matrix @ [0, 0, -1, 0], [*ahead, 0], atol=1e-12)
+            assert surroundings["lights"][0] == {"toward": [0, 0, 1], "color": [0.25] * 3}
+            assert len(surroundings["lights"]) == 5
+
+    def test_the_same_scene_is_the_same_file(self) -> None:
+        assert scene_gltf(demanding_scene()) == scene_gltf(demanding_scene())
+
+    def test_equal_arrays_are_stored_once(self) -> None:
+        plotter = new_plotter()
+        for _ in range(2):
+            plotter.add_mesh(pyvista.Sphere())
+        first, second = (primitive for _, primitive, _ in read(plotter).parts())
+        assert first["attributes"] == second["attributes"]
+
+    @pytest.mark.parametrize(
+        ("spoil", "complaint"),
+        [
+            (lambda p: p.enable_parallel_projection(), "parallel projection"),
+            (lambda p: p.add_light(pyvista.Light(position=(1, 1, 1))), "lights that stay"),
+            (lambda p: p.add_mesh(pyvista.Cube(), show_edges=True), "visible edges"),
+            (lambda p: p.add_mesh(pyvista.Cube(), culling="front"), "culled front"),
+            (lambda p: p.add_mesh(pyvista.Cube(), pbr=True), "physically based"),
+            (lambda p: p.add_text("title", name="title"), "CornerAnnotation"),
+            (lambda p: p.add_mesh(pyvista.Cube(), scalars=np.arange(6)), "vtkScalarBarActor"),
+            (
+                lambda p: p.add_mesh(pyvista.Cube(), scalars=np.arange(6), show_scalar_bar=False),
+                "colours by cell",
+            ),
+        ],
+    )
+    def test_what_no_page_can_show_is_refused(self, spoil: Any, complaint: str) -> None:
+        plotter = new_plotter()
+        spoil(plotter)
+        with pytest.raises(ValueError, match=complaint):
+            scene_gltf(plotter)
+
+
+def project(point: Any) -> tuple[float, float]:
+    """A pinhole camera, from its definition."""
+    ahead = np.subtract(TARGET, EYE) / np.linalg.norm(np.subtract(TARGET, EYE))
+    right = np.cross(ahead, UP)
+    right /= np.linalg.norm(right)
+    above = np.cross(right, ahead)
+    seen = np.subtract(point, EYE)
+    half = np.tan(np.deg2rad(VIEW_ANGLE / 2)) * (seen @ ahead)
+    return (1 + seen @ right / half * SIZE[1] / SIZE[0]) / 2, (1 - seen @ above / half) / 2
+
+
+class TestLabels:
+    def test_lie_where_the_camera_sees_their_points(self) -> None:
+        labels = scene_labels(demanding_scene())
+        assert len(labels) == 20
+        for label in labels:
+            left, top = project(label["position"])
+            assert abs(label["left"] - left) < 1e-4
+            assert abs(label["top"] - top) < 1e-4
+
+    def test_keep_text_and_color(self) -> None:
+        labels = {label["text"]: label for label in scene_labels(demanding_scene())}
+        assert labels["$P_3$"]["color"] == "#0072b2"
+        assert labels["north"]["color"] == "#000000"
+
+    @pytest.mark.parametrize(
+        ("looks", "hidden"),
+        [
+            ({}, [False, True, True, True]),
+            ({"opacity": 0.3}, [False, False, False, True]),
+            ({"pickable": False}, [False, False, False, False]),
+        ],
+    )
+    def test_hide_behind_surfaces(self, looks: dict[str, Any], hidden: list[bool]) -> None:
+        """In front of a ball, in its middle, on its far side and behind it."""
+        plotter = new_plotter()
+        plotter.add_mesh(pyvista.Sphere(radius=1, theta_resolution=60, phi_resolution=60), **looks)
+        toward = np.array(EYE) / np.linalg.norm(EYE)
+        for distance in (1.5, 0.0, -0.99, -1.5):
+            add_label(plotter, distance * toward, "$X$")
+        assert [label["hidden"] for label in scene_labels(plotter)] == hidden
+
+
+class TestFigure:
+    def test_needs_an_alternative_text(self) -> None:
+        with pytest.raises(ValueError, match="alternative text"):
+            book_figure(new_plotter())
+        with pytest.raises(ValueError, match="says what the scene shows"):
+            describe(new_plotter(), " ")
+
+    def test_brings_everything_in_one_output(self) -> None:
+        plotter = demanding_scene()
+        gltf = scene_gltf(plotter)
+        bundle = book_figure(plotter)._repr_mimebundle_()
+        assert set(bundle) == {"text/plain", "image/png", MIME_TYPE}
+        scene = bundle[MIME_TYPE]
+        assert scene["alt"].startswith("Six points")
+        assert (scene["width"], scene["height"]) == SIZE
+        assert base64.b64decode(scene["gltf"]) == gltf
+        poster = Image.open(io.BytesIO(base64.b64decode(scene["poster"])))
+        assert poster.size == (POSTER_SCALE * SIZE[0], POSTER_SCALE * SIZE[1])
+
+    def test_the_poster_has_no_trace_of_a_background(self) -> None:
+        plotter = new_plotter()
+        plotter.add_mesh(pyvista.Sphere(radius=0.5), color="#0072b2", opacity=0.3, lighting=False)
+        describe(plotter, "A glass ball.")
+        poster = Image.open(io.BytesIO(book_figure(plotter).poster))
+        assert poster.getpixel((5, 5)) == (0, 0, 0, 0)
+        *color, alpha = poster.getpixel((poster.width // 2 - 100, poster.height // 2))
+        np.testing.assert_allclose(color, [0x00, 0x72, 0xB2], atol=2)
+        # Through both sides of the ball.
+        assert abs(alpha / 255 - (1 - 0.7**2)) < 0.01

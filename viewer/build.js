@@ -1,0 +1,33 @@
+/*
+ * node build.js <folder> bundles the viewer into <folder>/scene/:
+ *   loader.js        on every page with scenes, a classic script, so that it runs from files too
+ *   viewer-HASH.js   a module, fetched when the first scene goes live
+ *   scene.css        the styles of both
+ */
+import { copyFile, mkdir } from "node:fs/promises";
+import { basename, dirname, join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { build } from "esbuild";
+
+const here = dirname(fileURLToPath(import.meta.url));
+const folder = join(process.argv[2], "scene");
+const common = { bundle: true, minify: true, target: "es2022", legalComments: "eof" };
+
+await mkdir(folder, { recursive: true });
+const { metafile } = await build({
+  ...common,
+  entryPoints: [join(here, "src/viewer.js")],
+  entryNames: "[name]-[hash]",
+  outdir: folder,
+  format: "esm",
+  metafile: true,
+});
+const [viewer] = Object.keys(metafile.outputs);
+await build({
+  ...common,
+  entryPoints: [join(here, "src/loader.js")],
+  outdir: folder,
+  format: "iife",
+  define: { VIEWER: JSON.stringify(basename(viewer)) },
+});
+await copyFile(join(here, "scene.css"), join(folder, "scene.css"));

@@ -1,0 +1,70 @@
+/* How a scene answers the hand: mouse, fingers and keys. */
+import { TOUCH } from "three";
+import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+
+const STEP = Math.PI / 24;
+const ZOOM = 0.9;
+
+/**
+ * Let the reader move a camera.
+ * @param camera
+ * @param {HTMLElement} scene
+ * @param {HTMLCanvasElement} canvas
+ * @param {number[]} target what the camera turns about
+ */
+export function takeInHand(camera, scene, canvas, target) {
+  const controls = new OrbitControls(camera, canvas);
+  controls.target.set(...target);
+  controls.minDistance = 0.2 * controls.getDistance();
+  controls.maxDistance = 4 * controls.getDistance();
+  controls.update();
+  controls.saveState();
+
+  const isFull = () => document.fullscreenElement === scene;
+  const full = () => (isFull() ? document.exitFullscreen() : scene.requestFullscreen());
+
+  // In the page the wheel and a finger moving up or down scroll.
+  const grip = () => {
+    canvas.style.touchAction = isFull() ? "none" : "pan-y";
+    controls.touches.TWO = isFull() ? TOUCH.DOLLY_PAN : TOUCH.DOLLY_ROTATE;
+  };
+  grip();
+  document.addEventListener("fullscreenchange", grip);
+  scene.addEventListener(
+    "wheel",
+    (event) => {
+      if (!event.ctrlKey && !event.metaKey && !isFull()) event.stopPropagation();
+    },
+    { capture: true },
+  );
+  for (const kind of ["touchstart", "touchmove"]) {
+    canvas.addEventListener(
+      kind,
+      (event) => {
+        if (event.touches.length > 1 && event.cancelable) event.preventDefault();
+      },
+      { passive: false },
+    );
+  }
+
+  const keys = {
+    ArrowLeft: () => controls.rotateLeft(-STEP),
+    ArrowRight: () => controls.rotateLeft(STEP),
+    ArrowUp: () => controls.rotateUp(-STEP),
+    ArrowDown: () => controls.rotateUp(STEP),
+    "+": () => controls.dollyIn(ZOOM),
+    "=": () => controls.dollyIn(ZOOM),
+    "-": () => controls.dollyOut(ZOOM),
+    0: () => controls.reset(),
+    Home: () => controls.reset(),
+    f: full,
+    Escape: () => canvas.blur(),
+  };
+  canvas.addEventListener("keydown", (event) => {
+    const action = keys[event.key] ?? keys[event.key.toLowerCase()];
+    if (!action || event.ctrlKey || event.metaKey || event.altKey) return;
+    event.preventDefault();
+    action();
+  });
+  return { controls, full };
+}

@@ -1,0 +1,74 @@
+/* Where labels are on the screen, and which stand behind something. */
+
+// A label often lies on a surface itself: its line of sight ends just short of it.
+const SHORT = 1 - 1e-3;
+// Two faces crossed this close together are crossed in the edge they share.
+const SAME = 1e-6;
+
+/**
+ * Project a point.
+ * @param {ArrayLike<number>} matrix projection times view, by columns
+ * @param {number[]} point
+ * @returns {{left: number, top: number, inFront: boolean}} fractions of the picture's size
+ */
+export function project(matrix, [x, y, z]) {
+  const row = (i) => matrix[i] * x + matrix[i + 4] * y + matrix[i + 8] * z + matrix[i + 12];
+  const w = row(3);
+  return { left: (1 + row(0) / w) / 2, top: (1 - row(1) / w) / 2, inFront: w > 0 };
+}
+
+/**
+ * Count how often the way from one point to another crosses a surface, up to a limit.
+ * @param {{positions: ArrayLike<number>, corners: ArrayLike<number>}} surface three corners a face
+ * @param {number[]} from
+ * @param {number[]} to
+ * @param {number} limit
+ */
+export function crossings({ positions, corners }, from, to, limit = Infinity) {
+  const [ox, oy, oz] = from;
+  const [dx, dy, dz] = to.map((value, i) => value - from[i]);
+  const found = [];
+  for (let i = 0; i < corners.length && found.length < limit; i += 3) {
+    const a = 3 * corners[i];
+    const b = 3 * corners[i + 1];
+    const c = 3 * corners[i + 2];
+    // Möller and Trumbore: the edges e and f, the way from the corner s.
+    const ex = positions[b] - positions[a];
+    const ey = positions[b + 1] - positions[a + 1];
+    const ez = positions[b + 2] - positions[a + 2];
+    const fx = positions[c] - positions[a];
+    const fy = positions[c + 1] - positions[a + 1];
+    const fz = positions[c + 2] - positions[a + 2];
+    const px = dy * fz - dz * fy;
+    const py = dz * fx - dx * fz;
+    const pz = dx * fy - dy * fx;
+    const volume = ex * px + ey * py + ez * pz;
+    if (volume === 0) continue;
+    const sx = ox - positions[a];
+    const sy = oy - positions[a + 1];
+    const sz = oz - positions[a + 2];
+    const u = (sx * px + sy * py + sz * pz) / volume;
+    if (u < 0 || u > 1) continue;
+    const qx = sy * ez - sz * ey;
+    const qy = sz * ex - sx * ez;
+    const qz = sx * ey - sy * ex;
+    const v = (dx * qx + dy * qy + dz * qz) / volume;
+    if (v < 0 || u + v > 1) continue;
+    const t = (fx * qx + fy * qy + fz * qz) / volume;
+    if (t > 0 && t < 1 && !found.some((other) => Math.abs(other - t) < SAME)) found.push(t);
+  }
+  return found.length;
+}
+
+/**
+ * Tell whether surfaces come between the eye and a point. One opaque surface hides what is behind
+ * it; a see-through one only where the line of sight goes in and out again: what is inside a glass
+ * ball stays labelled.
+ */
+export function isHidden(surfaces, eye, point) {
+  const end = point.map((value, i) => eye[i] + (value - eye[i]) * SHORT);
+  return surfaces.some((surface) => {
+    const enough = surface.seeThrough ? 2 : 1;
+    return crossings(surface, eye, end, enough) >= enough;
+  });
+}

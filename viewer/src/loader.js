@@ -1,0 +1,88 @@
+/*
+ * Makes the scenes of a page live when they come near the screen, once a reader is there; where
+ * the reader saves data, on a click. Until then, and where that cannot be, posters stay.
+ * data-state of a scene: poster, loading, live or failed.
+ */
+/* global VIEWER */
+import { SERVE, onClickOnly, pixels, reason, status } from "./page.js";
+
+const home = document.currentScript.src;
+const scenes = [...document.querySelectorAll(".scene[data-scene]")];
+const SIGNS_OF_A_READER = ["pointermove", "pointerdown", "touchstart", "wheel", "scroll", "keydown"];
+const NEAR = "50% 0%";
+let context;
+
+/** Fetch the viewer and the scene, both at once, and put the first frame over the poster. */
+async function goLive(scene) {
+  if (scene.dataset.state !== "poster") return;
+  scene.dataset.state = "loading";
+  try {
+    const needed = [loadViewer(), loadScene(scene.dataset.scene)];
+    context ??= openWebGL(scene);
+    const [viewer, file] = await Promise.all(needed);
+    await viewer.show(scene, file, context);
+    scene.dataset.state = "live";
+  } catch (error) {
+    fail(scene, reason(error));
+  }
+}
+
+/** Open the one WebGL context of the page, as large as its first scene. */
+function openWebGL(scene) {
+  const canvas = document.createElement("canvas");
+  Object.assign(canvas, pixels(scene));
+  const opened = canvas.getContext("webgl2", { alpha: true, antialias: true });
+  if (!opened) throw new Error("this browser draws no WebGL");
+  return opened;
+}
+
+function loadViewer() {
+  return import(new URL(VIEWER, home)).catch(() => {
+    throw new Error("the viewer did not load");
+  });
+}
+
+async function loadScene(url) {
+  const answer = await fetch(url).catch(() => {
+    throw new Error("its scene did not load");
+  });
+  if (!answer.ok) throw new Error(`its scene did not load (${answer.status})`);
+  return answer.arrayBuffer();
+}
+
+function fail(scene, text) {
+  scene.dataset.state = "failed";
+  const line = status();
+  scene.after(line);
+  line.textContent = text;
+}
+
+/** Call back when a scene is near the screen. */
+function watch(callback) {
+  const observer = new IntersectionObserver(
+    (entries) => {
+      for (const { isIntersecting, target } of entries) {
+        if (!isIntersecting) continue;
+        observer.unobserve(target);
+        callback(target);
+      }
+    },
+    { rootMargin: NEAR },
+  );
+  scenes.forEach((scene) => observer.observe(scene));
+}
+
+function begin() {
+  SIGNS_OF_A_READER.forEach((sign) => removeEventListener(sign, begin));
+  watch(goLive);
+}
+
+for (const scene of scenes) scene.dataset.state = "poster";
+if (location.protocol === "file:") {
+  // Browsers fetch nothing for a page that comes from a file.
+  watch((scene) => fail(scene, SERVE));
+} else if (navigator.connection?.saveData) {
+  scenes.forEach((scene) => onClickOnly(scene, goLive));
+} else {
+  SIGNS_OF_A_READER.forEach((sign) => addEventListener(sign, begin, { passive: true }));
+}

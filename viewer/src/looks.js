@@ -1,0 +1,199 @@
+/* The looks of VTK: its light, without gamma, on both sides of a surface. */
+import {
+  Color,
+  ColorManagement,
+  DoubleSide,
+  Mesh,
+  NoBlending,
+  NormalBlending,
+  Points,
+  ShaderMaterial,
+  Vector3,
+} from "three";
+import { LineMaterial } from "three/addons/lines/LineMaterial.js";
+import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
+import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
+
+ColorManagement.enabled = false;
+
+// The sides of a surface that are drawn.
+const BACK = -1;
+const BOTH = 0;
+const FRONT = 1;
+
+const VERTEX = /* glsl */ `
+  uniform vec3 base;
+  uniform float pointSize;
+  varying vec3 place;
+  varying vec3 direction;
+  varying vec4 tint;
+
+  vec3 gamma(vec3 c) {
+    return mix(12.92 * c, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c));
+  }
+
+  void main() {
+    vec4 seen = modelViewMatrix * vec4(position, 1.0);
+    place = seen.xyz;
+    direction = normalMatrix * normal;
+    tint = vec4(base, 1.0);
+    #ifdef USE_COLOR_ALPHA
+      tint = vec4(gamma(color.rgb), color.a);
+    #endif
+    gl_Position = projectionMatrix * seen;
+    gl_PointSize = pointSize;
+  }
+`;
+
+const FRAGMENT = /* glsl */ `
+  uniform float opacity;
+  uniform float ambient;
+  uniform float diffuse;
+  uniform float specular;
+  uniform float specularPower;
+  uniform int sides;
+  uniform bool lit;
+  uniform bool smoothed;
+  uniform bool isPoint;
+  uniform bool isRound;
+  uniform vec3 toward[LIGHTS];
+  uniform vec3 light[LIGHTS];
+  varying vec3 place;
+  varying vec3 direction;
+  varying vec4 tint;
+
+  vec3 normalHere() {
+    if (isPoint) {
+      vec2 p = isRound ? vec2(2.0, -2.0) * (gl_PointCoord - 0.5) : vec2(0.0);
+      if (dot(p, p) > 1.0) discard;
+      return vec3(p, sqrt(1.0 - dot(p, p)));
+    }
+    vec3 flatNormal = cross(dFdx(place), dFdy(place));
+    if (!smoothed) return normalize(flatNormal) * -sign(dot(flatNormal, place));
+    return normalize(direction) * (gl_FrontFacing ? 1.0 : -1.0);
+  }
+
+  void main() {
+    if (!isPoint && sides * (gl_FrontFacing ? 1 : -1) < 0) discard;
+    vec3 n = normalHere();
+    vec3 color = (ambient + (lit ? 0.0 : diffuse)) * tint.rgb;
+    for (int i = 0; lit && i < LIGHTS; i++) {
+      float facing = max(0.0, dot(n, toward[i]));
+      color += facing * diffuse * light[i] * tint.rgb;
+      float shine = max(0.0, dot(reflect(-toward[i], n), normalize(-place)));
+      if (facing > 0.0 && specular > 0.0) color += specular * pow(shine, specularPower) * light[i];
+    }
+    gl_FragColor = vec4(color, opacity * tint.a);
+  }
+`;
+
+/** The light that falls on a face turned to the reader, for what has no faces. */
+function frontLight(lights) {
+  const sum = new Color(0, 0, 0);
+  for (const { toward, color } of lights) {
+    sum.add(new Color(...color).multiplyScalar(Math.max(0, toward[2])));
+  }
+  return sum;
+}
+
+/**
+ * Everything but lines is drawn by one program: to compile another takes longer than a frame.
+ * So three is told that all materials blend and show both sides; what differs are numbers.
+ */
+function shader({ material, geometry, isPoints }, lights, sides = BOTH) {
+  const { userData: looks, transparent } = material;
+  const uniforms = {
+    base: material.color.clone().convertLinearToSRGB(),
+    opacity: material.opacity,
+    ambient: looks.ambient,
+    diffuse: looks.diffuse,
+    specular: looks.specular,
+    specularPower: looks.specularPower,
+    pointSize: looks.pointSize,
+    sides,
+    lit: looks.lit,
+    smoothed: "normal" in geometry.attributes,
+    isPoint: Boolean(isPoints),
+    isRound: looks.roundPoints,
+    toward: lights.map(({ toward }) => new Vector3(...toward)),
+    light: lights.map(({ color }) => new Vector3(...color)),
+  };
+  return new ShaderMaterial({
+    vertexShader: VERTEX,
+    fragmentShader: FRAGMENT,
+    defines: { LIGHTS: Math.max(1, lights.length) },
+    uniforms: Object.fromEntries(Object.entries(uniforms).map(([key, value]) => [key, { value }])),
+    vertexColors: "color" in geometry.attributes,
+    side: DoubleSide,
+    transparent,
+    depthWrite: !transparent,
+    blending: transparent ? NormalBlending : NoBlending,
+  });
+}
+
+/** A see-through surface is drawn in two steps, for what is inside it comes in between. */
+function surface(part, lights) {
+  const { transparent, side } = part.material;
+  let steps = [side === DoubleSide ? BOTH : FRONT];
+  if (transparent && side === DoubleSide) steps = [BACK, FRONT];
+  return steps.map((sides) => new Mesh(part.geometry, shader(part, lights, sides)));
+}
+
+function lines(part, lights) {
+  const { material, geometry } = part;
+  const { ambient, diffuse, lineWidth, lit } = material.userData;
+  const light = lit ? frontLight(lights) : new Color(1, 1, 1);
+  const color = material.color.clone().convertLinearToSRGB();
+  color.multiply(light.multiplyScalar(diffuse).addScalar(ambient));
+  const looks = new LineMaterial({
+    color,
+    opacity: material.opacity,
+    transparent: material.transparent,
+    linewidth: lineWidth,
+  });
+  const positions = geometry.attributes.position;
+  const ends = Array.from(geometry.index.array, (i) => new Vector3().fromBufferAttribute(positions, i));
+  const pieces = new LineSegmentsGeometry();
+  pieces.setPositions(ends.flatMap((end) => end.toArray()));
+  return [new LineSegments2(pieces, looks)];
+}
+
+/**
+ * Make what is drawn for one part of a glTF scene.
+ * @param part what three's loader made of it
+ * @param {{toward: number[], color: number[]}[]} lights in the coordinates of the camera
+ */
+export function dress(part, lights) {
+  let drawn;
+  if (part.isPoints) drawn = [new Points(part.geometry, shader(part, lights))];
+  else if (part.isLineSegments) drawn = lines(part, lights);
+  else drawn = surface(part, lights);
+  for (const object of drawn) {
+    object.matrix.copy(part.matrixWorld);
+    object.matrixAutoUpdate = false;
+  }
+  return drawn;
+}
+
+/** Widths are in pixels of the poster, of which the picture may have more or fewer. */
+export function scaleWidths(objects, factor) {
+  for (const { material, userData } of objects) {
+    userData.width ??= material.linewidth ?? material.uniforms.pointSize.value;
+    if (material.isLineMaterial) material.linewidth = userData.width * factor;
+    else material.uniforms.pointSize.value = userData.width * factor;
+  }
+}
+
+const isBack = ({ material }) => material.uniforms.sides?.value === BACK;
+
+/** Draw see-through surfaces from far to near: far sides by their far end, near by their near. */
+export function sortSeeThrough(objects, camera) {
+  const center = new Vector3();
+  for (const object of objects.filter(({ material }) => material.transparent)) {
+    const { boundingSphere } = object.geometry;
+    center.copy(boundingSphere.center).applyMatrix4(object.matrixWorld);
+    const reach = boundingSphere.radius * object.matrixWorld.getMaxScaleOnAxis();
+    const distance = center.distanceTo(camera.position);
+    object.renderOrder = -(distance + (isBack(object) ? reach : -reach));
+  }
+}

@@ -1,0 +1,40 @@
+/* What the loader says and adds to the page. */
+
+// More pixels to a point nobody sees.
+const MOST = 2;
+
+export const SERVE =
+  "To turn this figure, run “python -m http.server” in the folder of the book" +
+  " and open http://localhost:8000.";
+
+/** Say why a figure stays a picture. */
+export function reason(error) {
+  return `This figure stays a picture: ${error.message}.`;
+}
+
+/** Make an empty line whose text a screen reader will speak. */
+export function status() {
+  const line = document.createElement("p");
+  line.className = "scene-message";
+  line.setAttribute("role", "status");
+  return line;
+}
+
+/** Leave it to the reader whether to fetch a scene. */
+export function onClickOnly(scene, goLive) {
+  const button = document.createElement("button");
+  button.type = "button";
+  button.className = "scene-start";
+  button.textContent = "Turn this figure";
+  button.addEventListener("click", () => {
+    button.remove();
+    goLive(scene);
+  });
+  scene.append(button);
+}
+
+/** The size of the picture that fills a scene. */
+export function pixels({ clientWidth, clientHeight }) {
+  const density = Math.min(devicePixelRatio, MOST);
+  return { width: Math.round(clientWidth * density), height: Math.round(clientHeight * density) };
+}

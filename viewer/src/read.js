@@ -1,0 +1,37 @@
+/* Reads a scene: what to draw, what hides labels, and what goes with the camera. */
+import { Sphere } from "three";
+import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
+import { dress } from "./looks.js";
+
+/**
+ * @param {ArrayBuffer} file binary glTF as `rotedu.book_gltf` writes it
+ * @returns the objects to draw, the surfaces that hide labels, the sphere around everything, the
+ *   camera of the poster
+ */
+export async function read(file) {
+  const { scene } = await new GLTFLoader().parseAsync(file, "");
+  scene.updateMatrixWorld(true);
+  const { camera, lights } = scene.userData;
+  const objects = [];
+  const surfaces = [];
+  const around = new Sphere();
+  scene.traverse((part) => {
+    if (!part.geometry) return;
+    part.geometry.computeBoundingSphere();
+    around.union(part.geometry.boundingSphere.clone().applyMatrix4(part.matrixWorld));
+    const pickable = part.userData.pickable ?? part.parent.userData.pickable;
+    if (part.isMesh && pickable) surfaces.push(surface(part));
+    objects.push(...dress(part, lights));
+  });
+  return { objects, surfaces, around, camera };
+}
+
+/** The faces of a part in the coordinates of the scene. */
+function surface({ geometry, material, matrixWorld }) {
+  const positions = geometry.attributes.position.clone().applyMatrix4(matrixWorld);
+  return {
+    positions: positions.array,
+    corners: geometry.index.array,
+    seeThrough: material.opacity < 1,
+  };
+}

@@ -1,0 +1,47 @@
+/*
+ * One WebGL context draws the scenes of a page. Each scene has a canvas of its own, into which
+ * its picture is copied: browsers allow few contexts, and may take one back at any time.
+ */
+import { LinearSRGBColorSpace, WebGLRenderer } from "three";
+
+let renderer;
+const restored = new Set();
+
+/** Make the renderer, once, and let the browser compile what a scene is drawn with. */
+export async function prepare(context, scene, camera) {
+  if (!renderer) {
+    const { canvas } = context;
+    renderer = new WebGLRenderer({ canvas, context });
+    renderer.outputColorSpace = LinearSRGBColorSpace;
+    // To ask for errors is to wait for the compiler.
+    renderer.debug.checkShaderErrors = false;
+    canvas.addEventListener("webglcontextrestored", () => restored.forEach((redraw) => redraw()));
+    await pause();
+  }
+  await renderer.compileAsync(scene, camera);
+}
+
+/** Let the browser do other things before the next step. */
+function pause() {
+  return new Promise((resolve) => setTimeout(resolve));
+}
+
+/** Call back when pictures have to be drawn anew. */
+export function onRestored(redraw) {
+  restored.add(redraw);
+}
+
+/** Draw a scene into its canvas. */
+export function draw(scene, camera, canvas) {
+  if (renderer.getContext().isContextLost()) return;
+  const { width, height } = canvas;
+  const shared = renderer.domElement;
+  if (shared.width < width || shared.height < height) {
+    renderer.setSize(Math.max(shared.width, width), Math.max(shared.height, height), false);
+  }
+  renderer.setViewport(0, 0, width, height);
+  renderer.render(scene, camera);
+  const paper = canvas.getContext("2d");
+  paper.globalCompositeOperation = "copy";
+  paper.drawImage(shared, 0, shared.height - height, width, height, 0, 0, width, height);
+}

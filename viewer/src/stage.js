@@ -1,0 +1,56 @@
+/* What a live scene adds to the page: a canvas, two buttons and a hint. */
+
+const KEYS = "scene-keys";
+const KEYS_TEXT =
+  "Arrow keys turn the figure, plus and minus zoom, Home resets the view," +
+  " F fills the screen, Escape leaves.";
+const HINTS = {
+  mouse: "Drag to turn, Ctrl + wheel to zoom",
+  fingers: "Swipe sideways to turn, two fingers to tilt and zoom",
+};
+const ICONS = {
+  reset: "M3 12a9 9 0 1 0 3-6.7M3 3v5h5",
+  full: "M4 9V4h5M15 4h5v5M20 15v5h-5M9 20H4v-5",
+};
+
+function element(name, attributes, ...children) {
+  const made = document.createElement(name);
+  for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
+  made.append(...children);
+  return made;
+}
+
+function button(label, icon, action) {
+  const made = element("button", { type: "button", title: label, "aria-label": label });
+  made.innerHTML = `<svg viewBox="0 0 24 24" aria-hidden="true"><path d="${icon}"/></svg>`;
+  made.addEventListener("click", action);
+  return made;
+}
+
+/** Say once on a page what the keys do. */
+function describeKeys() {
+  if (!document.getElementById(KEYS)) {
+    document.body.append(element("p", { id: KEYS, hidden: "" }, KEYS_TEXT));
+  }
+}
+
+/** Make the canvas of a scene; it is not in the page yet. */
+export function createCanvas(poster) {
+  describeKeys();
+  return element("canvas", {
+    class: "scene-canvas",
+    tabindex: "0",
+    role: "application",
+    "aria-label": poster.alt,
+    "aria-describedby": KEYS,
+  });
+}
+
+/** Make the buttons and the hint. */
+export function createTools({ reset, full }) {
+  const tools = element("div", { class: "scene-tools" }, button("Reset the view", ICONS.reset, reset));
+  if (document.fullscreenEnabled) tools.append(button("Full screen", ICONS.full, full));
+  const kind = matchMedia("(pointer: coarse)").matches ? "fingers" : "mouse";
+  const hint = element("p", { class: "scene-hint", "aria-hidden": "true" }, HINTS[kind]);
+  return { tools, hint };
+}

@@ -1,0 +1,79 @@
+/* Makes a scene of the page live. */
+import { PerspectiveCamera, Scene } from "three";
+import { clipping, fieldOfView } from "./camera.js";
+import { takeInHand } from "./hand.js";
+import { isHidden, project } from "./labels.js";
+import { scaleWidths, sortSeeThrough } from "./looks.js";
+import { pixels } from "./page.js";
+import { read } from "./read.js";
+import { draw, onRestored, prepare } from "./screen.js";
+import { createCanvas, createTools } from "./stage.js";
+
+/**
+ * Draw a scene over its poster and let the reader turn it.
+ * @param {HTMLElement} element the scene in the page: a poster and labels
+ * @param {ArrayBuffer} file
+ * @param {WebGL2RenderingContext} context the same for all scenes
+ */
+export async function show(element, file, context) {
+  const poster = element.querySelector(".scene-poster");
+  const { objects, surfaces, around, camera: pose } = await read(file);
+  const scene = new Scene();
+  scene.add(...objects);
+  const camera = new PerspectiveCamera();
+  camera.up.set(...pose.up);
+  camera.position.set(...pose.position);
+  const canvas = createCanvas(poster);
+  const labels = [...element.querySelectorAll(".scene-label")].map((label) => ({
+    label,
+    position: label.dataset.position.split(" ").map(Number),
+  }));
+
+  const drawNow = () => {
+    const { near, far } = clipping(camera.position.distanceTo(around.center), around.radius);
+    const aspect = canvas.width / canvas.height;
+    Object.assign(camera, { near, far, aspect });
+    camera.fov = fieldOfView(pose.viewAngle, pose.aspect, aspect);
+    camera.updateProjectionMatrix();
+    camera.updateMatrixWorld();
+    sortSeeThrough(objects, camera);
+    draw(scene, camera, canvas);
+    placeLabels(labels, camera, surfaces);
+  };
+  let asked = 0;
+  const redraw = () => {
+    asked ||= requestAnimationFrame(() => {
+      asked = 0;
+      drawNow();
+    });
+  };
+  const fit = () => {
+    Object.assign(canvas, pixels(element));
+    scaleWidths(objects, Math.min(canvas.width / poster.width, canvas.height / poster.height));
+    drawNow();
+  };
+
+  await prepare(context, scene, camera);
+  const { controls, full } = takeInHand(camera, element, canvas, pose.target);
+  fit();
+  poster.after(canvas);
+  const reset = () => controls.reset();
+  const { tools, hint } = createTools({ reset, full });
+  element.append(tools, hint);
+  controls.addEventListener("change", redraw);
+  controls.addEventListener("start", () => hint.remove());
+  canvas.addEventListener("keydown", () => hint.remove());
+  new ResizeObserver(fit).observe(element);
+  onRestored(redraw);
+}
+
+function placeLabels(labels, camera, surfaces) {
+  const matrix = camera.projectionMatrix.clone().multiply(camera.matrixWorldInverse).elements;
+  const eye = camera.position.toArray();
+  for (const { label, position } of labels) {
+    const { left, top, inFront } = project(matrix, position);
+    label.style.setProperty("--x", `${100 * left}%`);
+    label.style.setProperty("--y", `${100 * top}%`);
+    label.toggleAttribute("data-behind", !inFront || isHidden(surfaces, eye, position));
+  }
+}

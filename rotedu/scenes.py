@@ -53,7 +53,7 @@ def add_line(
 ) -> None:
     """Add a round line through points, shape (n, 3)."""
     line = pyvista.lines_from_points(np.asarray(points, float))
-    add_thin(plotter, line.tube(radius=radius, n_sides=12), color)
+    add_thin(plotter, line.tube(radius=radius, n_sides=10), color)
 
 
 def add_arrow(
@@ -69,8 +69,8 @@ def add_arrow(
         shaft_radius=radius / length,
         tip_radius=3 * radius / length,
         tip_length=min(9 * radius / length, 0.8),
-        tip_resolution=24,
-        shaft_resolution=16,
+        tip_resolution=20,
+        shaft_resolution=12,
     )
     add_thin(plotter, arrow, color)
 
@@ -150,7 +150,7 @@ def figure_1(
     add_coordinate_axes(plotter, 1.1)
     add_label(plotter, (0, 0.09, -0.07), "$O$")
 
-    add_line(plotter, turning(r, n, 2 * np.pi, 96), NEUTRAL, radius=0.005)
+    add_line(plotter, turning(r, n, 2 * np.pi, 80), NEUTRAL, radius=0.005)
     sector = center + turning(0.42 * spoke, n, angle)
     plotter.add_mesh(
         fan(center, sector), color=NEUTRAL, opacity=0.5, lighting=False, pickable=False
@@ -202,7 +202,7 @@ def triangle_mesh(points: ArrayLike, triangles: ArrayLike) -> pyvista.PolyData:
     return pyvista.PolyData(np.asarray(points), faces=faces)
 
 
-def teaspoon(stations: int = 121, around: int = 40) -> pyvista.PolyData:
+def teaspoon(stations: int = 101, around: int = 40) -> pyvista.PolyData:
     """Model a teaspoon as a closed surface of ``stations * around`` vertices.
 
     Every cross-section is a flat closed ring: as wide as the outline of the spoon, sunk in

@@ -37,6 +37,17 @@ export function takeInHand(camera, scene, canvas, target) {
     },
     { capture: true },
   );
+  // A finger that turns out to scroll the page has moved the figure a little.
+  const before = { position: camera.position.clone(), target: controls.target.clone() };
+  canvas.addEventListener("pointerdown", () => {
+    before.position.copy(camera.position);
+    before.target.copy(controls.target);
+  });
+  canvas.addEventListener("pointercancel", () => {
+    camera.position.copy(before.position);
+    controls.target.copy(before.target);
+    controls.update();
+  });
   for (const kind of ["touchstart", "touchmove"]) {
     canvas.addEventListener(
       kind,

@@ -7,7 +7,7 @@ import { LinearSRGBColorSpace, WebGLRenderer } from "three";
 let renderer;
 const restored = new Set();
 
-/** Make the renderer, once, and let the browser compile what a scene is drawn with. */
+/** Make the renderer, once, and where the browser can, compile without holding up the page. */
 export async function prepare(context, scene, camera) {
   if (!renderer) {
     const { canvas } = context;
@@ -18,7 +18,9 @@ export async function prepare(context, scene, camera) {
     canvas.addEventListener("webglcontextrestored", () => restored.forEach((redraw) => redraw()));
     await pause();
   }
-  await renderer.compileAsync(scene, camera);
+  if (context.getExtension("KHR_parallel_shader_compile")) {
+    await renderer.compileAsync(scene, camera);
+  }
 }
 
 /** Let the browser do other things before the next step. */

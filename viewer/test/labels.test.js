@@ -1,0 +1,80 @@
+import assert from "node:assert/strict";
+import { describe, test } from "node:test";
+import { PerspectiveCamera, SphereGeometry, Vector3 } from "three";
+import { crossings, isHidden, project } from "../src/labels.js";
+
+function ball(seeThrough = false) {
+  const geometry = new SphereGeometry(1, 48, 32);
+  return {
+    positions: geometry.attributes.position.array,
+    corners: geometry.index.array,
+    seeThrough,
+  };
+}
+
+const square = {
+  positions: [-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0],
+  corners: [0, 1, 2, 0, 2, 3],
+};
+
+test("labels are where three's camera sees their points", () => {
+  const camera = new PerspectiveCamera(30, 1.5, 0.1, 100);
+  camera.up.set(0, 0, 1);
+  camera.position.set(4, -2, 2);
+  camera.lookAt(0, 0, 0.1);
+  camera.updateMatrixWorld();
+  const matrix = camera.projectionMatrix.clone().multiply(camera.matrixWorldInverse).elements;
+  for (const point of [[0, 0, 0.1], [1, 0.5, -0.3], [-2, 1, 1]]) {
+    const seen = new Vector3(...point).project(camera);
+    const { left, top, inFront } = project(matrix, point);
+    assert.ok(Math.abs(left - (1 + seen.x) / 2) < 1e-9);
+    assert.ok(Math.abs(top - (1 - seen.y) / 2) < 1e-9);
+    assert.ok(inFront);
+  }
+  assert.ok(!project(matrix, [8, -4, 4]).inFront);
+});
+
+describe("crossings", () => {
+  test("are counted on the way alone", () => {
+    assert.equal(crossings(square, [0.3, 0.1, 1], [0.3, 0.1, -1]), 1);
+    assert.equal(crossings(square, [0.3, 0.1, 1], [0.3, 0.1, 0.5]), 0);
+    assert.equal(crossings(square, [0.3, 0.1, -1], [0.3, 0.1, -2]), 0);
+    assert.equal(crossings(square, [2, 0, 1], [2, 0, -1]), 0);
+  });
+
+  test("in the edge between two faces are one", () => {
+    assert.equal(crossings(square, [0.5, 0.5, 1], [0.5, 0.5, -1]), 1);
+  });
+
+  test("of a ball are two, in and out", () => {
+    assert.equal(crossings(ball(), [0.1, 0.2, 3], [0.15, 0.1, -3]), 2);
+    assert.equal(crossings(ball(), [0.1, 0.2, 3], [0.15, 0.1, 0]), 1);
+  });
+
+  test("stop at the limit", () => {
+    assert.equal(crossings(ball(), [0.1, 0.2, 3], [0.15, 0.1, -3], 1), 1);
+  });
+
+  test("ignore faces without area", () => {
+    assert.equal(crossings({ ...square, corners: [0, 0, 2] }, [0, 0, 1], [0, 0, -1]), 0);
+  });
+});
+
+describe("hidden is a label", () => {
+  const eye = [0.3, 0.2, 5];
+  const places = [1.5, 0.999, 0, -0.999, -1.5].map((z) => [0.01, 0.01, z]);
+
+  test("in and behind an opaque ball", () => {
+    const hidden = places.map((place) => isHidden([ball()], eye, place));
+    assert.deepEqual(hidden, [false, false, true, true, true]);
+  });
+
+  test("behind a glass ball alone", () => {
+    const hidden = places.map((place) => isHidden([ball(true)], eye, place));
+    assert.deepEqual(hidden, [false, false, false, false, true]);
+  });
+
+  test("nowhere without surfaces", () => {
+    assert.ok(!isHidden([], eye, places[4]));
+  });
+});

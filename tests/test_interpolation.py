@@ -821,6 +821,8 @@ class TestOrientations:
         for r1, r2 in zip(self.R1, turned, strict=True):
             with pytest.raises(DegenerateError):
                 rotation_arc(r1, r2, 0.5)
+        with pytest.raises(DegenerateError):
+            rotation_arc(np.eye(3), rotation_matrix([1, 2, 2], np.pi - 5e-15), 0.5)
         with pytest.raises(DegenerateError, match=r"^r1 and r2 at index \(1,\) are half a turn"):
             rotation_arc(np.eye(3), [np.eye(3), np.diag([-1, -1, 1])], 0.5)
 

@@ -216,7 +216,8 @@ def half_angle_sums(
     [0.    0.    0.866 0.5  ]
     """
     angles = arrays(theta_u=(theta_u, ()), theta_v=(theta_v, ()), theta_w=(theta_w, ()))
-    (cu, su), (cv, sv), (cw, sw) = ((np.cos(theta / 2), np.sin(theta / 2)) for theta in angles)
+    halves = [theta / 2 for theta in angles]
+    (cu, su), (cv, sv), (cw, sw) = ((np.cos(half), np.sin(half)) for half in halves)
     alpha = su * cv * cw - cu * sv * sw
     beta = cu * sv * cw + su * cv * sw
     gamma = cu * cv * sw - su * sv * cw

@@ -133,8 +133,8 @@ class Quaternion:
         array([ 1., -1.,  1.])
         """
         n, theta = arrays(axis=(axis, (3,)), angle=(angle, ()))
-        half = theta / 2
-        return cls._of(_joined(np.cos(half), np.sin(half)[..., np.newaxis] * unit("axis", n)))
+        half = theta[..., np.newaxis] / 2
+        return cls._of(_joined(np.cos(half)[..., 0], np.sin(half) * unit("axis", n)))
 
     @classmethod
     def from_matrix(cls, matrix: npt.ArrayLike) -> "Quaternion":

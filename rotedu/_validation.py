@@ -12,10 +12,14 @@ import numpy.typing as npt
 Array = npt.NDArray[Any]
 
 
-def arrays(**arguments: tuple[Any, *tuple[tuple[int, ...], ...]]) -> list[Array]:
+Shape = tuple[int | str, ...]
+
+
+def arrays(**arguments: tuple[Any, *tuple[Shape, ...]]) -> list[Array]:
     """Turn arguments, given as ``name=(value, shape, ...)``, into finite arrays of one dtype.
 
-    Each `shape` is one that the trailing axes may have; the leading axes must broadcast.
+    Each `shape` is one that the trailing axes may have; the leading axes must broadcast. A letter
+    stands for any length, the same in all arguments.
     """
     values = {name: value for name, (value, *_) in arguments.items()}
     given = {name: _numbers(name, value) for name, value in values.items()}
@@ -27,12 +31,17 @@ def arrays(**arguments: tuple[Any, *tuple[tuple[int, ...], ...]]) -> list[Array]
     dtype = np.dtype(np.float32 if floating == {np.dtype(np.float32)} else np.float64)
 
     leading = []
+    lengths: dict[int | str, int] = {}
     for name, (_, *shapes) in arguments.items():
         array = given[name] = _finite(name, given[name], dtype)
+        known = [tuple(lengths.get(axis, axis) for axis in shape) for shape in shapes]
         split = array.ndim - len(shapes[0])
-        if split < 0 or array.shape[split:] not in shapes:
-            wanted = " or ".join(_shape(shape) for shape in shapes)
+        matches = [shape for shape in known if split >= 0 and _matches(array.shape[split:], shape)]
+        if not matches:
+            wanted = " or ".join(map(_shape, known))
             raise ValueError(f"{name} must have shape {wanted}; got shape {array.shape}")
+        named = zip(matches[0], array.shape[split:], strict=True)
+        lengths |= {axis: length for axis, length in named if isinstance(axis, str)}
         leading.append(array.shape[:split])
     try:
         np.broadcast_shapes(*leading)
@@ -51,6 +60,15 @@ def unit(name: str, vectors: Array) -> Array:
     if zero.any():
         raise ValueError(f"{name} must not be the zero vector; got zeros{place(zero)}")
     return normalised(vectors)
+
+
+def length(vectors: Array) -> Array:
+    """Lengths of vectors, whose squares may overflow or underflow."""
+    if vectors.dtype == object:
+        return np.asarray(np.sqrt((vectors * vectors).sum(axis=-1)))
+    largest = np.abs(vectors).max(axis=-1, keepdims=True)
+    scaled = vectors / np.where(largest == 0, 1, largest)
+    return np.asarray(largest[..., 0] * np.sqrt((scaled * scaled).sum(axis=-1)))
 
 
 def normalised(vectors: Array) -> Array:
@@ -123,5 +141,12 @@ def _finite(name: str, array: Array, dtype: np.dtype[Any]) -> Array:
     return array
 
 
-def _shape(trailing: tuple[int, ...]) -> str:
+def _matches(trailing: tuple[int, ...], shape: Shape) -> bool:
+    return len(trailing) == len(shape) and all(
+        isinstance(axis, str) or axis == length
+        for axis, length in zip(shape, trailing, strict=True)
+    )
+
+
+def _shape(trailing: Shape) -> str:
     return f"({', '.join(['...', *map(str, trailing)])})"

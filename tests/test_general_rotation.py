@@ -1,0 +1,428 @@
+"""Section 4: (4-1) to (4-7) and the transforms that go along, against sympy and scipy."""
+
+from functools import reduce
+from itertools import permutations
+from typing import Any
+
+import numpy as np
+import pytest
+import sympy as sp
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from hypothesis.extra.numpy import arrays
+from scipy.spatial.transform import Rotation
+from symbolic import matrix, symbolic, vanishes
+
+from rotedu import general_rotation as general
+from rotedu.cost import OperationCount, count
+from rotedu.errors import DegenerateError
+from rotedu.general_rotation import (
+    compose,
+    half_angle_sums,
+    homogeneous,
+    perspective,
+    principal_product,
+    reflection,
+    rotation_u,
+    rotation_v,
+    rotation_w,
+    scaling,
+    shearing,
+    single_rotation,
+    translation,
+)
+from rotedu.ordinary_rotation import axis_angle, rotation_matrix, transform
+from rotedu.quaternions import Quaternion
+
+Array = np.ndarray[Any, Any]
+
+RNG = np.random.default_rng(47)
+EULER = RNG.uniform(-2 * np.pi, 2 * np.pi, size=(2000, 3))
+E1, E2, E3 = np.eye(3)
+POINTS = RNG.normal(size=(50, 3))
+PRINCIPAL = {rotation_u: E1, rotation_v: E2, rotation_w: E3}
+
+angles = st.floats(-10, 10)
+vectors = arrays(float, 3, elements=st.floats(-10, 10))
+repeatable = settings(derandomize=True, deadline=None, database=None)
+
+
+def close(actual: Any, desired: Any, atol: float = 1e-14) -> None:
+    np.testing.assert_allclose(actual, desired, rtol=0, atol=atol)
+
+
+class TestProofs:
+    """The code itself, run on symbols."""
+
+    angles = sp.symbols("theta_u theta_v theta_w", real=True)
+
+    def test_principal_matrices_are_3_3_about_the_axes(self) -> None:
+        theta = symbolic(self.angles[0])
+        for principal, axis in PRINCIPAL.items():
+            ordinary = homogeneous(rotation_matrix(symbolic(*map(int, axis)), theta))
+            assert matrix(principal(theta)) == matrix(ordinary)
+
+    def test_4_2_is_4_1_multiplied_out(self) -> None:
+        u, v, w = map(symbolic, self.angles)
+        product = matrix(rotation_w(w)) * matrix(rotation_v(v)) * matrix(rotation_u(u))
+        assert (matrix(principal_product(u, v, w)) - product).expand() == sp.zeros(4, 4)
+
+    def test_no_other_order_gives_4_2(self) -> None:
+        factors = [
+            matrix(f(symbolic(a)))
+            for f, a in zip((rotation_w, rotation_v, rotation_u), self.angles, strict=True)
+        ]
+        first, *others = (reduce(sp.Matrix.multiply, order) for order in permutations(factors))
+        assert all((first - other).expand() != sp.zeros(4, 4) for other in others)
+
+    def test_4_4_and_4_6_are_the_product_of_three_quaternions(self) -> None:
+        u, v, w = map(symbolic, self.angles)
+        qu, qv, qw = (
+            Quaternion.from_axis_angle(symbolic(*map(int, axis)), theta)
+            for axis, theta in zip(np.eye(3), (u, v, w), strict=True)
+        )
+        alpha, beta, gamma, delta = half_angle_sums(u, v, w)
+        sums = matrix([delta, alpha, beta, gamma])
+        assert (matrix((qw * qv * qu).components) - sums).expand() == sp.zeros(4, 1)
+        assert (matrix((qu * qv * qw).components) - sums).expand() != sp.zeros(4, 1)
+
+    def test_the_squares_add_up_to_one(self) -> None:
+        sums = matrix(half_angle_sums(*map(symbolic, self.angles)))
+        assert vanishes(sum(x**2 for x in sums) - 1)
+
+    def test_the_single_rotation_has_the_matrix_4_2(self) -> None:
+        u, v, w = map(symbolic, self.angles)
+        *vector, delta = half_angle_sums(u, v, w)
+        q = Quaternion(np.array(delta), np.array(vector))
+        difference = matrix(q.matrix()) - matrix(principal_product(u, v, w)[:3, :3])
+        tangents = sp.symbols("t_u t_v t_w")
+        rational: dict[Any, Any] = {}
+        for angle, t in zip(self.angles, tangents, strict=True):
+            # With t the tangent of a quarter of the angle, all else is rational.
+            c, s = (1 - t**2) / (1 + t**2), 2 * t / (1 + t**2)
+            rational |= {sp.cos(angle / 2): c, sp.sin(angle / 2): s}
+            rational |= {sp.cos(angle): c**2 - s**2, sp.sin(angle): 2 * s * c}
+        assert difference.subs(rational).applyfunc(sp.cancel) == sp.zeros(3, 3)
+
+    def test_gimbal_lock(self) -> None:
+        u, _, w = map(symbolic, self.angles)
+        locked = matrix(principal_product(u, symbolic(sp.pi / 2), w))
+        turned = matrix(principal_product(u - w, symbolic(sp.pi / 2), 0 * w))
+        assert vanishes(locked - turned)
+
+
+class TestPrincipal:
+    @pytest.mark.parametrize(("principal", "axis"), PRINCIPAL.items())
+    def test_against_scipy(self, principal: Any, axis: Array) -> None:
+        turned = principal(EULER[:, 0])
+        close(turned[:, :3, :3], Rotation.from_rotvec(np.outer(EULER[:, 0], axis)).as_matrix())
+        close(turned[:, 3], [[0, 0, 0, 1]] * len(EULER), 0)
+        close(turned[:, :3, 3], 0, 0)
+        close(principal(0.3), homogeneous(rotation_matrix(axis, 0.3)), 1e-15)
+
+    def test_product_against_scipy(self) -> None:
+        oracle = Rotation.from_euler("xyz", EULER).as_matrix()
+        product = principal_product(*EULER.T)
+        close(product[:, :3, :3], oracle, 2e-15)
+        close(product, rotation_w(EULER[:, 2]) @ rotation_v(EULER[:, 1]) @ rotation_u(EULER[:, 0]))
+
+    def test_order_matters(self) -> None:
+        turn = np.pi / 2
+        close(principal_product(turn, turn, 0) @ [0, 1, 0, 1], [1, 0, 0, 1])
+        close(compose(rotation_u(turn), rotation_v(turn)) @ [0, 1, 0, 1], [0, 0, 1, 1])
+
+    def test_shapes(self) -> None:
+        assert principal_product(1, [1, 2], np.ones((3, 1))).shape == (3, 2, 4, 4)
+        assert rotation_u(np.ones((2, 3))).shape == (2, 3, 4, 4)
+        assert rotation_v(np.ones(0)).shape == (0, 4, 4)
+        assert [np.shape(x) for x in half_angle_sums(1, [1, 2], 3)] == [(2,)] * 4
+        axis, angle = single_rotation(1, [1, 2], np.ones((3, 1)))
+        assert axis.shape == (3, 2, 3)
+        assert angle.shape == (3, 2)
+
+
+class TestSingleRotation:
+    def test_is_the_product(self) -> None:
+        axis, angle = single_rotation(*EULER.T)
+        close(homogeneous(rotation_matrix(axis, angle)), principal_product(*EULER.T), 2e-15)
+        close(np.linalg.norm(axis, axis=-1), 1, 1e-15)
+        assert (angle >= 0).all()
+        assert (angle <= 2 * np.pi).all()
+        assert (angle > np.pi).sum() > 500
+
+    def test_against_the_axis_of_the_matrix(self) -> None:
+        axis, angle = single_rotation(*EULER.T)
+        other_axis, other_angle = axis_angle(principal_product(*EULER.T)[:, :3, :3])
+        beyond = angle > np.pi
+        close(np.where(beyond, 2 * np.pi - angle, angle), other_angle, 1e-13)
+        close(np.where(beyond[:, None], -axis, axis), other_axis, 1e-13)
+
+    def test_the_sine_alone_would_not_do(self) -> None:
+        angles = np.radians([300, 40, 20])
+        _, angle = single_rotation(*angles)
+        close(np.degrees(angle), 281.02, 0.005)
+        alpha, beta, gamma, _ = half_angle_sums(*angles)
+        close(np.degrees(2 * np.arcsin(np.sqrt(alpha**2 + beta**2 + gamma**2))), 78.98, 0.005)
+
+    @pytest.mark.parametrize(
+        "angles",
+        [
+            (0, 0, 0),
+            (np.pi, np.pi, np.pi),
+            (-np.pi, np.pi, np.pi),
+            (np.pi, -np.pi, -np.pi),
+            (2 * np.pi, 0, 0),
+            (0, -2 * np.pi, 4 * np.pi),
+            (3 * np.pi, np.pi, -5 * np.pi),
+        ],
+    )
+    def test_identity(self, angles: Any) -> None:
+        axis, angle = single_rotation(*angles)
+        close(axis, [1, 0, 0], 0)
+        assert angle in (0, 2 * np.pi)
+        close(principal_product(*angles), np.eye(4), 1e-15)
+
+    def test_identity_among_others(self) -> None:
+        axis, angle = single_rotation([0, np.pi, 0], [0, np.pi, 1], [0, np.pi, 0])
+        close(axis, [[1, 0, 0], [1, 0, 0], [0, 1, 0]], 0)
+        close(angle, [0, 0, 1], 1e-15)
+
+    @pytest.mark.parametrize("size", [1e-300, 1e-200, 1e-20, 1e-12, 1e-8, 1e-4])
+    def test_small_angles_keep_their_digits(self, size: float) -> None:
+        for i in range(3):
+            axis, angle = single_rotation(*size * np.eye(3)[i])
+            close(axis, np.eye(3)[i], 0)
+            assert angle == pytest.approx(size, rel=1e-15)
+        axis, angle = single_rotation(size, 2 * size, -2 * size)
+        close(axis, np.array([1, 2, -2]) / 3, 2 * size + 1e-15)
+        assert angle == pytest.approx(3 * size, rel=size + 1e-15)
+
+    @pytest.mark.parametrize("axis", [*np.eye(3)])
+    def test_half_turns(self, axis: Array) -> None:
+        found, angle = single_rotation(*np.pi * axis)
+        close(found, axis, 1e-15)
+        close(angle, np.pi, 1e-15)
+
+    @repeatable
+    @given(angles, angles, angles)
+    def test_laws(self, u: float, v: float, w: float) -> None:
+        axis, angle = single_rotation(u, v, w)
+        product = principal_product(u, v, w)
+        close(homogeneous(rotation_matrix(axis, angle)), product, 4e-15)
+        close(transform(product, axis), axis, 4e-15)
+        close(sum(x * x for x in half_angle_sums(u, v, w)), 1)
+
+
+class TestTransforms:
+    @repeatable
+    @given(vectors, vectors)
+    def test_translation(self, v: Array, r: Array) -> None:
+        close(transform(translation(v), r), r + v, 0)
+        close(translation(v) @ [*r, 0], [*r, 0], 0)
+
+    def test_an_axis_with_fourth_coordinate_1_is_no_direction(self) -> None:
+        moved = translation([5, 0, 0])
+        close(moved @ [0, 0, 1, 1], [5, 0, 1, 1], 0)
+        close(moved @ [0, 0, 1, 0], [0, 0, 1, 0], 0)
+
+    def test_scaling(self) -> None:
+        close(transform(scaling(3), POINTS), 3 * POINTS, 0)
+        close(transform(scaling([1, -2, 0]), POINTS), POINTS * [1, -2, 0], 0)
+        assert scaling(np.ones((5, 3))).shape == (5, 4, 4)
+
+    @pytest.mark.parametrize("name", ["uv", "uw", "vu", "vw", "wu", "wv"])
+    def test_shearing(self, name: str) -> None:
+        row, column = ("uvw".index(letter) for letter in name)
+        expected = np.eye(4)
+        expected[row, column] = 2.5
+        close(shearing(**{name: 2.5}), expected, 0)
+
+    def test_several_shears_at_once(self) -> None:
+        both = shearing(uv=[1, 2, 3], wu=np.ones((2, 1)))
+        assert both.shape == (2, 3, 4, 4)
+        close(both[1, 2] @ [1, 10, 100, 1], [31, 10, 101, 1], 0)
+        close(shearing(), np.eye(4), 0)
+
+    @repeatable
+    @given(vectors.filter(lambda n: bool(np.linalg.norm(n) > 1e-3)), vectors)
+    def test_reflection(self, normal: Array, r: Array) -> None:
+        mirror = reflection(normal)
+        n = normal / np.linalg.norm(normal)
+        close(transform(mirror, r), r - 2 * (r @ n) * n, 1e-13)
+        close(mirror @ mirror, np.eye(4))
+        close(np.linalg.det(mirror), -1)
+        close(reflection(-1e5 * normal), mirror, 1e-15)
+
+    def test_perspective_is_the_ray_from_the_eye(self) -> None:
+        points, eye = POINTS - [0, 0, 3], np.array([0, 0, 2.5])
+        picture = transform(perspective(2.5), points)
+        # Where the line from the eye to the point meets w = 0.
+        part = eye[2] / (eye[2] - points[:, 2:])
+        meets = eye + part * (points - eye)
+        close(meets[:, 2], 0)
+        close(picture[:, :2], meets[:, :2])
+
+    def test_perspective_keeps_the_order_in_depth(self) -> None:
+        depths = np.linspace(-100, 3.9, 50)
+        line = np.column_stack([np.ones(50), np.ones(50), depths])
+        assert (np.diff(transform(perspective(4), line)[:, 2]) > 0).all()
+
+    def test_perspective_of_the_plane_and_of_the_eye(self) -> None:
+        close(transform(perspective(4), [1, 2, 0]), [1, 2, 0], 0)
+        with pytest.raises(DegenerateError, match="1 of 2 points to infinity at index"):
+            transform(perspective(4), [[1, 2, 0], [1, 2, 4]])
+        close(transform(perspective(1e300), POINTS), POINTS, 1e-15)
+        assert perspective([1, 2]).shape == (2, 4, 4)
+
+    def test_homogeneous(self) -> None:
+        m = RNG.normal(size=(5, 3, 3))
+        h = homogeneous(m)
+        close(h[:, :3, :3], m, 0)
+        close(h[:, 3], [[0, 0, 0, 1]] * 5, 0)
+        close(h[:, :3, 3], 0, 0)
+        close(transform(h[2], POINTS), transform(m[2], POINTS))
+
+
+class TestCompose:
+    steps = (
+        scaling([1, 2, 0.5]),
+        shearing(uw=0.3),
+        rotation_matrix([1, 2, 3], 0.7),
+        reflection([1, 1, 0]),
+        translation([0.5, -1, -4]),
+        perspective(5),
+    )
+
+    def test_one_matrix_for_six(self) -> None:
+        one_by_one = POINTS
+        for step in self.steps:
+            one_by_one = transform(step, one_by_one)
+        close(transform(compose(*reversed(self.steps)), POINTS), one_by_one)
+
+    def test_the_last_one_is_done_first(self) -> None:
+        a, b, c = RNG.normal(size=(3, 4, 4))
+        close(compose(a, b, c), a @ b @ c)
+        close(compose(translation([1, 0, 0]), scaling(2)) @ [1, 1, 1, 1], [3, 2, 2, 1], 0)
+
+    def test_none_and_one(self) -> None:
+        close(compose(), np.eye(4), 0)
+        m = RNG.normal(size=(4, 4))
+        single = compose(m)
+        close(single, m, 0)
+        single[:] = 0
+        assert m.any()
+        close(compose(np.eye(3)), np.eye(4), 0)
+
+    def test_broadcasting(self) -> None:
+        turns = rotation_matrix(E3, np.arange(5))
+        moves = translation(np.ones((2, 1, 3)))
+        product = compose(moves, turns)
+        assert product.shape == (2, 5, 4, 4)
+        close(product[1, 3], moves[1, 0] @ homogeneous(turns[3]))
+
+    def test_three_principal_rotations(self) -> None:
+        u, v, w = EULER[0]
+        close(compose(rotation_w(w), rotation_v(v), rotation_u(u)), principal_product(u, v, w))
+
+
+class TestCounts:
+    angles = 0.1, 0.2, 0.3
+
+    def test_as_in_the_audit(self) -> None:
+        assert count(principal_product, *self.angles) == OperationCount(16, 4, trigonometric=6)
+        sums = OperationCount(16, 4, divisions=3, trigonometric=6)
+        assert count(half_angle_sums, *self.angles) == sums
+        a, b = RNG.normal(size=(2, 4, 4))
+        assert count(compose, a, b) == OperationCount(64, 48)
+
+    def test_the_single_rotation_can_be_counted(self) -> None:
+        counted = count(single_rotation, *self.angles)
+        assert counted.square_roots == 1
+        assert counted.trigonometric == 7
+
+
+class TestSinglePrecision:
+    def test_is_kept(self) -> None:
+        one, vector = np.float32(1), np.ones(3, np.float32)
+        found = [
+            rotation_u(one),
+            rotation_v(one),
+            rotation_w(one),
+            principal_product(one, 2, 3),
+            *half_angle_sums(one, 2, 3),
+            *single_rotation(one, 2, 3),
+            *single_rotation(0 * one, 0, 0),
+            homogeneous(np.eye(3, dtype=np.float32)),
+            translation(vector),
+            scaling(one),
+            scaling(vector),
+            shearing(uv=one),
+            reflection(vector),
+            perspective(one),
+            compose(np.eye(3, dtype=np.float32), np.eye(4, dtype=np.float32)),
+        ]
+        assert {np.asarray(x).dtype for x in found} == {np.dtype(np.float32)}
+        assert rotation_u(1).dtype == principal_product(one, np.float64(1), 1).dtype == np.float64
+
+    def test_identity(self) -> None:
+        axis, angle = single_rotation(*np.full(3, np.pi, np.float32))
+        close(axis, [1, 0, 0], 0)
+        assert angle == 0
+
+
+GOOD: dict[Any, dict[str, Any]] = {
+    rotation_u: {"angle": 1},
+    rotation_v: {"angle": 1},
+    rotation_w: {"angle": 1},
+    principal_product: {"theta_u": 1, "theta_v": 1, "theta_w": 1},
+    half_angle_sums: {"theta_u": 1, "theta_v": 1, "theta_w": 1},
+    single_rotation: {"theta_u": 1, "theta_v": 1, "theta_w": 1},
+    homogeneous: {"matrix": np.eye(3)},
+    translation: {"v": [1, 2, 3]},
+    scaling: {"s": [1, 2, 3]},
+    shearing: {"uv": 1, "uw": 1, "vu": 1, "vw": 1, "wu": 1, "wv": 1},
+    reflection: {"normal": [1, 2, 3]},
+    perspective: {"distance": 1},
+}
+ARGUMENTS = [(f, name) for f, arguments in GOOD.items() for name in arguments]
+
+
+class TestRefusals:
+    @pytest.mark.parametrize(("f", "name"), ARGUMENTS)
+    def test_not_finite_and_not_numbers(self, f: Any, name: str) -> None:
+        for bad in [np.nan, np.inf]:
+            value = np.array(GOOD[f][name], float)
+            value[(-1,) * value.ndim] = bad
+            with pytest.raises(ValueError, match=f"^{name} must be finite in float64; got {bad}"):
+                f(**GOOD[f] | {name: value})
+        for text in ["text", [None, None, 1j], True]:
+            with pytest.raises(ValueError, match=f"^{name} must be an array of real numbers"):
+                f(**GOOD[f] | {name: text})
+
+    @pytest.mark.parametrize("f", [translation, scaling, reflection])
+    def test_not_vectors(self, f: Any) -> None:
+        (name,) = GOOD[f]
+        with pytest.raises(
+            ValueError, match=rf"^{name} must have shape \(..., 3\); got .*\(2, 4\)"
+        ):
+            f(np.ones((2, 4)))
+
+    def test_not_matrices(self) -> None:
+        with pytest.raises(ValueError, match=r"^matrix must have shape \(..., 3, 3\); got shape"):
+            homogeneous(np.eye(4))
+        match = r"^matrices\[1\] must have shape \(..., 3, 3\) or \(..., 4, 4\); got shape \(2, 2\)"
+        with pytest.raises(ValueError, match=match):
+            compose(np.eye(4), np.eye(2))
+        with pytest.raises(ValueError, match=r"^matrices\[0\] and matrices\[1\] must broadcast"):
+            compose(np.ones((2, 4, 4)), np.ones((3, 3, 3)))
+        with pytest.raises(ValueError, match=r"^theta_u and theta_v and theta_w must broadcast"):
+            principal_product([1, 2], [1, 2, 3], 0)
+
+    def test_zeros(self) -> None:
+        with pytest.raises(ValueError, match=r"^normal must not be the zero vector; got zeros$"):
+            reflection([0, 0, 0])
+        with pytest.raises(ValueError, match=r"^distance must not be zero; got 0 at index \(1,\)$"):
+            perspective([1, 0])
+
+    def test_everything_public_is_tested_here(self) -> None:
+        assert {f.__name__ for f in GOOD} | {"compose"} == set(general.__all__)

@@ -1,0 +1,474 @@
+"""Section 2: (2-1) to (2-6), against sympy, scipy and their own laws."""
+
+import copy
+import operator
+import pickle
+from dataclasses import FrozenInstanceError
+from typing import Any
+
+import numpy as np
+import pytest
+import sympy as sp
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from hypothesis.extra.numpy import arrays
+from scipy.spatial.transform import Rotation
+from symbolic import matrix, symbolic, vanishes
+
+from rotedu.cost import OperationCount, count
+from rotedu.errors import DegenerateError
+from rotedu.ordinary_rotation import rotate, rotation_matrix
+from rotedu.quaternions import Quaternion, rotate_about_u
+
+Array = np.ndarray[Any, Any]
+
+RNG = np.random.default_rng(26)
+ANGLES = [0, 1e-300, 1e-12, 1e-8, 1e-4, 0.5, np.pi / 2, 3, np.pi - 1e-8, np.pi]
+E1, E2, E3 = np.eye(3)
+ONE, I, J, K = (Quaternion(w, v) for w, *v in np.eye(4))  # noqa: E741
+
+
+def random_units(n: int, d: int) -> Array:
+    vectors = RNG.normal(size=(n, d))
+    return vectors / np.linalg.norm(vectors, axis=-1, keepdims=True)
+
+
+AXES = np.vstack([np.eye(3), -np.eye(3), [[0.6, 0.8, 0]], random_units(200, 3)])
+POINTS = RNG.normal(size=(len(AXES), 3))
+
+
+def close(actual: Any, desired: Any, atol: float = 1e-14) -> None:
+    parts = (x.components if isinstance(x, Quaternion) else x for x in (actual, desired))
+    np.testing.assert_allclose(*parts, rtol=0, atol=atol)
+
+
+def quaternion(components: Any) -> Quaternion:
+    return Quaternion(components[..., 0], components[..., 1:])
+
+
+components = arrays(float, 4, elements=st.floats(-10, 10, allow_subnormal=False))
+quaternions = components.map(quaternion)
+units = (
+    components.filter(lambda q: bool(np.linalg.norm(q) > 1e-3))
+    .map(lambda q: q / np.linalg.norm(q))
+    .map(quaternion)
+)
+points = arrays(float, 3, elements=st.floats(-10, 10))
+repeatable = settings(derandomize=True, deadline=None, database=None)
+
+
+class TestProofs:
+    """The code itself, run on symbols."""
+
+    w1, x1, y1, z1, w2, x2, y2, z2, w3, x3, y3, z3 = sp.symbols(
+        "w1 x1 y1 z1 w2 x2 y2 z2 w3 x3 y3 z3"
+    )
+    r = sp.symbols("r_u r_v r_w")
+    p, q = Quaternion(w1, [x1, y1, z1]), Quaternion(w2, [x2, y2, z2])
+    third = Quaternion(w3, [x3, y3, z3])
+
+    def same(self, left: Quaternion, right: Quaternion, law: Any = 0) -> bool:
+        """Whether they are equal, modulo that the law is zero."""
+        differences = [sp.expand(x) for x in left.components - right.components]
+        if law == 0:
+            return all(x == 0 for x in differences)
+        return all(sp.reduced(x, [law])[1] == 0 for x in differences)
+
+    def test_product_is_the_one_of_2_3(self) -> None:
+        v1, v2 = sp.Matrix([self.x1, self.y1, self.z1]), sp.Matrix([self.x2, self.y2, self.z2])
+        scalar = self.w1 * self.w2 - v1.dot(v2)
+        vector = self.w1 * v2 + self.w2 * v1 + v1.cross(v2)
+        assert self.same(self.p * self.q, Quaternion(scalar, list(vector)))
+
+    def test_product_is_associative_and_distributes(self) -> None:
+        p, q, r = self.p, self.q, self.third
+        assert self.same((p * q) * r, p * (q * r))
+        assert self.same(p * (q + r), p * q + p * r)
+        assert self.same((p - q) * r, p * r - q * r)
+
+    def test_product_does_not_commute(self) -> None:
+        cross = np.cross(self.p.v, self.q.v)
+        assert self.same(self.p * self.q - self.q * self.p, Quaternion(0, 2 * cross))
+
+    def test_q_times_conjugate_is_the_square_of_the_norm(self) -> None:
+        q = self.q
+        square = sum(x * x for x in q.components)
+        assert self.same(q * q.conjugate(), Quaternion(square, [0, 0, 0]))
+        assert self.same(q.conjugate() * q, Quaternion(square, [0, 0, 0]))
+
+    def test_norms_multiply(self) -> None:
+        def square(q: Quaternion) -> Any:
+            return (q * q.conjugate()).w.item()
+
+        assert sp.expand(square(self.p * self.q) - square(self.p) * square(self.q)) == 0
+
+    def test_inverse_on_both_sides_and_division_on_the_right(self) -> None:
+        p, q = self.p, self.q
+
+        def simplified(q: Quaternion) -> list[Any]:
+            return [sp.simplify(x) for x in q.components]
+
+        assert simplified(q * q.inverse()) == simplified(q.inverse() * q) == [1, 0, 0, 0]
+        assert simplified((p * q) / q - p) == [0, 0, 0, 0]
+
+    def test_rotate_is_q_r_conjugate(self) -> None:
+        unit = sum(x * x for x in self.q.components) - 1
+        product = self.q * Quaternion(0, self.r) * self.q.conjugate()
+        assert self.same(product, Quaternion(0, self.q.rotate(self.r)), unit)
+
+    def test_matrix_does_the_same(self) -> None:
+        rotated = sp.Matrix(self.q.matrix()) * sp.Matrix(self.r)
+        assert (rotated - sp.Matrix(self.q.rotate(self.r))).expand() == sp.zeros(3, 1)
+
+    def test_last_line_of_2_6(self) -> None:
+        theta = symbolic(sp.Symbol("theta", real=True))
+        r = symbolic(*self.r)
+        q = Quaternion.from_axis_angle([1, 0, 0], theta)
+        product = q * Quaternion(0 * theta, r) * q.conjugate()
+        assert vanishes(matrix(product.w))
+        assert vanishes(matrix(product.v) - matrix(rotate_about_u(r, theta)))
+        assert not vanishes(matrix(product.v) - matrix(r))
+
+    def test_matrix_of_axis_and_angle_is_3_3(self) -> None:
+        n = sp.symbols("n_u n_v n_w", real=True)
+        theta = sp.Symbol("theta", real=True)
+        q = Quaternion.from_axis_angle(symbolic(*n), symbolic(theta))
+        difference = matrix(q.matrix()) - matrix(rotation_matrix(symbolic(*n), symbolic(theta)))
+        c, s = sp.symbols("c s")
+        half = {sp.cos(theta): c**2 - s**2, sp.sin(theta): 2 * s * c}
+        half |= {sp.cos(theta / 2): c, sp.sin(theta / 2): s}
+        laws = [sum(x**2 for x in n) - 1, c**2 + s**2 - 1]
+        assert all(sp.reduced(sp.expand(x.subs(half)), laws, n[0], s)[1] == 0 for x in difference)
+
+
+class TestAlgebra:
+    def test_hamiltons_table(self) -> None:
+        for a, b, c in [(I, J, K), (J, K, I), (K, I, J)]:
+            assert a * b == c
+            assert b * a == -c
+            assert a * a == -1
+        assert I * J * K == -1
+
+    def test_parts(self) -> None:
+        q = Quaternion(1, [2, 3, 4])
+        assert q.w == 1
+        close(q.v, [2, 3, 4], 0)
+        close(q.components, [1, 2, 3, 4], 0)
+        close(q.conjugate().components, [1, -2, -3, -4], 0)
+        close(Quaternion(1, [2, 4, 10]).norm(), 11, 0)
+
+    def test_sums_are_componentwise(self) -> None:
+        p, q = Quaternion(1, [2, 3, 4]), Quaternion(10, [30, 20, 50])
+        close(p + q, [11, 32, 23, 54], 0)
+        close(p - q, [-9, -28, -17, -46], 0)
+        close(-p, [-1, -2, -3, -4], 0)
+
+    def test_real_numbers_are_quaternions_without_vector(self) -> None:
+        q, two = Quaternion(1, [2, 3, 4]), Quaternion(2, [0, 0, 0])
+        for operation in [operator.add, operator.sub, operator.mul, operator.truediv]:
+            for number in [2, 2.0, np.float64(2), np.int8(2), np.array(2)]:
+                close(operation(q, number), operation(q, two), 0)
+                close(operation(number, q), operation(two, q), 0)
+            for numbers in [np.array([2.0, 2]), np.array([2, 2])]:
+                close(operation(q, numbers).components, [operation(q, two).components] * 2, 0)
+                close(operation(numbers, q).components, [operation(two, q).components] * 2, 0)
+        assert two == 2
+        assert q != 1
+
+    def test_division_by_a_number_is_exact(self) -> None:
+        w = np.arange(1.0, 100)
+        assert (Quaternion(w, np.outer(w, [1, 2, 3])) / w == Quaternion(1, [1, 2, 3])).all()
+
+    def test_division_is_from_the_right(self) -> None:
+        assert (I * J) / J == I
+        assert (I * J) / I == -J
+        close(2 / Quaternion(0, [0, 4, 0]), [0, 0, -0.5, 0], 0)
+
+    @pytest.mark.parametrize("size", [5e-324, 1e-200, 1e-160, 1, 1e160, 1e200])
+    def test_extreme_sizes(self, size: float) -> None:
+        q = Quaternion(size, [size, size, size])
+        assert q.norm() == 2 * size
+        if size > 1e-300:
+            close(q.inverse() * q, ONE)
+            close((q.inverse() * (4 * size)).components, [1, -1, -1, -1])
+        close(q.rotate([1, 0, 0]), [0, 1, 0])
+        close(q.axis_angle()[1], 2 * np.pi / 3)
+
+    @repeatable
+    @given(quaternions, quaternions, quaternions)
+    def test_laws(self, p: Quaternion, q: Quaternion, r: Quaternion) -> None:
+        close((p * q) * r, p * (q * r), 1e-10)
+        close((p * q).norm(), p.norm() * q.norm(), 1e-12)
+        close((p * q).conjugate(), q.conjugate() * p.conjugate(), 1e-12)
+
+    @repeatable
+    @given(units, units)
+    def test_laws_of_units(self, p: Quaternion, q: Quaternion) -> None:
+        close(q.norm(), 1, 1e-15)
+        close(q.inverse(), q.conjugate(), 1e-15)
+        close(p * q / q, p, 1e-15)
+        close((p * q).matrix(), p.matrix() @ q.matrix())
+
+
+class TestRotation:
+    @pytest.mark.parametrize("angle", [*ANGLES, -1.0, 7.0])
+    def test_any_axis_against_scipy(self, angle: float) -> None:
+        q = Quaternion.from_axis_angle(3 * AXES, angle)
+        oracle = Rotation.from_rotvec(angle * AXES)
+        close(q.rotate(POINTS), oracle.apply(POINTS), 2e-14)
+        close(q.matrix(), oracle.as_matrix())
+        close((-q).rotate(POINTS), q.rotate(POINTS), 0)
+        close((-q).matrix(), q.matrix(), 0)
+
+    @pytest.mark.parametrize("angle", [*ANGLES, -1.0, 7.0])
+    def test_u_axis(self, angle: float) -> None:
+        close(rotate_about_u(POINTS, angle), rotate(POINTS, E1, angle), 2e-14)
+        close(
+            rotate_about_u(POINTS, angle),
+            Quaternion.from_axis_angle(E1, angle).rotate(POINTS),
+            2e-14,
+        )
+
+    def test_the_counterexample_to_2_6_as_printed(self) -> None:
+        close(rotate_about_u([0, 0, 1], np.pi / 2), [0, -1, 0], 1e-16)
+
+    def test_product_against_scipy(self) -> None:
+        p, q = random_units(100, 4), random_units(100, 4)
+        oracle = Rotation.from_quat(p, scalar_first=True) * Rotation.from_quat(q, scalar_first=True)
+        product = (quaternion(p) * quaternion(q)).components
+        close(np.abs(np.sum(product * oracle.as_quat(scalar_first=True), axis=-1)), 1)
+
+    def test_length_does_not_matter(self) -> None:
+        q = Quaternion.from_axis_angle(AXES, 1.2)
+        for factor in [1e-3, 7.0, -1e5]:
+            close((factor * q).rotate(POINTS), q.rotate(POINTS), 2e-14)
+            close((factor * q).matrix(), q.matrix())
+
+    @repeatable
+    @given(units, points)
+    def test_conjugation_by_hand(self, q: Quaternion, r: Array) -> None:
+        product = q * Quaternion(0, r) * q.conjugate()
+        close(product.w, 0, 1e-14)
+        close(product.v, q.rotate(r), 1e-13)
+
+    def test_broadcasting(self) -> None:
+        q = Quaternion.from_axis_angle(AXES[:4], 1.0)
+        every = quaternion(q.components[:, None]).rotate(POINTS[:7])
+        assert every.shape == (4, 7, 3)
+        for i in range(4):
+            close(every[i], POINTS[:7] @ q.matrix()[i].T)
+        assert q.rotate(E1).shape == (4, 3)
+        assert q.matrix().shape == (4, 3, 3)
+        assert rotate_about_u(E1, [0, 1]).shape == (2, 3)
+        assert rotate_about_u(POINTS[:7], np.ones((4, 1))).shape == (4, 7, 3)
+
+
+class TestAxisAngle:
+    @pytest.mark.parametrize("angle", [a for a in ANGLES if a] + [4.0, 2 * np.pi - 1e-8])
+    def test_comes_back(self, angle: float) -> None:
+        axis, found = Quaternion.from_axis_angle(AXES, angle).axis_angle()
+        np.testing.assert_allclose(found, angle, rtol=3e-15)
+        close(axis, AXES, 1e-15 if angle < 6 else 1e-7)
+
+    def test_both_signs(self) -> None:
+        q = Quaternion.from_axis_angle(AXES, 1.0)
+        axis, angle = (-q).axis_angle()
+        close(angle, 2 * np.pi - 1)
+        close(axis, -AXES)
+
+    @pytest.mark.parametrize(("w", "angle"), [(1, 0), (-1, 2 * np.pi), (1e-5, 0), (-7, 2 * np.pi)])
+    def test_no_rotation_has_the_documented_axis(self, w: float, angle: float) -> None:
+        axis, found = Quaternion(w, [0, 0, 0]).axis_angle()
+        close(axis, [1, 0, 0], 0)
+        assert found == angle
+
+    def test_one_of_many_does_not_turn(self) -> None:
+        axis, angle = Quaternion([1, 1], [[0, 0, 0], [0, 1, 0]]).axis_angle()
+        close(axis, [[1, 0, 0], [0, 1, 0]], 0)
+        close(angle, [0, np.pi / 2], 0)
+
+    def test_double_cover(self) -> None:
+        turns = Quaternion.from_axis_angle([0, 0, 1], 2 * np.pi * np.arange(5))
+        close(turns.components, np.outer([1, -1, 1, -1, 1], [1, 0, 0, 0]))
+        close(turns.matrix(), np.broadcast_to(np.eye(3), (5, 3, 3)))
+
+    @pytest.mark.parametrize("angle", ANGLES)
+    def test_from_matrix(self, angle: float) -> None:
+        matrices = rotation_matrix(AXES, angle)
+        q = Quaternion.from_matrix(matrices)
+        close(q.matrix(), matrices, 3e-15)
+        close(q.norm(), 1, 1e-15)
+        assert (q.w >= 0).all()
+        close(np.abs((q * Quaternion.from_axis_angle(AXES, angle).conjugate()).w), 1, 1e-15)
+
+
+class TestArray:
+    def test_shapes_broadcast(self) -> None:
+        q = Quaternion([[1], [2]], np.ones((5, 3)))
+        assert q.components.shape == (2, 5, 4)
+        assert q.w.shape == (2, 5)
+        assert q.v.shape == (2, 5, 3)
+        assert q.norm().shape == (2, 5)
+        assert (q * I).w.shape == (2, 5)
+        assert (q * Quaternion(np.ones((3, 1, 1)), E1)).w.shape == (3, 2, 5)
+        assert (np.arange(5) * q).w.shape == (2, 5)
+        assert Quaternion(0, np.ones((0, 3))).norm().shape == (0,)
+        axis, angle = q.axis_angle()
+        assert axis.shape == (2, 5, 3)
+        assert angle.shape == (2, 5)
+
+    def test_comparison_is_quaternion_by_quaternion(self) -> None:
+        q = Quaternion([1, 2, 1], [[0, 0, 0], [0, 0, 0], [0, 1, 0]])
+        assert (q == 1).tolist() == [True, False, False]
+        assert (q != 1).tolist() == [False, True, True]
+        assert (q == q).all()
+        assert not (q != q).any()
+        assert q != "text"
+        assert (q == None) is False  # noqa: E711
+
+    def test_immutable(self) -> None:
+        w, v = np.ones(2), np.ones((2, 3))
+        q = Quaternion(w, v)
+        w[:], v[:] = 7, 7
+        assert (q == Quaternion(1, [1, 1, 1])).all()
+        with pytest.raises(FrozenInstanceError):
+            q.components = v  # type: ignore[misc]
+        for part in [q.w, q.v, q.components, (q * q).components, (q + 1).v, q.inverse().w]:
+            with pytest.raises(ValueError, match="read-only"):
+                part[...] = 0
+        with pytest.raises((AttributeError, TypeError)):
+            q.name = "q"  # type: ignore[attr-defined]
+        with pytest.raises(TypeError, match="unhashable"):
+            hash(q)
+
+    def test_results_are_the_users_to_change(self) -> None:
+        q = Quaternion(1, [1, 1, 1])
+        for result in [q.rotate([1, 2, 3]), q.matrix(), *q.axis_angle()]:
+            result[...] = 0
+        assert q == Quaternion(1, [1, 1, 1])
+
+    def test_copies(self) -> None:
+        q = Quaternion([1, 2], np.ones((2, 3)))
+        for twin in [copy.copy(q), copy.deepcopy(q), pickle.loads(pickle.dumps(q))]:
+            assert (twin == q).all()
+
+    def test_repr(self) -> None:
+        assert repr(Quaternion(1, [0, -2.5, 3])) == "Quaternion(1., [ 0. , -2.5,  3. ])"
+        two = Quaternion([1, 2], np.ones((2, 3)))
+        lines = ["Quaternion([1., 2.],", "[[1., 1., 1.],", "[1., 1., 1.]])"]
+        assert [line.strip() for line in repr(two).splitlines()] == lines
+        assert (eval(repr(two)) == two).all()
+
+    def test_single_precision(self) -> None:
+        q = Quaternion(np.float32(1), np.ones(3, np.float32))
+        n = AXES.astype(np.float32)
+        found = [
+            q.components,
+            (q * q).components,
+            (2 * q + 1.5).components,
+            (1 / q / 2).components,
+            q.inverse().components,
+            q.norm(),
+            q.rotate([1, 2, 3]),
+            q.rotate(n),
+            q.matrix(),
+            *q.axis_angle(),
+            *(q * 0 + 1).axis_angle(),
+            Quaternion.from_axis_angle(n, 1).components,
+            Quaternion.from_matrix(rotation_matrix(n, 1)).components,
+            rotate_about_u(n, 1),
+        ]
+        assert {np.asarray(x).dtype for x in found} == {np.dtype(np.float32)}
+        found = [(q * np.float64(2)).components, (q * ONE).components, q.rotate(AXES)]
+        assert {x.dtype for x in found} == {np.dtype(np.float64)}
+
+
+class TestCounts:
+    unit = np.array([0.5, 0.5, 0.5, 0.5])
+
+    @pytest.mark.parametrize(
+        ("function", "expected"),
+        [
+            (lambda q: quaternion(q) * quaternion(q), OperationCount(16, 12)),
+            (lambda q: quaternion(q) + quaternion(q), OperationCount(0, 4)),
+            (lambda q: quaternion(q).rotate(q[1:]), OperationCount(18, 12)),
+            (lambda q: quaternion(q).matrix(), OperationCount(9, 15)),
+            (lambda q: quaternion(q).norm(), OperationCount(4, 3, square_roots=1)),
+            (lambda q: quaternion(q).inverse(), OperationCount(4, 3, divisions=4)),
+            (lambda q: rotate_about_u(q[1:], q[0]), OperationCount(4, 2, trigonometric=2)),
+        ],
+    )
+    def test_as_in_the_audit(self, function: Any, expected: OperationCount) -> None:
+        assert count(function, self.unit) == expected
+
+
+class TestRefusals:
+    q = Quaternion(1, [2, 3, 4])
+
+    @pytest.mark.parametrize("value", ["text", None, [None], 1j, True, {}, [[1], [2, 3]]])
+    def test_not_numbers(self, value: Any) -> None:
+        bad = "must be an array of real numbers; got|must be finite in float64; got nan"
+        with pytest.raises(ValueError, match=f"^w {bad}"):
+            Quaternion(value, [1, 2, 3])
+        with pytest.raises(ValueError, match=f"^v {bad}"):
+            Quaternion(1, value)
+        with pytest.raises(ValueError, match=f"^angle {bad}"):
+            rotate_about_u([1, 2, 3], value)
+        with pytest.raises(ValueError, match=f"^points {bad}"):
+            self.q.rotate(value)
+
+    @pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf])
+    def test_not_finite(self, value: float) -> None:
+        match = f"must be finite in float64; got {value}"
+        for name, call in {
+            "w": lambda: Quaternion(value, [1, 2, 3]),
+            "v": lambda: Quaternion(1, [1, 2, value]),
+            "axis": lambda: Quaternion.from_axis_angle([1, value, 0], 1),
+            "angle": lambda: Quaternion.from_axis_angle([1, 0, 0], value),
+            "matrix": lambda: Quaternion.from_matrix(np.full((3, 3), value)),
+            "points": lambda: self.q.rotate([value, 1, 2]),
+            "scalar": lambda: self.q * value,
+        }.items():
+            with pytest.raises(ValueError, match=f"^{name} {match}"):
+                call()
+
+    @pytest.mark.parametrize("other", ["text", None, [1, 2], (1,), {}])
+    @pytest.mark.parametrize("name", ["add", "sub", "mul", "truediv"])
+    def test_operands_that_are_not_numbers(self, name: str, other: Any) -> None:
+        operation = getattr(operator, name)
+        with pytest.raises(TypeError):
+            operation(self.q, other)
+        with pytest.raises(TypeError):
+            operation(other, self.q)
+
+    def test_numpy_does_not_take_them_apart(self) -> None:
+        with pytest.raises(TypeError):
+            np.add(np.ones(3), self.q)
+
+    def test_shapes(self) -> None:
+        with pytest.raises(ValueError, match=r"^v must have shape \(..., 3\); got shape \(4,\)$"):
+            Quaternion(1, [1, 2, 3, 4])
+        with pytest.raises(ValueError, match=r"^w and v must broadcast over their leading axes"):
+            Quaternion([1, 2], np.ones((3, 3)))
+        with pytest.raises(ValueError, match=r"^left and right must broadcast .* \(2, 4\) and \(3"):
+            _ = Quaternion([1, 2], E1) * Quaternion([1, 2, 3], E1)
+        with pytest.raises(ValueError, match=r"^points must have shape \(..., 3\)"):
+            self.q.rotate([1, 2])
+        with pytest.raises(ValueError, match=r"^quaternion and points must broadcast"):
+            Quaternion([1, 2], E1).rotate(np.ones((3, 3)))
+
+    def test_zero(self) -> None:
+        zero, one_zero = Quaternion(0, [0, 0, 0]), Quaternion([1, 0], [[0, 0, 0], [0, 0, 0]])
+        for call in [zero.inverse, lambda: ONE / zero, lambda: ONE / 0, lambda: 1 / zero]:
+            with pytest.raises(DegenerateError, match=r"^the zero quaternion has no inverse$"):
+                call()
+        for call in [one_zero.inverse, lambda: ONE / one_zero, lambda: ONE / np.array([1, 0])]:
+            with pytest.raises(DegenerateError, match=r"no inverse; found at index \(1,\)$"):
+                call()
+        for call in [zero.matrix, zero.axis_angle, lambda: zero.rotate([1, 2, 3])]:
+            with pytest.raises(ValueError, match=r"^quaternion must not be the zero vector"):
+                call()
+        with pytest.raises(ValueError, match=r"^axis must not be the zero vector"):
+            Quaternion.from_axis_angle([0, 0, 0], 1)
+        with pytest.raises(ValueError, match=r"^matrix must be a rotation"):
+            Quaternion.from_matrix(np.zeros((3, 3)))

@@ -81,7 +81,7 @@ def depart_scene(writer: Any, node: scene) -> None:
 def visit_scene_poster(writer: Any, node: scene_poster) -> None:
     """Write the picture, from where Sphinx keeps the pictures of the book."""
     source = posixpath.join(writer.builder.imgpath, writer.builder.images[node["uri"]])
-    attributes = {key: node[key] for key in ("alt", "width", "height")}
+    attributes = {key: node[key] for key in ("alt", "width", "height")} | {"loading": "lazy"}
     writer.body.append(writer.emptytag(node, "img", CLASS="scene-poster", src=source, **attributes))
     raise nodes.SkipNode
 

@@ -44,9 +44,13 @@ SCROLL = """async () => {
 }"""
 AXE = """async () => {
     document.querySelectorAll("details").forEach(details => { details.open = true; });
-    const found = await axe.run();
-    return found.violations.flatMap(
-        rule => rule.nodes.map(node => `${rule.id} (${rule.impact}): ${node.target.join(" ")}`));
+    const found = (await axe.run()).violations.map(({id, nodes}) => {
+        const places = nodes.map(node => node.target.join(" "));
+        const more = places.length > 3 ? ` and ${places.length - 3} more` : "";
+        return `axe ${id}: ${places.slice(0, 3).join(", ")}${more}`;
+    });
+    const wide = document.documentElement.scrollWidth - innerWidth;
+    return wide > 0 ? [...found, `the page is ${wide} pixels too wide`] : found;
 }"""
 
 
@@ -134,7 +138,7 @@ def weigh(browser: Browser, url: str, host: str) -> tuple[float, list[str]]:
 
 
 def run_axe(browser: Browser, url: str) -> list[str]:
-    """Return what axe finds, at all widths and in both themes."""
+    """Return what axe finds, and pages that scroll sideways, at all widths in both themes."""
     findings: dict[str, list[str]] = {}
     for width, height in WIDTHS.items():
         for theme in THEMES:
@@ -147,7 +151,7 @@ def run_axe(browser: Browser, url: str) -> list[str]:
             for finding in page.evaluate(AXE):
                 findings.setdefault(finding, []).append(f"{width} {theme}")
             page.close()
-    return [f"axe {finding} [{', '.join(where)}]" for finding, where in findings.items()]
+    return [f"{finding} [{', '.join(where)}]" for finding, where in findings.items()]
 
 
 def run_lighthouse(url: str, chromium: str) -> tuple[dict[str, int], list[str]]:

@@ -4,6 +4,8 @@ Charts are SVG drawings in the style ``rotedu.book``. Each is shown as it is on 
 for dark pages a copy with other ink is made.
 """
 
+import posixpath
+import re
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +15,11 @@ from sphinx.transforms.post_transforms import SphinxPostTransform
 
 INKS_ON_DARK = {"#3b434b": "#cdd4da", "#c9d0d6": "#434c55", "#0072b2": "#3b9ad6"}
 PAPER = "fill: #ffffff"
+SHAPE = re.compile(r'viewBox="0 0 ([\d.]+) ([\d.]+)"')
+
+
+class chart(nodes.image):  # noqa: N801 (docutils names nodes so)
+    """A drawing that comes when the reader comes near it; until then its place is kept."""
 
 
 class ChartsForBothThemes(SphinxPostTransform):
@@ -46,12 +53,27 @@ class ChartsForBothThemes(SphinxPostTransform):
         file.write_text(svg, encoding="utf-8")
         uri = file.relative_to(self.env.srcdir).as_posix()
         self.env.images.add_file(self.env.docname, uri)
-        return nodes.image(
-            uri=uri, candidates={"*": uri}, alt=image["alt"], classes=["chart", f"only-{theme}"]
+        width, height = SHAPE.search(svg).groups()
+        return chart(
+            uri=uri,
+            candidates={"*": uri},
+            alt=image["alt"],
+            classes=["chart", f"only-{theme}"],
+            width=round(float(width)),
+            height=round(float(height)),
         )
+
+
+def visit_chart(writer: Any, node: chart) -> None:
+    """Write the picture with its shape."""
+    source = posixpath.join(writer.builder.imgpath, writer.builder.images[node["uri"]])
+    attributes = {key: node[key] for key in ("alt", "width", "height")}
+    writer.body.append(writer.emptytag(node, "img", src=source, loading="lazy", **attributes))
+    raise nodes.SkipNode
 
 
 def setup(app: Sphinx) -> dict[str, Any]:
     """Register the step."""
+    app.add_node(chart, html=(visit_chart, None))
     app.add_post_transform(ChartsForBothThemes)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

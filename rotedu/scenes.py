@@ -52,8 +52,8 @@ def add_line(
     plotter: pyvista.Plotter, points: ArrayLike, color: str, radius: float = 0.008
 ) -> None:
     """Add a round line through points, shape (n, 3)."""
-    line = pyvista.lines_from_points(np.asarray(points, float))
-    add_thin(plotter, line.tube(radius=radius, n_sides=12), color)
+    line = pyvista.MultipleLines(np.asarray(points, float))
+    add_thin(plotter, line.tube(radius=radius, n_sides=16), color)
 
 
 def add_arrow(

@@ -7,6 +7,7 @@ writes S^3 for the space and S^2 for the sphere, one dimension too few each: err
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import wraps
 from typing import Any, ClassVar, TypeVar, cast
 
 import numpy as np
@@ -26,6 +27,7 @@ def _with_scalars(
 ) -> Callable[["Quaternion", Any], Result]:
     """Let an operation take a real number w for the quaternion [w, 0], as the paper does."""
 
+    @wraps(operation)
     def widened(self: "Quaternion", other: Any) -> Result:
         if isinstance(other, Quaternion):
             left, right = arrays(left=(self.components, (4,)), right=(other.components, (4,)))
@@ -36,7 +38,6 @@ def _with_scalars(
             return cast(Result, NotImplemented)
         return operation(Quaternion._of(left), Quaternion._of(right))
 
-    widened.__doc__ = operation.__doc__
     return widened
 
 

@@ -1,3 +1,5 @@
+"""The figures in three dimensions: what they show is what they say."""
+
 import numpy as np
 import pytest
 import pyvista
@@ -7,9 +9,10 @@ from rotedu.book_backend import scene_labels
 from rotedu.ordinary_rotation import rotate
 
 SCENES = [
-    getattr(scenes, name)
-    for name in dir(scenes)
-    if name.startswith("figure_") or name in ("rotated_mesh", "turning_spoon")
+    function
+    for name, function in vars(scenes).items()
+    if getattr(function, "__annotations__", {}).get("return") is pyvista.Plotter
+    and name != "new_scene"
 ]
 
 
@@ -49,3 +52,26 @@ def test_the_teaspoon_is_a_closed_surface_but_for_its_ends() -> None:
 def test_a_mesh_of_ones_own_is_turned() -> None:
     plotter = scenes.rotated_mesh(pyvista.Cube())
     assert "8 vertices" in plotter.alt_text or "24 vertices" in plotter.alt_text
+
+
+def meshes(plotter: pyvista.Plotter, color: str) -> list[pyvista.PolyData]:
+    actors = [a for a in plotter.actors.values() if isinstance(a, pyvista.Actor)]
+    return [a.mapper.dataset for a in actors if a.prop.color == pyvista.Color(color)]
+
+
+@pytest.mark.parametrize("between", [0.3, np.deg2rad(50), 1.2])
+def test_two_mirrors_turn_the_letter_by_twice_their_angle(between: float) -> None:
+    plotter = scenes.two_mirrors(between)
+    (before,), (after,) = (meshes(plotter, color) for color in (scenes.VECTOR, scenes.RESULT))
+    turned = rotate(before.points, [0, 0, 1], 2 * between)
+    np.testing.assert_allclose(after.points, turned, rtol=0, atol=1e-6)
+    np.testing.assert_allclose(after.volume, before.volume, rtol=1e-5)
+    assert before.volume > 0
+
+
+def test_no_turn_maps_the_letter_f_to_its_mirror_image() -> None:
+    corners = np.unique(scenes.letter_f().points.round(6), axis=0)
+    mirrored = corners * [-1, 1, 1]
+    for angle in np.linspace(0, 2 * np.pi, 73):
+        distances = np.linalg.norm(rotate(mirrored, [0, 0, 1], angle)[:, None] - corners, axis=-1)
+        assert distances.min(axis=1).max() > 0.05

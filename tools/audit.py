@@ -221,6 +221,8 @@ def main() -> int:
         browser.close()
     server.shutdown()
     print("\n".join(missed) or "All budgets are met.")
+    if missed and os.getloadavg()[0] > 2 * (os.cpu_count() or 1):
+        print("The machine was busy with other work: performance looks worse than it is.")
     return bool(missed)
 
 

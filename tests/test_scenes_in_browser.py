@@ -112,7 +112,7 @@ def strict_site(book: Path, tmp_path_factory: pytest.TempPathFactory) -> Iterato
     for name, count in (("one", 1), ("many", MANY)):
         (folder / f"{name}.html").write_text(
             '<!DOCTYPE html><html lang="en"><head><meta charset="utf-8"><title>Scenes</title>'
-            '<meta name="viewport" content="width=device-width">'
+            '<meta name="viewport" content="width=device-width, initial-scale=1">'
             '<link rel="icon" href="data:,"><link rel="stylesheet" href="scene/scene.css">'
             '<script defer src="scene/loader.js"></script></head><body><main><h1>Scenes</h1>'
             + count * ("<p>Text.</p>" + markup(figure, "demanding"))
@@ -531,7 +531,7 @@ def test_a_lost_context_comes_back(strict_site: str, open_page: Callable[..., An
 
 def test_a_live_scene_is_accessible(strict_site: str, open_page: Callable[..., Any]) -> None:
     if not AXE.exists():
-        pytest.skip("axe is not installed: build the book first")
+        pytest.skip("axe is not installed: make audit does it")
     # The policy of the other site would not let the test's own script in.
     page = open_page(f"{strict_site}/one.html", bypass_csp=True)
     scene = bring_live(page, page.locator(".scene"))

@@ -18,7 +18,7 @@ from bs4 import BeautifulSoup
 from PIL import Image
 
 sys.path.insert(0, str(Path(__file__).parent))
-from demanding import demanding_scene
+from demanding import demanding_scene, scene_of_all_looks
 
 from rotedu.book_backend import MIME_TYPE, book_figure
 
@@ -106,17 +106,22 @@ def strict_site(book: Path, tmp_path_factory: pytest.TempPathFactory) -> Iterato
     """Pages with one and with many demanding scenes, and nothing of the book's theme."""
     folder = tmp_path_factory.mktemp("strict")
     shutil.copytree(book / "_static" / "scene", folder / "scene")
-    figure = book_figure(demanding_scene())
-    (folder / "demanding.glb").write_bytes(figure.gltf)
-    Image.open(io.BytesIO(figure.poster)).save(folder / "demanding.webp", quality=85)
-    for name, count in (("one", 1), ("many", MANY)):
+    figures = {"demanding": demanding_scene(), "looks": scene_of_all_looks()}
+    scenes = {}
+    for name, plotter in figures.items():
+        figure = book_figure(plotter)
+        (folder / f"{name}.glb").write_bytes(figure.gltf)
+        Image.open(io.BytesIO(figure.poster)).save(folder / f"{name}.webp", quality=85)
+        scenes[name] = "<p>Text.</p>" + markup(figure, name)
+    demanding = scenes["demanding"]
+    bodies = {"one": demanding, "many": MANY * demanding, "both": "".join(scenes.values())}
+    for name, body in bodies.items():
         (folder / f"{name}.html").write_text(
             '<!DOCTYPE html><html lang="en"><head><meta charset="utf-8"><title>Scenes</title>'
-            '<meta name="viewport" content="width=device-width">'
+            '<meta name="viewport" content="width=device-width, initial-scale=1">'
             '<link rel="icon" href="data:,"><link rel="stylesheet" href="scene/scene.css">'
             '<script defer src="scene/loader.js"></script></head><body><main><h1>Scenes</h1>'
-            + count * ("<p>Text.</p>" + markup(figure, "demanding"))
-            + '<div style="height: 2000px"></div></main></body></html>',
+            f'{body}</main><div style="height: 2000px"></div></body></html>',
             encoding="utf-8",
         )
     handler = functools.partial(Strict, directory=folder)
@@ -231,6 +236,16 @@ def pages_with_scenes(book: Path) -> list[str]:
     ]
 
 
+def compare_with_poster(scene: Any, where: str) -> np.ndarray:
+    """Return the first frame, after checking that it looks like the poster."""
+    poster, first = pictures(scene)
+    assert (first[..., 3] > 0).mean() > 0.005, where
+    assert difference(poster, first) < TOLERANCE, where
+    core = inside(poster, first)
+    assert np.abs(on_white(poster) - on_white(first))[core].mean() < TOLERANCE_INSIDE, where
+    return first
+
+
 def test_every_scene_of_the_book_lives(
     book: Path, site: str, open_page: Callable[..., Any]
 ) -> None:
@@ -247,11 +262,7 @@ def test_every_scene_of_the_book_lives(
             top = scene.evaluate("element => element.offsetTop")
             bring_live(page, scene)
             assert scene.evaluate("element => element.offsetTop") == top, where
-            poster, first = pictures(scene)
-            assert (first[..., 3] > 0).mean() > 0.005, where
-            assert difference(poster, first) < TOLERANCE, where
-            core = inside(poster, first)
-            assert np.abs(on_white(poster) - on_white(first))[core].mean() < TOLERANCE_INSIDE, where
+            first = compare_with_poster(scene, where)
             labels = scene.evaluate(LABELS)
             for now, before in zip(labels, at_rest, strict=True):
                 assert now["text"], (where, now)
@@ -269,6 +280,13 @@ def test_every_scene_of_the_book_lives(
             assert difference(first, back) < 0.01, where
         assert page.evaluate("contexts.map(context => context.isContextLost())") == [False], name
         page.context.close()
+
+
+def test_all_looks_are_those_of_the_poster(strict_site: str, open_page: Callable[..., Any]) -> None:
+    page = open_page(f"{strict_site}/both.html", device_scale_factor=2)
+    scenes = page.locator(".scene")
+    for i in range(scenes.count()):
+        compare_with_poster(bring_live(page, scenes.nth(i)), f"scene {i}")
 
 
 def test_many_scenes_share_one_context(strict_site: str, open_page: Callable[..., Any]) -> None:
@@ -531,7 +549,7 @@ def test_a_lost_context_comes_back(strict_site: str, open_page: Callable[..., An
 
 def test_a_live_scene_is_accessible(strict_site: str, open_page: Callable[..., Any]) -> None:
     if not AXE.exists():
-        pytest.skip("axe is not installed: build the book first")
+        pytest.skip("axe is not installed: make audit does it")
     # The policy of the other site would not let the test's own script in.
     page = open_page(f"{strict_site}/one.html", bypass_csp=True)
     scene = bring_live(page, page.locator(".scene"))

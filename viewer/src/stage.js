@@ -48,7 +48,8 @@ export function createCanvas(poster) {
 
 /** Make the buttons and the hint. */
 export function createTools({ reset, full }) {
-  const tools = element("div", { class: "scene-tools" }, button("Reset the view", ICONS.reset, reset));
+  const tools = element("div", { class: "scene-tools" });
+  tools.append(button("Reset the view", ICONS.reset, reset));
   if (document.fullscreenEnabled) tools.append(button("Full screen", ICONS.full, full));
   const kind = matchMedia("(pointer: coarse)").matches ? "fingers" : "mouse";
   const hint = element("p", { class: "scene-hint", "aria-hidden": "true" }, HINTS[kind]);

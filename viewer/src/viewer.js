@@ -47,9 +47,17 @@ export async function show(element, file, context) {
       drawNow();
     });
   };
+  let fitted = "";
   const fit = () => {
-    Object.assign(canvas, pixels(element));
-    scaleWidths(objects, Math.min(canvas.width / poster.width, canvas.height / poster.height));
+    const size = pixels(element);
+    const now = `${size.width} ${size.height}`;
+    // An observer calls at once, and when the scene is folded away.
+    if (now === fitted || size.width === 0) return;
+    fitted = now;
+    Object.assign(canvas, size);
+    // Not of the poster as it is shown, but of the scene as it was made.
+    const [width, height] = ["width", "height"].map((name) => poster.getAttribute(name));
+    scaleWidths(objects, Math.min(canvas.width / width, canvas.height / height));
     drawNow();
   };
 

@@ -4,19 +4,20 @@ import { PerspectiveCamera } from "three";
 import { sortSeeThrough } from "../src/looks.js";
 import { read } from "../src/read.js";
 
-const LOOKS = { lit: true, ambient: 0, diffuse: 1, specular: 0, specularPower: 1, lineWidth: 3, pointSize: 5 };
+const LIGHT = { lit: true, ambient: 0, diffuse: 1, specular: 0, specularPower: 1 };
+const LOOKS = { ...LIGHT, lineWidth: 3, pointSize: 5, roundPoints: false };
 
 /** A binary glTF file with a square, once as a surface, once as lines, once as points. */
 function file({ opacity = 1, matrix } = {}) {
   const positions = new Float32Array([-1, -1, 0, 1, -1, 0, -1, 1, 0, 1, 1, 0]);
   const normals = new Int8Array([0, 0, 127, 0, 0, 0, 127, 0, 0, 0, 127, 0, 0, 0, 127, 0]);
   const corners = new Uint16Array([0, 1, 2, 3]);
-  const material = (extras) => ({
+  const material = {
     pbrMetallicRoughness: { baseColorFactor: [0.2158605, 1, 0, opacity] },
     doubleSided: true,
     ...(opacity < 1 && { alphaMode: "BLEND" }),
-    extras: { ...LOOKS, ...extras },
-  });
+    extras: LOOKS,
+  };
   const primitive = (mode) => ({
     primitives: [{ attributes: { POSITION: 0, NORMAL: 1 }, indices: 2, mode, material: 0 }],
   });
@@ -27,7 +28,10 @@ function file({ opacity = 1, matrix } = {}) {
     scenes: [
       {
         nodes: [0, 1, 2],
-        extras: { camera: { viewAngle: 30 }, lights: [{ toward: [0, 0, 1], color: [0.5, 0.5, 0.5] }] },
+        extras: {
+          camera: { viewAngle: 30 },
+          lights: [{ toward: [0, 0, 1], color: [0.5, 0.5, 0.5] }],
+        },
       },
     ],
     nodes: [
@@ -36,9 +40,16 @@ function file({ opacity = 1, matrix } = {}) {
       { mesh: 2, extras: { pickable: false } },
     ],
     meshes: [primitive(5), primitive(1), primitive(0)],
-    materials: [material()],
+    materials: [material],
     accessors: [
-      { bufferView: 0, componentType: 5126, count: 4, type: "VEC3", min: [-1, -1, 0], max: [1, 1, 0] },
+      {
+        bufferView: 0,
+        componentType: 5126,
+        count: 4,
+        type: "VEC3",
+        min: [-1, -1, 0],
+        max: [1, 1, 0],
+      },
       { bufferView: 1, componentType: 5120, count: 4, type: "VEC3", normalized: true },
       { bufferView: 2, componentType: 5123, count: 4, type: "SCALAR" },
     ],
@@ -54,8 +65,9 @@ function file({ opacity = 1, matrix } = {}) {
   const binary = Buffer.concat([positions, normals, corners].map((a) => Buffer.from(a.buffer)));
   const words = (...numbers) => Buffer.from(new Uint32Array(numbers).buffer);
   const head = words(0x46546c67, 2, 12 + 8 + json.length + 8 + binary.length);
-  const parts = [head, words(json.length, 0x4e4f534a), json, words(binary.length, 0x004e4942), binary];
-  return new Uint8Array(Buffer.concat(parts)).buffer;
+  const jsonHead = words(json.length, 0x4e4f534a);
+  const binaryHead = words(binary.length, 0x004e4942);
+  return new Uint8Array(Buffer.concat([head, jsonHead, json, binaryHead, binary])).buffer;
 }
 
 test("a scene has its parts, the surfaces that hide labels and its surroundings", async () => {

@@ -9,11 +9,21 @@ to both, `NEUTRAL` everything that only helps to see.
 Each scene shows itself: ``figure_1().show()``.
 """
 
+from itertools import pairwise
+
 import numpy as np
 import pyvista
 from numpy.typing import ArrayLike, NDArray
 
 from rotedu.book_backend import describe
+from rotedu.interpolation import (
+    arc,
+    closed_curve,
+    closed_rotation_curve,
+    control_points,
+    de_casteljau,
+    de_casteljau_levels,
+)
 from rotedu.ordinary_rotation import rotate, rotation_matrix, transform
 
 VECTOR = "#0072b2"
@@ -21,7 +31,6 @@ AXIS = "#d55e00"
 RESULT = "#009e73"
 CROSS = "#b65f92"
 NEUTRAL = "#7d858d"
-
 SIZE = (720, 480)
 ORIGIN = np.zeros(3)
 
@@ -474,3 +483,210 @@ def double_cover(angle: float = np.deg2rad(100), width: float = 0.4) -> pyvista.
         " where the purple edge goes on, and comes back to 1 after the second.",
     )
     return plotter
+
+
+# Uneven gaps, one of them beyond 90 degrees, and on the side of the camera.
+FIGURE_8 = ((0.8, -0.4, 0.4), (0.5, 0.8, -0.4), (0.6, 0.7, 0.4), (0.1, 0.4, 0.9))
+
+
+def add_sphere(plotter: pyvista.Plotter, opacity: float = 0.18) -> None:
+    """Add the unit sphere, see-through; it hides the labels behind it."""
+    ball = pyvista.Sphere(radius=1.0, theta_resolution=60, phi_resolution=40)
+    plotter.add_mesh(ball, color=NEUTRAL, opacity=opacity, smooth_shading=True)
+
+
+def add_arc(
+    plotter: pyvista.Plotter, start: ArrayLike, end: ArrayLike, color: str, radius: float = 0.006
+) -> None:
+    """Add the shortest arc of the unit sphere from one point to another."""
+    add_line(plotter, arc(start, end, np.linspace(0, 1, 17)), color, radius)
+
+
+def figure_8(points: ArrayLike = FIGURE_8, fraction: float = 1 / 2) -> pyvista.Plotter:
+    """Draw Fig. 8: a closed curve on the sphere, its points and its control points.
+
+    Parameters
+    ----------
+    points : array_like, shape (n, 3)
+        The points P_0 ... P_{n-1}, at least 3; they are normalised.
+    fraction : float
+        How far ``a_i`` goes from ``P_i`` towards the midpoint; 1/2 is the paper's.
+
+    Returns
+    -------
+    pyvista.Plotter
+        The scene.
+    """
+    p = np.asarray(points, float)
+    p = p / np.linalg.norm(p, axis=1, keepdims=True)
+    a, b = control_points(p, fraction)
+    curve = closed_curve(p, 30, fraction)
+
+    plotter = new_scene(eye=(4.28, 2.42, 2.51), target=(0, 0, 0))
+    add_sphere(plotter)
+    add_line(plotter, [*curve, curve[0]], RESULT, radius=0.013)
+    polygon = np.stack([b, p, a], axis=1).reshape(-1, 3)
+    before, after = np.roll(polygon, 1, axis=0), np.roll(polygon, -1, axis=0)
+    for start, end in zip(polygon, after, strict=True):
+        add_arc(plotter, start, end, CROSS)
+
+    # Labels stand on the outer side of the corners; the polygon has none at P_i.
+    outwards = 0.35 * (polygon - polygon.mean(axis=0)) + polygon - (before + after) / 2
+    outwards /= np.linalg.norm(outwards, axis=1, keepdims=True)
+    corners = (("b", CROSS, 0.024), ("P", VECTOR, 0.036), ("a", CROSS, 0.024))
+    for i, (point, outward) in enumerate(zip(polygon, outwards, strict=True)):
+        letter, color, radius = corners[i % 3]
+        add_point(plotter, point, color, radius)
+        add_label(plotter, point + 0.15 * outward, f"${letter}_{i // 3}$", color)
+    describe(
+        plotter,
+        f"A see-through sphere with a smooth closed green curve through {len(p)} blue points P."
+        " Next to each point stand two purple control points, a after it and b before it. Thin"
+        " arcs join them all in the order P0, a0, b1, P1, a1 and so on; they follow the curve and"
+        " touch it at the points P.",
+    )
+    return plotter
+
+
+# Far apart, so that the arcs of all levels can be told from each other.
+ARCS = ((1.0, 0.0, -0.2), (0.6, -0.2, 0.7), (0.1, 0.6, 0.8), (0.4, 0.9, -0.2))
+
+
+def arcs_of_arcs(control: ArrayLike = ARCS, u: float = 0.4) -> pyvista.Plotter:
+    """Draw de Casteljau's construction on the sphere: the arcs of all levels for one u.
+
+    Parameters
+    ----------
+    control : array_like, shape (4, 3)
+        Control points; they are normalised.
+    u : float
+        The parameter, from 0 to 1.
+
+    Returns
+    -------
+    pyvista.Plotter
+        The scene.
+    """
+    levels = de_casteljau_levels(control, u)
+    plotter = new_scene(eye=(4.28, 2.42, 2.51), target=(0, 0, 0))
+    add_sphere(plotter)
+    add_line(plotter, de_casteljau(control, np.linspace(0, 1, 41)), RESULT, radius=0.012)
+    middle = levels[0].mean(axis=0)
+    colors = (VECTOR, CROSS, NEUTRAL, RESULT)
+    for j, (level, color) in enumerate(zip(levels, colors, strict=True)):
+        for start, end in pairwise(level):
+            add_arc(plotter, start, end, color, radius=0.008)
+        for k, point in enumerate(level):
+            add_point(plotter, point, color, radius=0.035 if color == RESULT else 0.024)
+            outwards = (point - middle) / np.linalg.norm(point - middle)
+            place = point + (-0.13 if color == RESULT else 0.13) * outwards
+            ink = "black" if color == NEUTRAL else color
+            add_label(plotter, place, f"$Q_{{{j},{j + k}}}$", ink)
+    describe(
+        plotter,
+        f"A see-through sphere with a green curve and the construction of its point for u = {u:g}."
+        " Four blue points, Q00 to Q03, are joined by three blue arcs. On each of these sits a"
+        " purple point, Q11 to Q13; two purple arcs join them. On each of those sits a grey point,"
+        " Q22 and Q23. The grey arc between them meets the curve at the green point Q33.",
+    )
+    return plotter
+
+
+def carried_around(steps: int = 3, size: float = 0.33) -> pyvista.Plotter:
+    """Draw an arrow carried around the octant by the rotations of the arcs (5-3).
+
+    Parameters
+    ----------
+    steps : int
+        Arrows on each of the three arcs.
+    size : float
+        Their length.
+
+    Returns
+    -------
+    pyvista.Plotter
+        The scene.
+    """
+    plotter = new_scene(eye=(4.0, 2.5, 2.9), target=(0.08, 0.08, 0.08))
+    add_sphere(plotter)
+    carried = np.eye(3)
+    for start, end in zip(np.eye(3), np.roll(np.eye(3), -1, axis=0), strict=True):
+        add_arc(plotter, start, end, NEUTRAL, radius=0.009)
+        axis = np.cross(start, end)
+        for t in np.arange(steps) / steps:
+            at, ahead, _ = (rotation_matrix(axis, t * np.pi / 2) @ carried).T
+            first = t == 0 and start[0] == 1
+            add_arrow(plotter, at, at + size * ahead, VECTOR if first else NEUTRAL, radius=0.013)
+        carried = rotation_matrix(axis, np.pi / 2) @ carried
+    at, ahead, _ = carried.T
+    add_arrow(plotter, at, at + size * ahead, RESULT, radius=0.013)
+    sector = at + turning(0.7 * size * np.eye(3)[1], at, np.pi / 2)
+    plotter.add_mesh(fan(at, sector), color=NEUTRAL, opacity=0.35, lighting=False, pickable=False)
+    add_label(plotter, at + np.array([0, 0.16, 0.14]), r"$90^\circ$")
+    for name, place in zip("123", ((1, -0.1, -0.08), (0, 1, -0.13), (0, -0.04, 1.12)), strict=True):
+        add_label(plotter, place, f"$e_{name}$")
+    describe(
+        plotter,
+        "A see-through sphere with a triangle of three quarter circles from e1 to e2, to e3 and"
+        " back to e1. A blue arrow at e1 points to e2. Grey arrows show it on its way: along the"
+        " first side, standing off the second side to the outside, along the third. The"
+        " green arrow that arrives at e1 points to e3, at 90 degrees to the blue one.",
+    )
+    return plotter
+
+
+def carried_mesh(
+    rotations: ArrayLike | None = None,
+    between: int = 3,
+    mesh: pyvista.PolyData | None = None,
+) -> pyvista.Plotter:
+    """Draw a mesh carried along a closed curve of orientations.
+
+    Parameters
+    ----------
+    rotations : array_like, shape (n, 3, 3), optional
+        The orientations given, at least 3.
+    between : int
+        How many interpolated ones to draw between two of them.
+    mesh : pyvista.PolyData, optional
+        The mesh, centred at the origin; a `teaspoon` if none is given. It stands at the point
+        (0, 0, 1), and turns with it about the origin.
+
+    Returns
+    -------
+    pyvista.Plotter
+        The scene.
+    """
+    r = np.asarray(orientations() if rotations is None else rotations, float)
+    model = teaspoon(stations=31, around=12) if mesh is None else mesh.copy()
+    model.points = 0.3 * model.points + np.array([0, 0, 1], model.points.dtype)
+
+    plotter = new_scene(eye=(4.28, 2.42, 2.51), target=(0, 0, 0))
+    add_sphere(plotter)
+    for k, turn in enumerate(closed_rotation_curve(r, between + 1)):
+        turned = model.copy()
+        turned.points = transform(turn, model.points)
+        color = RESULT if k % (between + 1) else VECTOR
+        plotter.add_mesh(turned, color=color, smooth_shading=True)
+    for path, color in (
+        (closed_rotation_curve(r, 30)[:, :, 2], RESULT),
+        (closed_curve(r[:, :, 2], 30), CROSS),
+    ):
+        add_line(plotter, [*path, path[0]], color, radius=0.007)
+    describe(
+        plotter,
+        f"Teaspoons on a see-through sphere: {len(r)} blue ones, and {between} green ones between"
+        " each two, which turn gradually from one to the next. A green line joins the centres of"
+        " all. A purple line through the centres of the blue ones runs elsewhere in between.",
+    )
+    return plotter
+
+
+def orientations() -> NDArray[np.float64]:
+    """Make the orientations of `carried_mesh`, shape (4, 3, 3)."""
+    p = np.array(((1.0, -0.1, 0.2), (0.8, 0.6, -0.2), (0.3, 0.8, 0.5), (0.4, 0.2, 0.9)))
+    p /= np.linalg.norm(p, axis=1, keepdims=True)
+    side = np.cross(p, control_points(p)[0])
+    side /= np.linalg.norm(side, axis=1, keepdims=True)
+    frames = np.stack([np.cross(side, p), side, p], axis=-1)
+    return frames @ rotation_matrix([0, 0, 1], np.radians([0, 90, 30, -60]))

@@ -220,7 +220,7 @@ def triangle_mesh(points: ArrayLike, triangles: ArrayLike) -> pyvista.PolyData:
     return pyvista.PolyData(np.asarray(points), faces=faces)
 
 
-def teaspoon(stations: int = 101, around: int = 40) -> pyvista.PolyData:
+def teaspoon(stations: int = 121, around: int = 40) -> pyvista.PolyData:
     """Model a teaspoon as a closed surface of ``stations * around`` vertices.
 
     Every cross-section is a flat closed ring: as wide as the outline of the spoon, sunk in
@@ -667,7 +667,7 @@ def carried_mesh(
         The scene.
     """
     r = np.asarray(orientations() if rotations is None else rotations, float)
-    model = teaspoon(stations=31, around=12) if mesh is None else mesh.copy()
+    model = teaspoon(stations=27, around=10) if mesh is None else mesh.copy()
     model.points = 0.3 * model.points + np.array([0, 0, 1], model.points.dtype)
 
     plotter = new_scene(eye=(4.28, 2.42, 2.51), target=(0, 0, 0))

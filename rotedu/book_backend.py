@@ -45,7 +45,7 @@ import pyvista
 from PIL import Image
 from vtkmodules.vtkRenderingLabel import vtkPointSetToLabelHierarchy
 
-from rotedu.book_gltf import scene_gltf
+from rotedu.book_gltf import scene_gltf, surface_of
 
 MIME_TYPE = "application/vnd.pyvista.scene+json"
 POSTER_SCALE = 2
@@ -233,7 +233,8 @@ def _stands_behind(plotter: pyvista.Plotter, eye: np.ndarray, point: np.ndarray)
     for actor in plotter.actors.values():
         if not isinstance(actor, pyvista.Actor) or not actor.GetPickable():
             continue
-        surface = actor.mapper.dataset.extract_surface(algorithm=None)
+        moved = pyvista.array_from_vtkmatrix(actor.GetMatrix())
+        surface = surface_of(actor).transform(moved, inplace=False)
         # Stop just short of the point, which often lies on a surface itself.
         hits, _ = surface.ray_trace(eye, eye + (point - eye) * (1 - 1e-3))
         if len(hits) >= (1 if actor.prop.opacity == 1 else 2):

@@ -115,14 +115,19 @@ class _Binary:
         return self.known[key]
 
 
+def surface_of(actor: pyvista.Actor) -> pyvista.PolyData:
+    """Return the surface, lines and points of an actor, where they are before it is moved."""
+    # pyvista may have put filters before the mapper that did not run yet.
+    actor.mapper.update()
+    dataset = actor.mapper.dataset
+    if isinstance(dataset, pyvista.PolyData):
+        return dataset
+    return dataset.extract_surface(algorithm=None)
+
+
 def _primitives(actor: pyvista.Actor, binary: _Binary, material: int) -> list[dict[str, Any]]:
     """Store the geometry of an actor: one primitive for each kind of cell that it draws."""
-    dataset = actor.mapper.dataset
-    surface = (
-        dataset
-        if isinstance(dataset, pyvista.PolyData)
-        else dataset.extract_surface(algorithm=None)
-    )
+    surface = surface_of(actor)
     colors = _colors(actor)
     corners = {STRIP: _strip(surface), LINES: _segments(surface), POINTS: _vertices(surface)}
     style = actor.prop.style.lower()

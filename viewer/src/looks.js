@@ -153,9 +153,11 @@ function lines(part, lights) {
   });
   const positions = geometry.attributes.position;
   const end = new Vector3();
-  const ends = [...geometry.index.array].map((i) => end.fromBufferAttribute(positions, i).toArray());
+  const ends = [...geometry.index.array].flatMap((i) =>
+    end.fromBufferAttribute(positions, i).toArray(),
+  );
   const pieces = new LineSegmentsGeometry();
-  pieces.setPositions(ends.flat());
+  pieces.setPositions(ends);
   return [new LineSegments2(pieces, looks)];
 }
 

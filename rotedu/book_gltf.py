@@ -12,7 +12,7 @@ are linear as the standard wants them.
 import json
 import struct
 from collections.abc import Iterator
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 import pyvista
@@ -122,7 +122,7 @@ def surface_of(actor: pyvista.Actor) -> pyvista.PolyData:
     dataset = actor.mapper.dataset
     if isinstance(dataset, pyvista.PolyData):
         return dataset
-    return dataset.extract_surface(algorithm=None)
+    return cast(pyvista.PolyData, dataset.extract_surface(algorithm=None))
 
 
 def _primitives(actor: pyvista.Actor, binary: _Binary, material: int) -> list[dict[str, Any]]:
@@ -240,7 +240,7 @@ def _material(actor: pyvista.Actor) -> dict[str, Any]:
             "lit": prop.lighting,
             "ambient": prop.ambient,
             "diffuse": prop.diffuse,
-            "specular": prop.specular,
+            "specular": [prop.specular * part for part in prop.specular_color.float_rgb],
             "specularPower": prop.specular_power,
             "lineWidth": prop.line_width,
             "pointSize": prop.point_size,

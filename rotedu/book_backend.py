@@ -45,10 +45,12 @@ import pyvista
 from PIL import Image
 from vtkmodules.vtkRenderingLabel import vtkPointSetToLabelHierarchy
 
-from rotedu.book_gltf import scene_gltf
+from rotedu.book_gltf import scene_gltf, surface_of
 
 MIME_TYPE = "application/vnd.pyvista.scene+json"
 POSTER_SCALE = 2
+# Across each pixel of the poster, and as many down.
+POSTER_SAMPLES = 2
 
 
 def choose_render_window() -> None:
@@ -156,21 +158,30 @@ def take_poster(plotter: pyvista.Plotter) -> bytes:
     bytes
         A PNG file, `POSTER_SCALE` times the size of the scene, see-through where nothing is.
     """
+    scale = POSTER_SCALE * POSTER_SAMPLES
     for actor in plotter.actors.values():
         if isinstance(actor, pyvista.Actor):
             # Widths are in pixels of the picture.
-            actor.prop.line_width *= POSTER_SCALE
-            actor.prop.point_size *= POSTER_SCALE
+            actor.prop.line_width *= scale
+            actor.prop.point_size *= scale
     for actor in _label_actors(plotter):
         actor.VisibilityOff()
+    # Smooth edges come from samples of our own: VTK's would make lines thinner.
+    plotter.disable_anti_aliasing()
     # What is seen through comes in the order of its depth, as in the viewer.
     plotter.renderer.enable_depth_peeling(8)  # type: ignore[no-untyped-call]
     # VTK mixes the colour of the background into every edge. Black adds nothing to it.
     plotter.renderer.set_background("black")
     plotter.render()
-    picture = np.asarray(
-        plotter.screenshot(transparent_background=True, scale=POSTER_SCALE, return_img=True), float
+    width, height = plotter.window_size
+    # A larger window, not a larger scale: VTK would draw tiles, and cut points at their borders.
+    samples = plotter.screenshot(
+        transparent_background=True,
+        window_size=(width * scale, height * scale),
+        return_img=True,
     )
+    blocks = (height * POSTER_SCALE, POSTER_SAMPLES, width * POSTER_SCALE, POSTER_SAMPLES, 4)
+    picture = np.reshape(np.asarray(samples), blocks).mean(axis=(1, 3))
     colors, alpha = picture[..., :3], picture[..., 3:]
     colors = np.divide(255 * colors, alpha, out=np.zeros_like(colors), where=alpha > 0)
     picture = np.dstack([colors.clip(0, 255), alpha]).round().astype(np.uint8)
@@ -233,7 +244,8 @@ def _stands_behind(plotter: pyvista.Plotter, eye: np.ndarray, point: np.ndarray)
     for actor in plotter.actors.values():
         if not isinstance(actor, pyvista.Actor) or not actor.GetPickable():
             continue
-        surface = actor.mapper.dataset.extract_surface(algorithm=None)
+        moved = pyvista.array_from_vtkmatrix(actor.GetMatrix())
+        surface = surface_of(actor).transform(moved, inplace=False)
         # Stop just short of the point, which often lies on a surface itself.
         hits, _ = surface.ray_trace(eye, eye + (point - eye) * (1 - 1e-3))
         if len(hits) >= (1 if actor.prop.opacity == 1 else 2):

@@ -12,7 +12,7 @@ are linear as the standard wants them.
 import json
 import struct
 from collections.abc import Iterator
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 import pyvista
@@ -115,14 +115,19 @@ class _Binary:
         return self.known[key]
 
 
+def surface_of(actor: pyvista.Actor) -> pyvista.PolyData:
+    """Return the surface, lines and points of an actor, where they are before it is moved."""
+    # pyvista may have put filters before the mapper that did not run yet.
+    actor.mapper.update()
+    dataset = actor.mapper.dataset
+    if isinstance(dataset, pyvista.PolyData):
+        return dataset
+    return cast(pyvista.PolyData, dataset.extract_surface(algorithm=None))
+
+
 def _primitives(actor: pyvista.Actor, binary: _Binary, material: int) -> list[dict[str, Any]]:
     """Store the geometry of an actor: one primitive for each kind of cell that it draws."""
-    dataset = actor.mapper.dataset
-    surface = (
-        dataset
-        if isinstance(dataset, pyvista.PolyData)
-        else dataset.extract_surface(algorithm=None)
-    )
+    surface = surface_of(actor)
     colors = _colors(actor)
     corners = {STRIP: _strip(surface), LINES: _segments(surface), POINTS: _vertices(surface)}
     style = actor.prop.style.lower()
@@ -235,7 +240,7 @@ def _material(actor: pyvista.Actor) -> dict[str, Any]:
             "lit": prop.lighting,
             "ambient": prop.ambient,
             "diffuse": prop.diffuse,
-            "specular": prop.specular,
+            "specular": [prop.specular * part for part in prop.specular_color.float_rgb],
             "specularPower": prop.specular_power,
             "lineWidth": prop.line_width,
             "pointSize": prop.point_size,

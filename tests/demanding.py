@@ -55,8 +55,9 @@ def demanding_scene() -> pyvista.Plotter:
         arc = great_circle(p, points[i - 1])
         inner = great_circle(arc[11], arc[22], 17)
         other = great_circle(arc[16], points[(i + 1) % 6], 25)
-        for line, color in ((arc, "#0072b2"), (inner, "#d55e00"), (other, "#009e73")):
-            tube = pyvista.lines_from_points(line).tube(radius=0.012, n_sides=8)
+        looks = ((arc, "#0072b2", 0.012), (inner, "#d55e00", 0.017), (other, "#009e73", 0.014))
+        for line, color, radius in looks:
+            tube = pyvista.lines_from_points(line).tube(radius=radius, n_sides=8)
             plotter.add_mesh(tube, color=color, **thin)
         plotter.add_mesh(ball(p), color="#0072b2", name=f"P{i}", **thin)
         plotter.add_mesh(ball(arc[16]), color="#d55e00", **thin)

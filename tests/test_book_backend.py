@@ -282,6 +282,14 @@ class TestLabels:
             add_label(plotter, distance * toward, "$X$")
         assert [label["hidden"] for label in scene_labels(plotter)] == hidden
 
+    def test_hide_behind_surfaces_that_were_moved(self) -> None:
+        plotter = new_plotter()
+        actor = plotter.add_mesh(pyvista.Sphere(radius=0.3))
+        add_label(plotter, (0, 0, 0), "$X$")
+        assert scene_labels(plotter)[0]["hidden"]
+        actor.position = (0, 3, 0)
+        assert not scene_labels(plotter)[0]["hidden"]
+
 
 class TestFigure:
     def test_needs_an_alternative_text(self) -> None:

@@ -49,7 +49,7 @@ const FRAGMENT = /* glsl */ `
   uniform float opacity;
   uniform float ambient;
   uniform float diffuse;
-  uniform float specular;
+  uniform vec3 specular;
   uniform float specularPower;
   uniform int sides;
   uniform bool lit;
@@ -81,20 +81,11 @@ const FRAGMENT = /* glsl */ `
       float facing = max(0.0, dot(n, toward[i]));
       color += facing * diffuse * light[i] * tint.rgb;
       float shine = max(0.0, dot(reflect(-toward[i], n), normalize(-place)));
-      if (facing > 0.0 && specular > 0.0) color += specular * pow(shine, specularPower) * light[i];
+      if (facing > 0.0) color += pow(shine, specularPower) * specular * light[i];
     }
     gl_FragColor = vec4(color, opacity * tint.a);
   }
 `;
-
-/** The light that falls on a face turned to the reader, for what has no faces. */
-function frontLight(lights) {
-  const sum = new Color(0, 0, 0);
-  for (const { toward, color } of lights) {
-    sum.add(new Color(...color).multiplyScalar(Math.max(0, toward[2])));
-  }
-  return sum;
-}
 
 /**
  * Everything but lines is drawn by one program: to compile another takes longer than a frame.
@@ -107,11 +98,12 @@ function shader({ material, geometry, isPoints }, lights, sides = BOTH) {
     opacity: material.opacity,
     ambient: looks.ambient,
     diffuse: looks.diffuse,
-    specular: looks.specular,
+    specular: new Color(...looks.specular),
     specularPower: looks.specularPower,
     pointSize: looks.pointSize,
     sides,
-    lit: looks.lit,
+    // Nor on points, but for those drawn as balls.
+    lit: looks.lit && (!isPoints || looks.roundPoints),
     smoothed: "normal" in geometry.attributes,
     isPoint: Boolean(isPoints),
     isRound: looks.roundPoints,
@@ -139,12 +131,10 @@ function surface(part, lights) {
   return steps.map((sides) => new Mesh(part.geometry, shader(part, lights, sides)));
 }
 
-function lines(part, lights) {
-  const { material, geometry } = part;
-  const { ambient, diffuse, lineWidth, lit } = material.userData;
-  const light = lit ? frontLight(lights) : new Color(1, 1, 1);
-  const color = material.color.clone().convertLinearToSRGB();
-  color.multiply(light.multiplyScalar(diffuse).addScalar(ambient));
+/** Lines have no sides: no light falls on them. */
+function lines({ material, geometry }) {
+  const { ambient, diffuse, lineWidth } = material.userData;
+  const color = material.color.clone().convertLinearToSRGB().multiplyScalar(ambient + diffuse);
   const looks = new LineMaterial({
     color,
     opacity: material.opacity,
@@ -153,9 +143,11 @@ function lines(part, lights) {
   });
   const positions = geometry.attributes.position;
   const end = new Vector3();
-  const ends = [...geometry.index.array].map((i) => end.fromBufferAttribute(positions, i).toArray());
+  const ends = [...geometry.index.array].flatMap((i) =>
+    end.fromBufferAttribute(positions, i).toArray(),
+  );
   const pieces = new LineSegmentsGeometry();
-  pieces.setPositions(ends.flat());
+  pieces.setPositions(ends);
   return [new LineSegments2(pieces, looks)];
 }
 
@@ -167,7 +159,7 @@ function lines(part, lights) {
 export function dress(part, lights) {
   let drawn;
   if (part.isPoints) drawn = [new Points(part.geometry, shader(part, lights))];
-  else if (part.isLineSegments) drawn = lines(part, lights);
+  else if (part.isLineSegments) drawn = lines(part);
   else drawn = surface(part, lights);
   for (const object of drawn) {
     object.matrix.copy(part.matrixWorld);
@@ -179,9 +171,9 @@ export function dress(part, lights) {
 /** Widths are in pixels of the poster, of which the picture may have more or fewer. */
 export function scaleWidths(objects, factor) {
   for (const { material, userData } of objects) {
-    userData.width ??= material.linewidth ?? material.uniforms.pointSize.value;
-    if (material.isLineMaterial) material.linewidth = userData.width * factor;
-    else material.uniforms.pointSize.value = userData.width * factor;
+    const width = material.isLineMaterial ? material.uniforms.linewidth : material.uniforms.pointSize;
+    userData.width ??= width.value;
+    width.value = userData.width * factor;
   }
 }
 

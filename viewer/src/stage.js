@@ -6,7 +6,7 @@ const KEYS_TEXT =
   " F fills the screen, Escape leaves.";
 const HINTS = {
   mouse: "Drag to turn, Ctrl + wheel to zoom",
-  fingers: "Swipe sideways to turn, two fingers to tilt and zoom",
+  fingers: "Swipe sideways to turn, two fingers to zoom",
 };
 const ICONS = {
   reset: "M3 12a9 9 0 1 0 3-6.7M3 3v5h5",

@@ -26,12 +26,16 @@ from rotedu.general_rotation import (
     translation,
 )
 from rotedu.interpolation import (
+    angle_between,
     arc,
+    arc_axis,
+    bisect,
     closed_curve,
     closed_rotation_curve,
     control_points,
     de_casteljau,
     de_casteljau_levels,
+    double,
 )
 from rotedu.ordinary_rotation import rotate, rotation_matrix, transform
 
@@ -682,6 +686,8 @@ def carried_mesh(
         (closed_curve(r[:, :, 2], 30), CROSS),
     ):
         add_line(plotter, [*path, path[0]], color, radius=0.007)
+    for k, place in enumerate(r[:, :, 2]):
+        add_label(plotter, 1.24 * place, f"$R_{k}$", VECTOR)
     describe(
         plotter,
         f"Teaspoons on a see-through sphere: {len(r)} blue ones, and {between} green ones between"
@@ -1004,5 +1010,370 @@ def stages(steps: Sequence[ArrayLike] | None = None) -> pyvista.Plotter:
         "A teaspoon in its box at six stages: at the start, scaled, sheared and rotated; moved"
         " below a see-through plane, with lines of sight from an eye above the plane to the corners"
         " of the box; and as a flat green picture where these lines pass through the plane.",
+    )
+    return plotter
+
+
+# The points of figures 3 to 7: 60 degrees apart, then 90, so that no angle that is bisected
+# equals the one that its name without the bar stands for.
+NEIGHBOURS = ((1.0, 0.0, 0.0), (0.5, 0.75**0.5, 0.0), (0.0, 0.0, 1.0))
+
+
+def add_angle(
+    plotter: pyvista.Plotter,
+    start: ArrayLike,
+    end: ArrayLike,
+    text: str,
+    size: float = 0.45,
+    place: float = 0.64,
+) -> None:
+    """Mark and name the angle at the origin between two directions."""
+    rim = size * arc(start, end, np.linspace(0, 1, 25))
+    plotter.add_mesh(fan(ORIGIN, rim), color=NEUTRAL, opacity=0.35, lighting=False, pickable=False)
+    for direction in (start, end):
+        add_line(plotter, [ORIGIN, np.asarray(direction, float)], NEUTRAL, radius=0.004)
+    add_label(plotter, place * rim[len(rim) // 2], text)
+
+
+def add_right_angle(
+    plotter: pyvista.Plotter, first: ArrayLike, second: ArrayLike, size: float = 0.13
+) -> None:
+    """Mark that two directions at the origin are perpendicular."""
+    side, other = size * np.asarray(first, float), size * np.asarray(second, float)
+    add_line(plotter, [side, side + other, other], NEUTRAL, radius=0.005)
+
+
+def add_axis(plotter: pyvista.Plotter, axis: ArrayLike, text: str, length: float = 1.3) -> None:
+    """Add the arrow of a rotation axis and its name."""
+    axis = np.asarray(axis, float)
+    add_arrow(plotter, ORIGIN, length * axis, AXIS)
+    add_label(plotter, (length + 0.1) * axis, text, AXIS)
+
+
+def add_named_point(
+    plotter: pyvista.Plotter,
+    point: ArrayLike,
+    text: str,
+    color: str,
+    shift: tuple[float, float] = (0.0, 0.12),
+) -> None:
+    """Add a point and its name, shifted to the right and up as the camera sees it."""
+    camera = plotter.camera
+    back = np.subtract(camera.position, camera.focal_point)
+    right = np.cross((0, 0, 1), back)
+    right /= np.linalg.norm(right)
+    up = np.cross(back, right) / np.linalg.norm(back)
+    place = 1.03 * np.asarray(point, float) + shift[0] * right + shift[1] * up
+    add_point(plotter, point, color)
+    add_label(plotter, place, text, color)
+
+
+def figure_2(
+    v1: ArrayLike = (0.85, -0.45, -0.2), v2: ArrayLike = (0.15, 0.98, -0.1), t: float = 0.3
+) -> pyvista.Plotter:
+    """Draw Fig. 2: two unit vectors, the axis perpendicular to both, and the arc between them.
+
+    Parameters
+    ----------
+    v1, v2 : array_like, shape (3,)
+        The ends of the arc; they are normalised.
+    t : float
+        Part of the way at which a point of the arc is shown.
+
+    Returns
+    -------
+    pyvista.Plotter
+        The scene.
+    """
+    first, second = (np.asarray(v, float) / np.linalg.norm(v) for v in (v1, v2))
+    n, point = arc_axis(first, second), arc(first, second, t)
+    angle = float(np.degrees(angle_between(first, second)))
+
+    plotter = new_scene(eye=(4.5, 2.3, 2.9), target=(0, 0, 0.16))
+    add_sphere(plotter)
+    add_line(plotter, turning(first, n, 2 * np.pi, 96), NEUTRAL, radius=0.004)
+    add_angle(plotter, first, second, r"$\theta$", size=0.4)
+    add_axis(plotter, n, r"$\hat v$")
+    for end, text in ((first, r"$\hat v_1$"), (second, r"$\hat v_2$")):
+        add_right_angle(plotter, n, end)
+        add_arrow(plotter, ORIGIN, end, VECTOR)
+        add_label(plotter, 1.13 * end, text, VECTOR)
+    add_arc(plotter, first, second, RESULT, radius=0.014)
+    add_line(plotter, [ORIGIN, point], RESULT, radius=0.006)
+    add_point(plotter, point, RESULT, radius=0.035)
+    add_label(plotter, 1.16 * point, r"$\hat v(t)$", RESULT)
+    describe(
+        plotter,
+        f"A see-through unit sphere. Two arrows v1 and v2, {angle:.0f} degrees apart, lead from its"
+        " centre to its surface, a third, the axis v, stands at right angles to both. An arc of the"
+        f" great circle joins v1 and v2; a point v(t) on it has gone {t:.0%} of the way.",
+    )
+    return plotter
+
+
+def neighbours(points: ArrayLike) -> dict[str, NDArray[np.float64]]:
+    """Construct the control points of a point and its two neighbours, by name.
+
+    Parameters
+    ----------
+    points : array_like, shape (3, 3)
+        P_{i-1}, P_i and P_{i+1}; they are normalised.
+
+    Returns
+    -------
+    dict
+        The three points, the two auxiliary points and the two control points; the names are the
+        labels of figures 3 to 7.
+    """
+    before, here, after = np.asarray(points, float) / np.linalg.norm(points, axis=1, keepdims=True)
+    reflected = double(before, here)
+    middle = bisect(reflected, after)
+    a = bisect(here, middle)
+    found = (before, here, after, reflected, middle, a, double(a, here))
+    return dict(zip(NAMES, found, strict=True))
+
+
+BEFORE, HERE, AFTER = "$P_{i-1}$", "$P_i$", "$P_{i+1}$"
+
+
+REFLECTED, MIDDLE = r"$\bar P_{i-1}$", r"$\bar P_i$"
+
+
+A, B = "$a_i$", "$b_i$"
+
+
+NAMES = (BEFORE, HERE, AFTER, REFLECTED, MIDDLE, A, B)
+
+
+# The plane of P_i, a_i and b_i would be seen edge on from where the others are drawn.
+SIDE = (-1.35, 5.5, 0.9)
+
+
+COLORS = dict(zip(NAMES, (VECTOR, VECTOR, VECTOR, CROSS, CROSS, RESULT, RESULT), strict=True))
+
+
+def open_neighbours(
+    points: ArrayLike,
+    shown: dict[str, tuple[float, float]],
+    eye: ArrayLike = (1.5, 4.75, 2.9),
+    target: ArrayLike = (0, 0, 0.06),
+) -> tuple[pyvista.Plotter, dict[str, NDArray[np.float64]]]:
+    """Open a scene of the construction with some of its points, their names shifted."""
+    found = neighbours(points)
+    plotter = new_scene(eye, target)
+    add_sphere(plotter)
+    for name, shift in shown.items():
+        add_named_point(plotter, found[name], name, COLORS[name], shift)
+    return plotter, found
+
+
+def figure_3(points: ArrayLike = NEIGHBOURS) -> pyvista.Plotter:
+    """Draw Fig. 3: from three points to the two control points of the middle one.
+
+    Parameters
+    ----------
+    points : array_like, shape (3, 3)
+        P_{i-1}, P_i and P_{i+1}; they are normalised.
+
+    Returns
+    -------
+    pyvista.Plotter
+        The scene.
+    """
+    shifts = (
+        (-0.13, 0.05),
+        (0.0, -0.13),
+        (0, 0.13),
+        (0.15, 0.02),
+        (0.12, 0.06),
+        (0.13, 0),
+        (0, -0.13),
+    )
+    plotter, p = open_neighbours(points, dict(zip(NAMES, shifts, strict=True)))
+    for start, end in ((BEFORE, HERE), (HERE, AFTER)):
+        add_arc(plotter, p[start], p[end], VECTOR)
+    for start, end in ((HERE, REFLECTED), (REFLECTED, AFTER), (A, MIDDLE)):
+        add_arc(plotter, p[start], p[end], CROSS)
+    for start, end in ((B, HERE), (HERE, A)):
+        add_arc(plotter, p[start], p[end], RESULT, radius=0.014)
+    describe(
+        plotter,
+        "A unit sphere with three given points P_{i-1}, P_i and P_{i+1}. The arc from P_{i-1} to"
+        " P_i goes on, as long again, to an auxiliary point. Midway from there to P_{i+1} lies a"
+        " second one, and midway from P_i to that the control point a_i. The arc from a_i to P_i"
+        " goes on, as long again, to the control point b_i.",
+    )
+    return plotter
+
+
+def figure_4(points: ArrayLike = NEIGHBOURS) -> pyvista.Plotter:
+    """Draw Fig. 4: the axis of (5-6), and the arc doubled by (5-4) or (5-5).
+
+    Parameters
+    ----------
+    points : array_like, shape (3, 3)
+        P_{i-1}, P_i and P_{i+1}; they are normalised.
+
+    Returns
+    -------
+    pyvista.Plotter
+        The scene.
+    """
+    plotter, p = open_neighbours(
+        points,
+        {BEFORE: (-0.13, 0.05), HERE: (0, -0.13), REFLECTED: (0.15, 0.02)},
+        target=(0, 0, 0.23),
+    )
+    for start, end in ((BEFORE, HERE), (HERE, REFLECTED)):
+        add_arc(plotter, p[start], p[end], CROSS, radius=0.012)
+        add_angle(plotter, p[start], p[end], r"$\theta_{i-1}$", place=1.22)
+    add_axis(plotter, arc_axis(p[BEFORE], p[HERE]), r"$\hat v_{i-1}$")
+    describe(
+        plotter,
+        "A unit sphere. An arc from P_{i-1} to P_i goes on, as long again, to P_{i-1} with a bar."
+        " Both halves span the same angle theta_{i-1} at the centre. An axis stands at right angles"
+        " to the plane of the arc.",
+    )
+    return plotter
+
+
+def figure_5(points: ArrayLike = NEIGHBOURS) -> pyvista.Plotter:
+    """Draw Fig. 5: the axis of (5-9), corrected, and the arc bisected by (5-7) or (5-8).
+
+    Parameters
+    ----------
+    points : array_like, shape (3, 3)
+        P_{i-1}, P_i and P_{i+1}; they are normalised.
+
+    Returns
+    -------
+    pyvista.Plotter
+        The scene.
+    """
+    plotter, p = open_neighbours(
+        points, {AFTER: (0, 0.13), REFLECTED: (0.15, 0.02), MIDDLE: (0.12, 0.06)}
+    )
+    add_arc(plotter, p[REFLECTED], p[AFTER], CROSS, radius=0.012)
+    add_angle(plotter, p[REFLECTED], p[AFTER], r"$\bar\theta_{i-1}$")
+    add_axis(plotter, arc_axis(p[REFLECTED], p[AFTER]), r"$\hat{\bar v}_{i-1}$")
+    describe(
+        plotter,
+        "A unit sphere. An arc leads from P_{i-1} with a bar up to P_{i+1}; its midpoint is P_i"
+        " with a bar. The angle of the arc at the centre is theta_{i-1} with a bar. An axis stands"
+        " at right angles to its plane.",
+    )
+    return plotter
+
+
+def figure_6(points: ArrayLike = NEIGHBOURS) -> pyvista.Plotter:
+    """Draw Fig. 6: the axis of (5-12), and the arc bisected by (5-10) or (5-11).
+
+    Parameters
+    ----------
+    points : array_like, shape (3, 3)
+        P_{i-1}, P_i and P_{i+1}; they are normalised.
+
+    Returns
+    -------
+    pyvista.Plotter
+        The scene.
+    """
+    plotter, p = open_neighbours(
+        points,
+        {HERE: (-0.12, 0.0), MIDDLE: (0.12, 0.06), A: (-0.08, 0.09)},
+        eye=SIDE,
+        target=(0.0, 0.0, -0.14),
+    )
+    add_arc(plotter, p[MIDDLE], p[HERE], RESULT, radius=0.012)
+    add_angle(plotter, p[MIDDLE], p[HERE], r"$\bar\theta_i$")
+    add_axis(plotter, arc_axis(p[MIDDLE], p[HERE]), r"$\hat{\bar v}_i$")
+    describe(
+        plotter,
+        "A unit sphere. An arc leads from P_i with a bar to P_i; its midpoint is the control point"
+        " a_i. The angle of the arc at the centre is theta_i with a bar. An axis stands at right"
+        " angles to its plane.",
+    )
+    return plotter
+
+
+def figure_7(points: ArrayLike = NEIGHBOURS) -> pyvista.Plotter:
+    """Draw Fig. 7: the axis of (5-15), and the arc doubled by (5-13) or (5-14).
+
+    Parameters
+    ----------
+    points : array_like, shape (3, 3)
+        P_{i-1}, P_i and P_{i+1}; they are normalised.
+
+    Returns
+    -------
+    pyvista.Plotter
+        The scene.
+    """
+    plotter, p = open_neighbours(
+        points,
+        {HERE: (-0.12, 0.0), A: (0.1, 0.08), B: (-0.06, -0.12)},
+        eye=SIDE,
+        target=(0.0, 0.0, -0.14),
+    )
+    for start, end in ((A, HERE), (HERE, B)):
+        add_arc(plotter, p[start], p[end], RESULT, radius=0.012)
+        add_angle(plotter, p[start], p[end], r"$\tilde\theta_i$", place=1.22)
+    add_axis(plotter, arc_axis(p[A], p[HERE]), r"$\hat{\tilde v}_i$")
+    describe(
+        plotter,
+        "A unit sphere. An arc from a_i to P_i goes on, as long again, to b_i. Both halves span the"
+        " same angle theta_i with a tilde at the centre. An axis stands at right angles to their"
+        " plane.",
+    )
+    return plotter
+
+
+# Four points with four different gaps, all of them seen from one side.
+LOOP = ((1.0, -0.45, 0.0), (0.7, 0.6, -0.35), (0.1, 0.8, 0.5), (0.6, -0.05, 0.95))
+
+
+def astray(points: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Compute all a_i and b_i of unit vectors with the axis of (5-9) as printed."""
+    reflected = double(np.roll(points, 1, axis=0), points)
+    # About the reversed axis, half of the angle leads away from the next point.
+    a = bisect(points, arc(reflected, np.roll(points, -1, axis=0), -0.5))
+    return a, double(a, points)
+
+
+def reversed_axis(points: ArrayLike = LOOP, samples: int = 24) -> pyvista.Plotter:
+    """Draw what the axis of (5-9) as printed does to a closed curve.
+
+    Parameters
+    ----------
+    points : array_like, shape (n, 3)
+        The points P_0 ... P_{n-1}; they are normalised.
+    samples : int
+        Points drawn for each segment.
+
+    Returns
+    -------
+    pyvista.Plotter
+        The scene.
+    """
+    p = np.asarray(points, float) / np.linalg.norm(points, axis=1, keepdims=True)
+    a, b = astray(p)
+    after = np.roll(p, -1, axis=0)
+    control = np.stack([p, a, np.roll(b, -1, axis=0), after], axis=1)
+    printed = de_casteljau(control[:, np.newaxis], np.arange(samples) / samples)
+
+    plotter = new_scene(eye=(4.75, 2.3, 2.05), target=(0.35, 0.16, 0.1))
+    add_sphere(plotter)
+    for curve, color in ((closed_curve(p, samples), RESULT), (printed, CROSS)):
+        closed = curve.reshape(-1, 3)
+        add_line(plotter, [*closed, closed[0]], color, radius=0.01)
+    outward = p - p.mean(axis=0)
+    for k, (point, direction) in enumerate(zip(p, outward, strict=True)):
+        add_point(plotter, point, VECTOR)
+        place = point + 0.17 * direction / np.linalg.norm(direction)
+        add_label(plotter, place, f"$P_{k}$", VECTOR)
+    describe(
+        plotter,
+        f"A unit sphere with {len(p)} points and two closed curves through all of them. Both look"
+        " smooth. The purple one leaves the points in other directions and makes detours.",
     )
     return plotter

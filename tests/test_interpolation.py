@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 from scipy.spatial import geometric_slerp
 from scipy.spatial.transform import Rotation, Slerp
+from splines.quaternion import DeCasteljau, UnitQuaternion
 from symbolic import matrix, symbolic, vanishes
 
 from rotedu import interpolation
@@ -821,6 +822,8 @@ class TestOrientations:
         for r1, r2 in zip(self.R1, turned, strict=True):
             with pytest.raises(DegenerateError):
                 rotation_arc(r1, r2, 0.5)
+        with pytest.raises(DegenerateError):
+            rotation_arc(np.eye(3), rotation_matrix([1, 2, 2], np.pi - 5e-15), 0.5)
         with pytest.raises(DegenerateError, match=r"^r1 and r2 at index \(1,\) are half a turn"):
             rotation_arc(np.eye(3), [np.eye(3), np.diag([-1, -1, 1])], 0.5)
 
@@ -895,14 +898,13 @@ class TestOrientations:
 
 class TestAgainstSplines:
     def test_closed_curve_of_quaternions(self) -> None:
-        splines = pytest.importorskip("splines.quaternion")
         points = random_units(6, 4)
         for fraction in FRACTIONS:
             control = [
-                [splines.UnitQuaternion.from_unit_xyzw(np.roll(q, -1)) for q in part]
+                [UnitQuaternion.from_unit_xyzw(np.roll(q, -1)) for q in part]
                 for part in segments(points, fraction)
             ]
-            curve = splines.DeCasteljau(control).evaluate(np.arange(60) / 10)
+            curve = DeCasteljau(control).evaluate(np.arange(60) / 10)
             expected = [[q.scalar, *q.vector] for q in curve]
             close(closed_curve(points, 10, fraction), expected, 1e-12)
 

@@ -758,28 +758,16 @@ def _blocks(control: list[Array], samples: int, axis: int) -> Iterator[tuple[sli
 
 
 def _arc(p: Array, q: Array, t: Any) -> Array:
-<<<<<<< HEAD
-    chord, middle = q - p, _sum(p, q)
-    sine, cosine = _length(chord), _length(middle)
-    turn = (2 * t - 1) * np.arctan2(sine, cosine)
-=======
     """(5-2), in terms of the midpoint of the arc and the direction of its chord."""
     chord, middle = q - p, _sum(p, q)
     sine, cosine = _length(chord), _length(middle)
     theta = 2 * np.arctan2(sine, cosine)
     turn = (t - 1 / 2) * theta
->>>>>>> 86ad9e2f50403848a74c4e7d06f17c6075f27e9e
     point: Array = np.cos(turn) / cosine * middle + np.sin(turn) / _or_one(sine) * chord
     return point
 
 
 def _double(p: Array, q: Array) -> Array:
-<<<<<<< HEAD
-    return np.asarray(2 * _dot(p, q) * q - p)
-
-
-def _bisect(p: Array, q: Array) -> Array:
-=======
     """(5-4), (5-13)."""
     reflected: Array = 2 * _dot(p, q) * q - p
     return reflected
@@ -787,7 +775,6 @@ def _bisect(p: Array, q: Array) -> Array:
 
 def _bisect(p: Array, q: Array) -> Array:
     """(5-7), (5-10)."""
->>>>>>> 86ad9e2f50403848a74c4e7d06f17c6075f27e9e
     middle = _sum(p, q)
     return np.asarray(middle / _length(middle))
 
@@ -799,12 +786,8 @@ def _sum(p: Array, q: Array) -> Array:
     turn it a lot.
     """
     total, chord = p + q, q - p
-<<<<<<< HEAD
-    return np.asarray(total - _dot(total, chord) / 4 * chord)
-=======
     corrected: Array = total - _dot(total, chord) / 4 * chord
     return corrected
->>>>>>> 86ad9e2f50403848a74c4e7d06f17c6075f27e9e
 
 
 def _angle(p: Array, q: Array) -> Array:
@@ -828,14 +811,6 @@ def _arc_by_rotation(p: Array, q: Array, t: Any) -> Array:
 
 
 def _rotation_arc(r1: Array, r2: Array, t: Any) -> Array:
-<<<<<<< HEAD
-    axis, angle = axis_angle(r1.mT @ r2)
-    return np.asarray(r1 @ rotation_matrix(axis, t * angle))
-
-
-def _rotation_double(r1: Array, r2: Array) -> Array:
-    return np.asarray(r2 @ r1.mT @ r2)
-=======
     """R1 Exp(t Log(R1^T R2))."""
     axis, angle = axis_angle(r1.mT @ r2)
     turned: Array = r1 @ rotation_matrix(axis, t * angle)
@@ -846,7 +821,6 @@ def _rotation_double(r1: Array, r2: Array) -> Array:
     """R2 R1^T R2."""
     reflected: Array = r2 @ r1.mT @ r2
     return reflected
->>>>>>> 86ad9e2f50403848a74c4e7d06f17c6075f27e9e
 
 
 def _rotation_angle(r1: Array, r2: Array) -> Array:

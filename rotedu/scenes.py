@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from rotedu.book_backend import describe
 from rotedu.ordinary_rotation import rotate, rotation_matrix, transform
+from rotedu.quaternions import Quaternion
 
 VECTOR = "#0072b2"
 AXIS = "#d55e00"
@@ -317,5 +318,153 @@ def turning_spoon(steps: int = 5, angle: float = np.deg2rad(288)) -> pyvista.Plo
         plotter,
         f"A teaspoon in {steps} positions, fanned out around an axis n, the first blue,"
         " the last green.",
+    )
+    return plotter
+
+
+def pointing_spoon(stations: int = 81, around: int = 28) -> pyvista.PolyData:
+    """Model a teaspoon that points from the origin along U, 1 unit long, its bowl open upwards."""
+    spoon = teaspoon(stations, around)
+    spoon.points = (spoon.points + np.array([1, 0, -0.08])) / 2
+    return spoon
+
+
+def four_descriptions(
+    axis: ArrayLike = (-1 / 3, -2 / 3, 2 / 3), angle: float = 2 * np.arctan2(3, 4)
+) -> pyvista.Plotter:
+    """Draw a turned teaspoon with its axis and angle, its three angles, and its own axes.
+
+    Parameters
+    ----------
+    axis : array_like, shape (3,)
+        The rotation axis n; it is normalised.
+    angle : float
+        The rotation angle in radians.
+
+    Returns
+    -------
+    pyvista.Plotter
+        The scene.
+    """
+    n = np.asarray(axis, float) / np.linalg.norm(axis)
+    matrix = rotation_matrix(n, angle)
+    theta_u = np.arctan2(matrix[2, 1], matrix[2, 2])
+    theta_v = -np.arcsin(matrix[2, 0])
+    theta_w = np.arctan2(matrix[1, 0], matrix[0, 0])
+    before = pointing_spoon()
+    after = before.copy()
+    after.points = transform(matrix, before.points)
+
+    plotter = new_scene(eye=(4.28, -1.84, 2.6), target=(0.06, 0.0, 0.31), view_angle=20.5)
+    plotter.add_mesh(before, color=VECTOR, smooth_shading=True)
+    plotter.add_mesh(after, color=RESULT, smooth_shading=True)
+    add_coordinate_axes(plotter, 1.1)
+    for column, name in zip(matrix.T, "UVW", strict=True):
+        add_arrow(plotter, ORIGIN, 1.1 * column, RESULT, radius=0.006)
+        add_label(plotter, 1.2 * column, f"${name}'$", RESULT)
+    add_arrow(plotter, ORIGIN, 1.1 * n, AXIS)
+    add_label(plotter, 1.2 * n, r"$\hat n$", AXIS)
+
+    tip = np.array([1.0, 0, 0])
+    path = turning(tip, n, angle)
+    add_line(plotter, path, AXIS, radius=0.011)
+    add_label(plotter, 1.1 * path[len(path) // 2], r"$\theta$", AXIS)
+    # The first of the three turns the spoon about itself: drawn on a small circle ahead of it.
+    roll = turning((1.08, 0, 0.16), (1, 0, 0), theta_u)
+    raised = turning(tip, (0, 1, 0), theta_v)
+    swung = turning(raised[-1], (0, 0, 1), theta_w)
+    add_label(plotter, (1.08, 0.23, 0.15), r"$\theta_u$", CROSS)
+    add_label(plotter, raised[len(raised) // 2] + (0, 0.09, 0.02), r"$\theta_v$", CROSS)
+    add_label(plotter, swung[len(swung) // 3] - (0, 0, 0.09), r"$\theta_w$", CROSS)
+    for part in (roll, raised, swung):
+        add_line(plotter, part, CROSS, radius=0.011)
+    describe(
+        plotter,
+        "A blue teaspoon points along the U axis; turned by"
+        f" {np.rad2deg(angle):.0f} degrees about an axis n it becomes a green one. An arc around n"
+        " leads from tip to tip, and so do three arcs around U, V and W. Three thin green arrows"
+        " show where the axes U, V and W have gone.",
+    )
+    return plotter
+
+
+def worn_rotations(
+    turns: int = 1000, decimals: int = 2, seed: int = 3
+) -> list[NDArray[np.float64]]:
+    """Multiply random rotations that should lead back to the start, and round every product.
+
+    Parameters
+    ----------
+    turns : int
+        How many of them; one more undoes them all.
+    decimals : int
+        To how many decimals every number is rounded after every turn.
+    seed : int
+        Seed of the random rotations.
+
+    Returns
+    -------
+    list of ndarray, shape (3, 3)
+        What is left of the identity: the product of the matrices, and the matrix by which the
+        product q of the quaternions takes r to q [0, r] q*. Neither is repaired.
+
+    Examples
+    --------
+    >>> for kept in worn_rotations(turns=10, decimals=12):
+    ...     print(np.abs(kept - np.eye(3)).max() < 1e-10)
+    True
+    True
+    """
+    factors = np.random.default_rng(seed).normal(size=(turns, 4))
+    factors /= np.linalg.norm(factors, axis=1, keepdims=True)
+    exact, rounded, matrix = Quaternion(1, ORIGIN), Quaternion(1, ORIGIN), np.eye(3)
+    for w, *v in factors:
+        exact = Quaternion(w, v) * exact
+    last = exact.conjugate().components
+    for w, *v in (*factors, last):
+        step = Quaternion(w, v)
+        matrix = np.round(step.matrix() @ matrix, decimals)
+        w, *v = np.round((step * rounded).components, decimals)
+        rounded = Quaternion(w, v)
+    return [matrix, rounded.norm() ** 2 * rounded.matrix()]
+
+
+def worn_spoons(turns: int = 1000) -> pyvista.Plotter:
+    """Draw what coarse rounding does to a product of matrices, and to one of quaternions.
+
+    Parameters
+    ----------
+    turns : int
+        Number of random rotations, after which one more leads back to the start.
+
+    Returns
+    -------
+    pyvista.Plotter
+        The scene.
+    """
+    corners = np.array(list(np.ndindex(2, 2, 2))) - 0.5
+    edges = [(p, q) for p in corners for q in corners if (q - p).sum() == (q != p).sum() == 1]
+    spoon = teaspoon(stations=81, around=28)
+    spoon.points = spoon.points / 2
+
+    plotter = new_scene(eye=(3.0, -7.4, 3.6), target=(0.04, 0, -0.1), view_angle=15.2)
+    across = np.array([0.93, 0.36, 0]) * 0.88
+    for side, matrix, name in zip(
+        (-1, 1), worn_rotations(turns), ("matrices", "quaternions"), strict=True
+    ):
+        place = side * across
+        for which, color, radius in ((np.eye(3), VECTOR, 0.005), (matrix, RESULT, 0.009)):
+            for p, q in edges:
+                add_line(plotter, [place + which @ p, place + which @ q], color, radius)
+            turned = spoon.copy()
+            turned.points = transform(which, spoon.points) + place
+            plotter.add_mesh(turned, color=color, smooth_shading=True, pickable=False)
+        add_label(plotter, place - np.array([0, 0, 1]), name)
+    describe(
+        plotter,
+        "Two teaspoons, each in a wire box, both drawn twice: blue at the start, green after"
+        f" {turns} turns that should lead back there. On the left, where matrices were multiplied,"
+        " the green box is askew and its spoon bent with it. On the right, where quaternions were,"
+        " the box is still a cube, but larger, and turned further away from the blue one.",
     )
     return plotter

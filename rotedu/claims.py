@@ -22,14 +22,14 @@ Verdict = Literal[
 ]
 
 CHAPTERS = {
-    "01-introduction": "Chapter 1",
-    "02-quaternions": "Chapter 2",
-    "03-ordinary-rotation": "Chapter 3",
-    "04-general-rotation": "Chapter 4",
-    "05-interpolation": "Chapter 5, arcs",
-    "05-control-points": "Chapter 5, control points",
-    "05-closed-curve": "Chapter 5, closed curve",
-    "06-conclusions": "Chapter 6",
+    "01-introduction": "Chapter\N{NO-BREAK SPACE}1",
+    "02-quaternions": "Chapter\N{NO-BREAK SPACE}2",
+    "03-ordinary-rotation": "Chapter\N{NO-BREAK SPACE}3",
+    "04-general-rotation": "Chapter\N{NO-BREAK SPACE}4",
+    "05-interpolation": "Chapter\N{NO-BREAK SPACE}5, arcs",
+    "05-control-points": "Chapter\N{NO-BREAK SPACE}5, control points",
+    "05-closed-curve": "Chapter\N{NO-BREAK SPACE}5, closed curve",
+    "06-conclusions": "Chapter\N{NO-BREAK SPACE}6",
 }
 
 
@@ -206,7 +206,7 @@ CLAIMS = (
     ),
     Claim(
         21,
-        "It is $C^2$, or at least has a continuous curvature ($G^2$)",
+        "It is $C^2$, or at least $G^2$, that is, its curvature is continuous",
         ("not claimed",),
         "does not hold",
         "05-closed-curve",
@@ -259,7 +259,7 @@ def claim_table(evidence: Mapping[int, str]) -> Table:
     >>> claim_table({3: "three"})
     |  | The claim | In | Verdict | Evidence | Shown in |
     | --- | --- | --- | --- | --- | --- |
-    | 3 | Four of the nine entries of a rotation matrix are independent | 1 | **does not hold** | three | [Chapter 1](01-introduction.ipynb) |
+    | 3 | Four of the nine entries of a rotation matrix are independent | 1 | **does not hold** | three | [Chapter\N{NO-BREAK SPACE}1](01-introduction.ipynb) |
     """  # noqa: E501
     return Table(
         ("", "The claim", "In", "Verdict", "Evidence", "Shown in"),

@@ -1409,7 +1409,7 @@ def four_descriptions(
     add_coordinate_axes(plotter, 1.1)
     for column, name in zip(matrix.T, "UVW", strict=True):
         add_arrow(plotter, ORIGIN, 1.1 * column, RESULT, radius=0.006)
-        add_label(plotter, 1.18 * column, f"${name}'$", RESULT)
+        add_label(plotter, 1.2 * column, f"${name}'$", RESULT)
     add_arrow(plotter, ORIGIN, 1.1 * n, AXIS)
     add_label(plotter, 1.2 * n, r"$\hat n$", AXIS)
 
@@ -1421,7 +1421,7 @@ def four_descriptions(
     roll = turning((1.08, 0, 0.16), (1, 0, 0), theta_u)
     raised = turning(tip, (0, 1, 0), theta_v)
     swung = turning(raised[-1], (0, 0, 1), theta_w)
-    add_label(plotter, (1.08, 0.27, 0.16), r"$\theta_u$", CROSS)
+    add_label(plotter, (1.08, 0.23, 0.15), r"$\theta_u$", CROSS)
     add_label(plotter, raised[len(raised) // 2] + (0, 0.09, 0.02), r"$\theta_v$", CROSS)
     add_label(plotter, swung[len(swung) // 3] - (0, 0, 0.09), r"$\theta_w$", CROSS)
     for part in (roll, raised, swung):

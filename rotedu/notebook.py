@@ -3,7 +3,7 @@
 import ast
 import inspect
 import textwrap
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
 import numpy as np
@@ -21,6 +21,35 @@ class Source:
 
     def _repr_markdown_(self) -> str:
         return f"```python\n{self.code}\n```"
+
+
+class Table:
+    """A table in Markdown, shown as a table.
+
+    Parameters
+    ----------
+    header : sequence of str
+        Titles of the columns.
+    rows : iterable of sequences of str
+        The cells, without vertical bars, which separate columns.
+
+    Examples
+    --------
+    >>> Table(["a", "b"], [["1", "2"]])
+    | a | b |
+    | --- | --- |
+    | 1 | 2 |
+    """
+
+    def __init__(self, header: Sequence[str], rows: Iterable[Sequence[str]]) -> None:
+        lines = [header, ["---"] * len(header), *rows]
+        self.markdown = "\n".join(f"| {' | '.join(line)} |" for line in lines)
+
+    def __repr__(self) -> str:
+        return self.markdown
+
+    def _repr_markdown_(self) -> str:
+        return self.markdown
 
 
 def source(function: Callable[..., Any]) -> Source:

@@ -13,7 +13,7 @@ SCENES = [
     function
     for name, function in vars(scenes).items()
     if getattr(function, "__annotations__", {}).get("return") is pyvista.Plotter
-    and name != "new_scene"
+    and name not in ("new_scene", "two_curves")
 ]
 
 

@@ -255,6 +255,10 @@ def test_every_scene_of_the_book_lives(
     assert names
     for name in names:
         page = open_page(f"{site}/{name}", CONTEXTS, device_scale_factor=2)
+        # At the poster's own size, for to scale it is to blur its edges.
+        page.add_style_tag(
+            content=".scene { width: 45rem !important; max-width: none !important; }"
+        )
         scenes = page.locator(".scene")
         for i in range(scenes.count()):
             where = f"{name}, scene {i}"

@@ -18,16 +18,44 @@ import pytest
 os.environ["PYVISTA_JUPYTER_BACKEND"] = "static"
 
 ROOT = Path(__file__).parent
+BUILD = pytest.StashKey[subprocess.Popen[bytes]]()
+LOG = ROOT / "_build" / "book.log"
 BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
 
 
-@pytest.fixture(scope="session")
-def book() -> Path:
-    """Build the book, or what has changed of it, with every warning an error."""
+def needs_book(item: pytest.Item) -> bool:
+    """Tell whether a test reads the built book."""
+    return "book" in getattr(item, "fixturenames", ())
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Put the tests of the built book last, so that it can be built while others run."""
+    items.sort(key=needs_book)
+
+
+def pytest_collection_finish(session: pytest.Session) -> None:
+    """Begin to build the book, or what has changed of it, with every warning an error."""
+    if session.config.option.collectonly or not any(map(needs_book, session.items)):
+        return
     jupyter_book = Path(sys.executable).with_name("jupyter-book")
     command = [jupyter_book, "build", ".", "-W", "--keep-going"]
-    build = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
-    assert build.returncode == 0, build.stdout[-5000:] + build.stderr[-5000:]
+    # In a file, because a pipe that nobody reads fills up and stops the build.
+    LOG.parent.mkdir(exist_ok=True)
+    with LOG.open("w") as log:
+        session.stash[BUILD] = subprocess.Popen(command, cwd=ROOT, stdout=log, stderr=log)
+
+
+def pytest_sessionfinish(session: pytest.Session) -> None:
+    """Stop a build that no test has waited for."""
+    if BUILD in session.stash:
+        session.stash[BUILD].kill()
+
+
+@pytest.fixture(scope="session")
+def book(request: pytest.FixtureRequest) -> Path:
+    """Wait for the book."""
+    if request.session.stash[BUILD].wait() != 0:
+        pytest.fail(LOG.read_text(errors="replace")[-10_000:])
     return ROOT / "_build" / "html"
 
 

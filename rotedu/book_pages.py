@@ -53,9 +53,7 @@ class SceneRenderer:
 def scene_node(renderer: Any, content: dict[str, Any]) -> scene:
     """Write the files of a scene and build its node."""
     poster = io.BytesIO()
-    Image.open(io.BytesIO(base64.b64decode(content["poster"]))).save(
-        poster, "WEBP", quality=85, method=6
-    )
+    Image.open(io.BytesIO(base64.b64decode(content["poster"]))).save(poster, "WEBP", quality=85)
     size = {key: content[key] for key in ("width", "height")}
     gltf = write_file(renderer, base64.b64decode(content["gltf"]), "glb")
     node: scene = scene(reftarget=gltf, **size)

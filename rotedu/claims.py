@@ -227,7 +227,7 @@ CLAIMS = (
     ),
     Claim(
         24,
-        "The construction is one for points of $S^2$",
+        "The construction is tied to points of $S^2$",
         ("5",),
         "does not hold",
         "05-closed-curve",

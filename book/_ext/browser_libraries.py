@@ -3,7 +3,9 @@
 import os
 import re
 import shutil
+import socket
 import subprocess
+import time
 from pathlib import Path
 from typing import Any
 
@@ -56,10 +58,30 @@ def serve_katex(app: Sphinx, config: Config) -> None:
     config.katex_js_path = str(source / "katex.min.js")
     katex.NODEJS_BINARY = str(NODE)
     katex.STARTUP_TIMEOUT = katex.RENDER_TIMEOUT = 60
-    # Through a Unix socket it would sometimes connect before the server listens, and give up;
-    # through a local port it tries again.
-    katex.KaTeXServer.start_server_process = katex.KaTeXServer.start_network_socket
+    if hasattr(socket, "AF_UNIX"):
+        katex.KaTeXServer.start_server_process = start_katex
     katex.KATEX_DEFAULT_OPTIONS.update(throwOnError=True, strict="error")
+
+
+def start_katex(rundir: Path, timeout: float) -> tuple[subprocess.Popen[bytes], socket.socket]:
+    """Start the server that typesets, and connect to it as soon as it listens.
+
+    sphinxcontrib.katex itself connects when the socket is there, which may be too early, or by a
+    local port, where each formula waits 40 ms for TCP.
+    """
+    address = str(rundir / "katex.sock")
+    command = katex.KaTeXServer.build_command(socket=address)
+    server = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, cwd=rundir)
+    connection = socket.socket(socket.AF_UNIX)
+    deadline = time.monotonic() + timeout
+    while time.monotonic() < deadline:
+        try:
+            connection.connect(address)
+        except (FileNotFoundError, ConnectionRefusedError):
+            time.sleep(0.01)
+        else:
+            return server, connection
+    raise katex.KaTeXServer.timeout_error(timeout)
 
 
 def bundle_viewer(app: Sphinx, config: Config) -> None:

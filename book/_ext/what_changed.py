@@ -2,8 +2,8 @@
 
 MyST-NB's cache compares the code of a notebook alone. A page would go on showing what an
 older `rotedu` computed, so the digest of the package names the cache. Sphinx compares the
-sources of pages alone. So a digest of their frame (styles, templates, extensions, viewer) is a
-setting: when it changes, all pages are written anew.
+sources of pages alone. So a digest of their frame (styles, templates, extensions, viewer,
+glossary) is a setting: when it changes, all pages are written anew.
 """
 
 import hashlib
@@ -15,7 +15,14 @@ from sphinx.application import Sphinx
 from sphinx.config import Config
 
 ROOT = Path(__file__).parents[2]
-FRAME = ("book/_ext", "book/_static", "book/_templates", "viewer")
+FRAME = (
+    "book/_ext/**/*",
+    "book/_static/**/*",
+    "book/_templates/**/*",
+    "viewer/**/*",
+    # Every page links to it.
+    "book/glossary.md",
+)
 
 
 def digest(files: Iterable[Path]) -> str:
@@ -30,7 +37,7 @@ def digest(files: Iterable[Path]) -> str:
 def note(app: Sphinx, config: Config) -> None:
     """Set both digests and point MyST-NB to the cache of this state of the package."""
     config.package_digest = digest([*ROOT.glob("rotedu/**/*"), ROOT / "requirements.txt"])
-    config.frame_digest = digest(file for part in FRAME for file in ROOT.glob(f"{part}/**/*"))
+    config.frame_digest = digest(file for part in FRAME for file in ROOT.glob(part))
     caches = Path(app.doctreedir).parent / ".jupyter_cache"
     config.nb_execution_cache_path = str(caches / config.package_digest)
 

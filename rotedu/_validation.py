@@ -3,6 +3,7 @@
 How dtypes are chosen and what happens to arrays of dtype object is stated in `rotedu`.
 """
 
+import math
 from reprlib import repr as shortened
 from typing import Any
 
@@ -16,7 +17,15 @@ Shape = tuple[int | str, ...]
 
 
 def arrays(**arguments: tuple[Any, *tuple[Shape, ...]]) -> list[Array]:
-    """Turn arguments, given as ``name=(value, shape, ...)``, into finite arrays of one dtype.
+    """Turn arguments, given as for `shaped`, into finite arrays of one dtype."""
+    given = shaped(**arguments)
+    for name, array in zip(arguments, given, strict=True):
+        require_finite(name, array)
+    return given
+
+
+def shaped(**arguments: tuple[Any, *tuple[Shape, ...]]) -> list[Array]:
+    """Turn arguments, given as ``name=(value, shape, ...)``, into arrays of one dtype.
 
     Each `shape` is one that the trailing axes may have; the leading axes must broadcast. A letter
     stands for any length, the same in all arguments.
@@ -33,7 +42,7 @@ def arrays(**arguments: tuple[Any, *tuple[Shape, ...]]) -> list[Array]:
     leading = []
     lengths: dict[int | str, int] = {}
     for name, (_, *shapes) in arguments.items():
-        array = given[name] = _finite(name, given[name], dtype)
+        array = given[name] = _cast(given[name], dtype)
         known = [tuple(lengths.get(axis, axis) for axis in shape) for shape in shapes]
         split = array.ndim - len(shapes[0])
         matches = [shape for shape in known if split >= 0 and _matches(array.shape[split:], shape)]
@@ -50,6 +59,19 @@ def arrays(**arguments: tuple[Any, *tuple[Shape, ...]]) -> list[Array]:
         got = " and ".join(str(array.shape) for array in given.values())
         raise ValueError(f"{names} must broadcast over their leading axes; got {got}") from None
     return list(given.values())
+
+
+def require_finite(name: str, array: Array) -> None:
+    """Refuse infinities and NaN; objects are taken to have none."""
+    # The sum of the squares is found fastest. If it is finite, so is all; if not, it may be too
+    # large.
+    if array.dtype == object or math.isfinite(np.vdot(array, array)):
+        return
+    finite = np.isfinite(array)
+    if not finite.all():
+        raise ValueError(
+            f"{name} must be finite in {array.dtype}; got {array[~finite][0]}{place(~finite)}"
+        )
 
 
 def unit(name: str, vectors: Array) -> Array:
@@ -120,6 +142,8 @@ def _numbers(name: str, value: Any) -> Array:
 
 def _floats_if_numbers(objects: Array) -> Array:
     """Tell big integers and fractions, which become floats, from symbols and the like."""
+    if any(element is None for element in objects.flat):
+        raise ValueError
     try:
         return objects.astype(np.float64)
     except TypeError:
@@ -128,17 +152,11 @@ def _floats_if_numbers(objects: Array) -> Array:
         raise ValueError from None
 
 
-def _finite(name: str, array: Array, dtype: np.dtype[Any]) -> Array:
-    if array.dtype == object:
+def _cast(array: Array, dtype: np.dtype[Any]) -> Array:
+    if array.dtype in (dtype, object):
         return array
     with np.errstate(over="ignore"):
-        array = array.astype(dtype, copy=False)
-    finite = np.isfinite(array)
-    if not finite.all():
-        raise ValueError(
-            f"{name} must be finite in {dtype}; got {array[~finite][0]}{place(~finite)}"
-        )
-    return array
+        return array.astype(dtype)
 
 
 def _matches(trailing: tuple[int, ...], shape: Shape) -> bool:

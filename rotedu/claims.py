@@ -228,7 +228,7 @@ CLAIMS = (
     Claim(
         24,
         "The construction is tied to points of $S^2$",
-        ("5",),
+        ("not claimed",),
         "does not hold",
         "05-closed-curve",
     ),
@@ -239,16 +239,24 @@ CLAIMS = (
         "holds",
         "03-ordinary-rotation",
     ),
+    Claim(
+        26,
+        "So there is no reason at all to use quaternions in these fields",
+        ("1", "6"),
+        "does not hold",
+        "06-conclusions",
+    ),
 )
 
 
-def claim_table(evidence: Mapping[int, str]) -> Table:
-    """Make the table of claims that evidence is given for, with links, for a page of the book.
+def claim_table(evidence: Mapping[int, str] | None = None) -> Table:
+    """Make the table of claims, with links, for a page of the book.
 
     Parameters
     ----------
-    evidence : mapping of int to str
-        What shows the verdict, in Markdown, by the number of the claim.
+    evidence : mapping of int to str, optional
+        What shows the verdict, in Markdown, by the number of the claim: then the table has a
+        column for it, and only the claims that evidence is given for.
 
     Returns
     -------
@@ -257,22 +265,24 @@ def claim_table(evidence: Mapping[int, str]) -> Table:
     Examples
     --------
     >>> claim_table({3: "three"})
-    |  | The claim | In | Verdict | Evidence | Shown in |
+    | No. | The claim | In | Verdict | Evidence | Shown in |
     | --- | --- | --- | --- | --- | --- |
     | 3 | Four of the nine entries of a rotation matrix are independent | 1 | **does not hold** | three | [Chapter\N{NO-BREAK SPACE}1](01-introduction.ipynb) |
     """  # noqa: E501
-    return Table(
-        ("", "The claim", "In", "Verdict", "Evidence", "Shown in"),
+    rows = [
         [
-            (
-                str(row.number),
-                row.claim,
-                ", ".join(row.where),
-                f"**{row.verdict}**",
-                evidence[row.number],
-                row.link,
-            )
-            for row in CLAIMS
-            if row.number in evidence
-        ],
-    )
+            str(claim.number),
+            claim.claim,
+            ", ".join(claim.where),
+            f"**{claim.verdict}**",
+            claim.link,
+        ]
+        for claim in CLAIMS
+        if evidence is None or claim.number in evidence
+    ]
+    heads = ["No.", "The claim", "In", "Verdict", "Shown in"]
+    if evidence is not None:
+        heads.insert(4, "Evidence")
+        for row in rows:
+            row.insert(4, evidence[int(row[0])])
+    return Table(heads, rows)

@@ -432,7 +432,7 @@ def reflection(normal: npt.ArrayLike) -> Array:
     Returns
     -------
     ndarray, shape (..., 4, 4)
-        Of determinant -1: no rotation does this, and no quaternion.
+        Of determinant -1: no rotation does this, and no unit quaternion by q r q*.
 
     Raises
     ------

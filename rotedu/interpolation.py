@@ -15,7 +15,6 @@ vector, such as t or theta, broadcasts against vectors as it is, and numpy adds 
 import operator
 import warnings
 from collections.abc import Callable, Iterator
-from itertools import pairwise
 from typing import Any, NamedTuple, SupportsIndex
 
 import numpy as np
@@ -42,8 +41,12 @@ __all__ = [
     "rotation_arc",
 ]
 
-# Points of a curve computed together: few enough for the cache, enough to keep numpy busy.
-BLOCK = 8192
+# Numbers of a curve computed together: few enough for the cache, enough to keep numpy busy.
+BLOCK = 24 * 1024
+# Cosine of an angle so near pi that the sine has lost digits.
+NEAR_PI = -0.8
+
+Arc = Callable[[Array, Array, Any], Array]
 
 
 def angle_between(p: npt.ArrayLike, q: npt.ArrayLike) -> Array:
@@ -521,15 +524,16 @@ def de_casteljau_levels(control: npt.ArrayLike, u: npt.ArrayLike) -> list[Array]
         raise ValueError("control must have one point at least; got none")
     control = unit("control", control)
     axes = max(control.ndim - 2, u.ndim)
-    points = [_components_first(control[..., j, :], axes) for j in range(control.shape[-2])]
-    shape = np.broadcast_shapes(points[0].shape, u.shape)
+    points = np.stack([_components_first(p, axes) for p in np.moveaxis(control, -2, 0)], axis=1)
+    shape = np.broadcast_shapes(points.shape[2:], u.shape)
 
     levels = []
-    for k, level in enumerate(_levels(SPHERE, points, u)):
+    for k, level in enumerate(_levels(_arc, points, u)):
         name = f"points of level {k}" if k else "control"
-        for j, (p, q) in enumerate(pairwise(level)):
-            _require_unique_arc(SPHERE, p, q, f"{name}[{j}] and {name}[{j + 1}]")
-        full = np.stack([np.broadcast_to(point, shape) for point in level], axis=1)
+        for j in range(level.shape[1] - 1):
+            ends = f"{name}[{j}] and {name}[{j + 1}]"
+            _require_unique_arc(SPHERE, level[:, j], level[:, j + 1], ends)
+        full = np.broadcast_to(level, (*level.shape[:2], *shape))
         levels.append(np.ascontiguousarray(np.moveaxis(full, (1, 0), (-2, -1))))
     return levels
 
@@ -583,14 +587,10 @@ def closed_curve(
     """
     p, part = _points_and_fraction(points, fraction)
     k = _count("samples", samples)
-    control = _segments(SPHERE, "points", p, part)
+    control = np.stack(_segments(SPHERE, "points", p, part), axis=1)
     dimension, *leading, n = p.shape
-
-    flat = [point.reshape(dimension, -1) for point in control]
-    curve = np.empty((flat[0].shape[1], k, dimension), p.dtype)
-    for segments, block in _blocks(flat, k, axis=1):
-        curve[segments] = np.moveaxis(_bezier(SPHERE, block, k), 0, -1)
-    return curve.reshape(*leading, n * k, dimension)
+    flat = control.reshape(dimension, 4, -1)
+    return _bezier(_inner_arc, flat, k).reshape(*leading, n * k, dimension)
 
 
 def rotation_arc(r1: npt.ArrayLike, r2: npt.ArrayLike, t: npt.ArrayLike) -> Array:
@@ -691,21 +691,19 @@ def closed_rotation_curve(
     require_rotation("rotations", r)
     _require_closed("rotations", r.shape[-3], part)
     k = _count("samples", samples)
-    control = _segments(ROTATIONS, "rotations", r, part)
-
-    flat = [rotation.reshape(-1, 3, 3) for rotation in control]
-    curve = np.empty((len(flat[0]), k, 3, 3), r.dtype)
-    for segments, block in _blocks(flat, k, axis=0):
-        curve[segments] = _bezier(ROTATIONS, block, k)
+    control = np.stack(_segments(ROTATIONS, "rotations", r, part))
     *leading, n = r.shape[:-2]
-    return curve.reshape(*leading, n * k, 3, 3)
+    flat = control.reshape(4, -1, 9).transpose(2, 0, 1)
+    return _bezier(_inner_rotation_arc, flat, k).reshape(*leading, n * k, 3, 3)
 
 
 class _Space(NamedTuple):
-    """Where the construction of the curve can run: what Double and arcs are there."""
+    """Where the construction of the curve can run: what Double, Bisect and arcs are there."""
 
     double: Callable[[Array, Array], Array]
-    arc: Callable[[Array, Array, Any], Array]
+    bisect: Callable[[Array, Array], Array]
+    arc: Arc
+    cosine: Callable[[Array, Array], Array]
     angle: Callable[[Array, Array], Array]
     # Ends at an angle of pi, to within this function of eps, have no unique arc; they are "apart".
     tolerance: Callable[[float], float]
@@ -716,45 +714,52 @@ class _Space(NamedTuple):
 
 def _control_points(space: _Space, name: str, here: Array, fraction: Any) -> tuple[Array, Array]:
     """a_i and b_i of all P_i at once, (5-4) to (5-15)."""
-    before, after = (np.roll(here, shift, space.axis) for shift in (1, -1))
+    before, after = (_shifted(space, here, by) for by in (-1, 1))
     reflected = space.double(before, here)
     _require_unique_arc(space, reflected, after, "Double({h}, {i}) and {j}", name)
-    middle = space.arc(reflected, after, 0.5)
+    middle = space.bisect(reflected, after)
     _require_unique_arc(space, here, middle, "{i} and Bisect(Double({h}, {i}), {j})", name)
     a = space.arc(here, middle, fraction)
     return a, space.double(a, here)
 
 
-def _segments(space: _Space, name: str, here: Array, fraction: Any) -> list[Array]:
+def _segments(space: _Space, name: str, here: Array, fraction: Any) -> tuple[Array, ...]:
     """Control points of all segments at once: P_{i-1}, a_{i-1}, b_i, P_i."""
     a, b = _control_points(space, name, here, fraction)
-    next_b, after = (np.roll(x, -1, space.axis) for x in (b, here))
+    next_b, after = (_shifted(space, x, 1) for x in (b, here))
     which = "control points a and b between {i} and {j}"
     _require_unique_arc(space, a, next_b, which, name, warn=True)
-    return [here, a, next_b, after]
+    return here, a, next_b, after
 
 
-def _levels(space: _Space, points: list[Array], u: Array) -> Iterator[list[Array]]:
-    """Levels of de Casteljau's construction, from the control points to the one point."""
-    while points:
+def _shifted(space: _Space, sequence: Array, by: int) -> Array:
+    """Put the next, or the previous, in the place of each, round the closed sequence."""
+    n = sequence.shape[space.axis]
+    return np.asarray(sequence.take((np.arange(n) + by) % n, space.axis))
+
+
+def _levels(arc: Arc, points: Array, u: Array) -> Iterator[Array]:
+    """Levels of de Casteljau's construction, from the control points to the one point.
+
+    The points of a level follow each other on axis 1.
+    """
+    yield points
+    while points.shape[1] > 1:
+        points = arc(points[:, :-1], points[:, 1:], u)
         yield points
-        points = [space.arc(p, q, u) for p, q in pairwise(points)]
 
 
-def _bezier(space: _Space, control: list[Array], samples: int) -> Array:
-    """Evaluate segments at u = 0, 1/samples, 2/samples ..."""
-    u = (np.arange(samples) / samples).astype(control[0].dtype)
-    *_, (point,) = _levels(space, control, u)
-    return point
-
-
-def _blocks(control: list[Array], samples: int, axis: int) -> Iterator[tuple[slice, list[Array]]]:
-    """Take some segments at a time, with an axis for the parameter after that of the segments."""
-    step = max(1, BLOCK // samples)
-    for start in range(0, control[0].shape[axis], step):
-        block = slice(start, start + step)
-        index = (*(slice(None),) * axis, block, np.newaxis)
-        yield block, [point[index] for point in control]
+def _bezier(arc: Arc, control: Array, samples: int) -> Array:
+    """Evaluate segments at u = 0, 1/samples, 2/samples ..., some segments at a time."""
+    components, _, n = control.shape
+    u = (np.arange(samples) / samples).astype(control.dtype)
+    curve = np.empty((n, samples, components), control.dtype)
+    step = max(1, BLOCK // (samples * components))
+    for start in range(0, n, step):
+        segments = slice(start, start + step)
+        *_, points = _levels(arc, control[:, :, segments, np.newaxis], u)
+        curve[segments] = points[:, 0].transpose(1, 2, 0)
+    return curve
 
 
 def _arc(p: Array, q: Array, t: Any) -> Array:
@@ -764,6 +769,21 @@ def _arc(p: Array, q: Array, t: Any) -> Array:
     theta = 2 * np.arctan2(sine, cosine)
     turn = (t - 1 / 2) * theta
     point: Array = np.cos(turn) / cosine * middle + np.sin(turn) / _or_one(sine) * chord
+    return point
+
+
+def _inner_arc(p: Array, q: Array, t: Any) -> Array:
+    """(5-2) as it is printed, for t from 0 to 1: right to the last digits but near pi.
+
+    A cosine below 1 keeps it from 0/0; at such an angle, 1e-8, the weights are 1 - t and t. The
+    weight of p, sin((1 - t) theta) / sin(theta), is found from the one of q.
+    """
+    cosine = np.minimum(_dot(p, q), 1 - max(_eps(p), 2**-53))
+    if cosine.min() < NEAR_PI:
+        return _arc(p, q, t)
+    sin, cos = _sin_cos(t * np.arccos(cosine))
+    weight = sin / np.sqrt((1 - cosine) * (1 + cosine))
+    point: Array = (cos - cosine * weight) * p + weight * q
     return point
 
 
@@ -817,25 +837,45 @@ def _rotation_arc(r1: Array, r2: Array, t: Any) -> Array:
     return turned
 
 
+def _inner_rotation_arc(r1: Array, r2: Array, t: Any) -> Array:
+    """Exp(t Log(R2 R1^T)) R1 for t from 0 to 1, by (3-1) for the columns of R1.
+
+    The skew part of R2 R1^T is the axis times the sine of the angle; near pi that says little.
+    """
+    r1, r2 = (r.reshape(3, 3, *r.shape[1:]) for r in (r1, r2))
+    turn = np.einsum("ij...,kj...->ik...", r2, r1)
+    cosine = (turn[0, 0] + turn[1, 1] + turn[2, 2] - 1) / 2
+    if cosine.min() < NEAR_PI:
+        first, last = (np.moveaxis(r, (0, 1), (-2, -1)) for r in (r1, r2))
+        turned = np.moveaxis(_rotation_arc(first, last, t), (-2, -1), (0, 1))
+        return turned.reshape(9, *turned.shape[2:])
+    skew = [turn[2, 1] - turn[1, 2], turn[0, 2] - turn[2, 0], turn[1, 0] - turn[0, 1]]
+    axis = np.stack(skew) / 2
+    sine = np.maximum(_length(axis), 1e-30)
+    sin, cos = _sin_cos(t * np.arctan2(sine, cosine))
+    across = _cross(axis, r1)
+    inward = _cross(axis, across)
+    turned = r1 + sin / sine * across + (1 - cos) / sine / sine * inward
+    return turned.reshape(9, *turned.shape[2:])
+
+
 def _rotation_double(r1: Array, r2: Array) -> Array:
     """R2 R1^T R2."""
     reflected: Array = r2 @ r1.mT @ r2
     return reflected
 
 
+def _rotation_bisect(r1: Array, r2: Array) -> Array:
+    return _rotation_arc(r1, r2, 0.5)
+
+
+def _rotation_cosine(r1: Array, r2: Array) -> Array:
+    """Cosine of the angle from one to the other, from the trace of R1^T R2."""
+    return np.asarray(((r1 * r2).sum(axis=(-2, -1)) - 1) / 2)
+
+
 def _rotation_angle(r1: Array, r2: Array) -> Array:
     return axis_angle(r1.mT @ r2)[1]
-
-
-SPHERE = _Space(_double, _arc, _angle, np.sqrt, "antipodal", axis=-1)
-ROTATIONS = _Space(
-    _rotation_double,
-    _rotation_arc,
-    _rotation_angle,
-    lambda eps: 64 * eps,
-    "half a turn apart",
-    axis=-3,
-)
 
 
 def _require_unique_arc(
@@ -846,6 +886,8 @@ def _require_unique_arc(
     In it, {h}, {i} and {j} stand for three neighbours in the sequence `name`.
     """
     if p.dtype == object or q.dtype == object:
+        return
+    if np.min(space.cosine(p, q), initial=1) > NEAR_PI:
         return
     missing = np.pi - space.angle(p, q)
     ambiguous = missing <= space.tolerance(_eps(missing))
@@ -913,11 +955,23 @@ def _components_last(vectors: Array) -> Array:
 
 
 def _dot(p: Array, q: Array) -> Array:
-    return np.asarray((p * q).sum(axis=0))
+    return np.asarray(np.add.reduce(p * q))
+
+
+def _cross(p: Array, q: Array) -> Array:
+    (u1, v1, w1), (u2, v2, w2) = p, q
+    return np.stack([v1 * w2 - w1 * v2, w1 * u2 - u1 * w2, u1 * v2 - v1 * u2])
 
 
 def _length(vectors: Array) -> Array:
     return np.asarray(np.sqrt(_dot(vectors, vectors)))
+
+
+def _sin_cos(angle: Array) -> tuple[Array, Array]:
+    """Sine and cosine by one tangent; numpy takes several of these at a time, sines one by one."""
+    tan = np.tan(angle / 2)
+    twice = 2 / (1 + tan * tan)
+    return tan * twice, twice - 1
 
 
 def _or_one(divisor: Array) -> Array:
@@ -927,3 +981,16 @@ def _or_one(divisor: Array) -> Array:
 def _eps(numbers: Array) -> float:
     """Relative rounding of the numbers; none, if they are objects."""
     return 0.0 if numbers.dtype == object else float(np.finfo(numbers.dtype).eps)
+
+
+SPHERE = _Space(_double, _bisect, _arc, _dot, _angle, np.sqrt, "antipodal", axis=-1)
+ROTATIONS = _Space(
+    _rotation_double,
+    _rotation_bisect,
+    _rotation_arc,
+    _rotation_cosine,
+    _rotation_angle,
+    lambda eps: 64 * eps,
+    "half a turn apart",
+    axis=-3,
+)

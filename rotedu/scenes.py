@@ -547,7 +547,7 @@ def figure_8(points: ArrayLike = FIGURE_8, fraction: float = 1 / 2) -> pyvista.P
     # Labels stand on the outer side of the corners; the polygon has none at P_i.
     outwards = 0.35 * (polygon - polygon.mean(axis=0)) + polygon - (before + after) / 2
     outwards /= np.linalg.norm(outwards, axis=1, keepdims=True)
-    corners = (("b", CROSS, 0.024), ("P", VECTOR, 0.036), ("a", CROSS, 0.024))
+    corners = (("b", RESULT, 0.024), ("P", VECTOR, 0.036), ("a", RESULT, 0.024))
     for i, (point, outward) in enumerate(zip(polygon, outwards, strict=True)):
         letter, color, radius = corners[i % 3]
         add_point(plotter, point, color, radius)
@@ -555,9 +555,9 @@ def figure_8(points: ArrayLike = FIGURE_8, fraction: float = 1 / 2) -> pyvista.P
     describe(
         plotter,
         f"A see-through sphere with a smooth closed green curve through {len(p)} blue points P."
-        " Next to each point stand two purple control points, a after it and b before it. Thin"
-        " arcs join them all in the order P0, a0, b1, P1, a1 and so on; they follow the curve and"
-        " touch it at the points P.",
+        " Next to each point stand two small green control points, a after it and b before it."
+        " Thin purple arcs join them all in the order P0, a0, b1, P1, a1 and so on; they follow the"
+        " curve and touch it at the points P.",
     )
     return plotter
 

@@ -12,7 +12,7 @@ PLACES = {"abstract", "1", "3", "4", "5", "6", "folklore", "not claimed"}
 
 
 def test_claims_are_numbered_without_gaps() -> None:
-    assert [claim.number for claim in CLAIMS] == list(range(1, 26))
+    assert [claim.number for claim in CLAIMS] == list(range(1, 27))
 
 
 @pytest.mark.parametrize("claim", CLAIMS, ids=lambda claim: str(claim.number))
@@ -36,3 +36,15 @@ def test_table_has_a_row_for_each_claim_with_evidence() -> None:
     lines = claim_table({2: "counted", 25: "counted, too"}).markdown.splitlines()
     assert [line.split(" | ")[0] for line in lines[2:]] == ["| 2", "| 25"]
     assert all(line.count(" | ") == 5 for line in lines)
+
+
+def test_chapter_6_gives_evidence_for_each_claim() -> None:
+    conclusions = (BOOK / "06-conclusions.ipynb").read_text("utf-8")
+    missing = [row.number for row in CLAIMS if f"| {row.number} | " not in conclusions]
+    assert missing == []
+
+
+def test_without_evidence_all_claims_are_listed() -> None:
+    lines = claim_table().markdown.splitlines()
+    assert len(lines) == 2 + len(CLAIMS)
+    assert all(line.count(" | ") == 4 for line in lines)

@@ -920,7 +920,7 @@ class TestCounts:
         for f in [angle_between, arc_axis, bisect, bisect_by_rotation, double_by_rotation]:
             assert count(f, E1, HERE).multiplications > 0
         curve = count(lambda points: closed_curve(points, 2), UNEVEN)
-        assert curve.trigonometric >= 5 * 2 * 6 * 3
+        assert curve.trigonometric >= 5 * 2 * 6
         turns = rotation_matrix([1, 2, 2], np.arange(3))
         assert count(lambda r: closed_rotation_curve(r, 2), turns).multiplications > 0
 

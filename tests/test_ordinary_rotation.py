@@ -1,6 +1,6 @@
 """Section 3: (3-1), (3-2), (3-3) and the way back, against sympy, scipy and their own laws."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from fractions import Fraction
 from typing import Any
 
@@ -326,6 +326,86 @@ class TestTransform:
         transform(np.eye(4), r)[:] = 0
         rotate(r, [0, 0, 1], 0)[:] = 0
         close(r, POINTS, 0)
+
+
+class TestManyPoints:
+    """So many that they are multiplied in another way, and in more than one block."""
+
+    points = RNG.normal(size=(60_001, 2, 3))
+    matrices = (
+        TestTransform.matrix,
+        TestTransform.affine,
+        TestTransform.projective,
+        rotation_matrix([0, 0, 1], 1.0),
+    )
+
+    def laid_out(self, points: Array) -> Iterator[Array]:
+        yield points
+        yield points[1:].reshape(-1, 3)
+        yield np.asfortranarray(points[:, 0])
+        yield points[::2, 0]
+        yield np.asfortranarray(points)
+        yield points[::-1, 1, ::-1]
+
+    @pytest.mark.parametrize("matrix", matrices)
+    def test_however_they_lie_in_memory(self, matrix: Array) -> None:
+        for points in self.laid_out(self.points):
+            few = np.concatenate([transform(matrix, part) for part in np.array_split(points, 300)])
+            close(transform(matrix, points), few, 1e-14)
+            single = transform(matrix.astype("f4"), points.astype("f4"))
+            assert single.dtype == np.float32
+            close(single, few, 2e-5)
+
+    @pytest.mark.parametrize("matrix", matrices)
+    def test_out(self, matrix: Array) -> None:
+        for points in self.laid_out(self.points):
+            expected = transform(matrix, points)
+            strided = np.full((*points.shape, 2), np.nan)[..., 1]
+            for out in (np.empty(points.shape), np.empty(points.shape, order="F"), strided):
+                assert transform(matrix, points, out) is out
+                close(out, expected, 1e-15)
+
+    @pytest.mark.parametrize("matrix", matrices)
+    @pytest.mark.parametrize("n", [5, 120_000])
+    def test_out_may_be_the_points(self, matrix: Array, n: int) -> None:
+        for points in self.laid_out(self.points[:n]):
+            here = points.copy(order="A")
+            transform(matrix, here, out=here)
+            close(here, transform(matrix, points), 1e-15)
+
+    @pytest.mark.parametrize("matrix", matrices)
+    @pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf])
+    @pytest.mark.parametrize("coordinate", [0, 1, 2])
+    def test_one_that_is_not_finite_is_found(
+        self, matrix: Array, value: float, coordinate: int
+    ) -> None:
+        points = self.points.copy()
+        points[59_000, 1, coordinate] = value
+        wrong = (
+            rf"points must be finite in float64; got {value} at index \(59000, 1, {coordinate}\)"
+        )
+        for out in (None, np.empty_like(points)):
+            with pytest.raises(ValueError, match=wrong):
+                transform(matrix, points, out)
+
+    def test_one_that_is_sent_to_infinity_is_found(self) -> None:
+        points = self.points.copy()
+        points[59_000, 1, 2] = 0
+        with pytest.raises(DegenerateError, match=r"1 of 120002 points .* index \(59000, 1\)"):
+            transform(np.eye(4)[[0, 1, 2, 2]], points)
+
+    def test_large_numbers_are_no_infinities(self) -> None:
+        close(transform(np.eye(3), 1e200 * self.points), 1e200 * self.points, 0)
+
+    @pytest.mark.parametrize(
+        "out",
+        [np.empty((4, 3)), np.empty((5, 3), "f4"), np.empty((5, 4)), [[0.0] * 3] * 5],
+    )
+    def test_out_must_fit(self, out: Any) -> None:
+        with pytest.raises(
+            ValueError, match=r"^out must be an array of float64 and shape \(5, 3\)"
+        ):
+            transform(np.eye(3), np.zeros((5, 3)), out)
 
 
 class TestShapes:

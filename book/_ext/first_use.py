@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from docutils import nodes
+from sphinx import addnodes
 from sphinx.application import Sphinx
 from sphinx.transforms.post_transforms import SphinxPostTransform
 from sphinx.util.nodes import make_refnode
@@ -15,6 +16,7 @@ from sphinx.util.nodes import make_refnode
 PAGES_WITHOUT = ("book/glossary", "book/api", "book/references")
 PLURALS = {"matrix": "matrices", "erratum": "errata", "degrees of freedom": "degree of freedom"}
 NOT_PROSE = (
+    addnodes.pending_xref,
     nodes.caption,
     nodes.literal,
     nodes.math,
@@ -65,7 +67,7 @@ class LinkFirstUses(SphinxPostTransform):
             for other in spellings(name):
                 del unseen[other]
             page, label = terms[name]
-            link = make_refnode(self.app.builder, self.env.docname, page, label, [content])
+            link = make_refnode(self.app.builder, self.env.docname, page, label, [content], name)
             link["classes"].append("first-use")
             return link
 

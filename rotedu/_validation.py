@@ -65,7 +65,7 @@ def require_finite(name: str, array: Array) -> None:
     """Refuse infinities and NaN; objects are taken to have none."""
     # The sum of the squares is found fastest. If it is finite, so is all; if not, it may be too
     # large.
-    if array.dtype == object or math.isfinite(np.vdot(array, array)):
+    if array.dtype.char == "O" or math.isfinite(np.vdot(array, array)):
         return
     finite = np.isfinite(array)
     if not finite.all():

@@ -201,17 +201,17 @@ def transform(matrix: npt.ArrayLike, points: npt.ArrayLike, out: Array | None = 
     require_finite("matrix", m)
     if out is not None:
         _require_like_result(out, m, r)
-    few = m.ndim > 2 or r.dtype == object or r.size <= FEW
-    if few:
+    projective = m.shape[-1] == 4 and not (m[..., 3, :] == (0, 0, 0, 1)).all()
+    linear = m[..., :3] if projective else m[..., :3, :3]
+    if m.ndim > 2 or r.dtype == object or r.size <= FEW:
         require_finite("points", r)
-    # First, because the result may take the place of the points.
-    divisor = None if m.shape[-1] == 3 else _perspective_divisor(m, r)
-    linear = m[..., :3, :3]
-    moved = _multiply(linear, r) if few else _multiply_many(linear, r, out)
+        moved = _multiply(linear, r)
+    else:
+        moved = _multiply_many(linear, r, None if projective else out)
     if m.shape[-1] == 4:
-        moved += m[..., :3, 3]
-    if divisor is not None:
-        moved /= divisor
+        moved += m[..., : linear.shape[-2], 3]
+    if projective:
+        moved = _perspective_divide(moved)
     if out is None:
         return moved
     if not np.may_share_memory(out, moved):
@@ -319,19 +319,14 @@ def _require_like_result(out: Array, m: Array, r: Array) -> None:
         raise ValueError(f"out must be an array of {r.dtype} and shape {shape}; got {got}")
 
 
-def _perspective_divisor(m: Array, r: Array) -> Array | None:
-    """Fourth coordinates of the images, if they are not all 1."""
-    last_row = m[..., 3:, :]
-    if (last_row == (0, 0, 0, 1)).all():
-        return None
-    with np.errstate(invalid="ignore"):
-        divisor = _multiply(last_row[..., :3], r) + last_row[..., 3]
-    infinite = (divisor == 0)[..., 0]
+def _perspective_divide(moved: Array) -> Array:
+    """Divide the first three homogeneous coordinates by the fourth."""
+    infinite = moved[..., 3] == 0
     if infinite.any():
         raise DegenerateError(
             f"matrix sends {infinite.sum()} of {infinite.size} points to infinity{place(infinite)}"
         )
-    return divisor
+    return np.asarray(moved[..., :3] / moved[..., 3:])
 
 
 def _multiply(matrix: Array, points: Array, out: Array | None = None) -> Array:

@@ -37,7 +37,7 @@ def run(file: Path) -> None:
 
 if __name__ == "__main__":
     # A picture without a window, whatever the machine.
-    os.environ["PYVISTA_JUPYTER_BACKEND"] = "static"
+    os.environ["PYVISTA_JUPYTER_BACKEND"] = "still"
     for file in map(Path, sys.argv[1:] or sorted(BOOK.glob("*.ipynb"))):
         print(f"running {file.name}", flush=True)
         run(file)

@@ -1,0 +1,132 @@
+"""Run the benchmarks, print what they found, and write it to results.json.
+
+``make bench`` calls this. Of each measurement the shortest time counts: on a busy machine the
+others say more about the machine.
+"""
+
+import datetime
+import importlib.metadata
+import json
+import os
+import platform
+import subprocess
+import sys
+import tempfile
+from collections import defaultdict
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+from rotedu.cost import count
+from rotedu.ordinary_rotation import rotate, rotation_matrix, transform
+from rotedu.quaternions import Quaternion
+
+HERE = Path(__file__).parent
+RESULTS = HERE / "results.json"
+PACKAGES = ("numpy", "scipy", "numpy-quaternion", "pytransform3d", "splines")
+PYTEST = [
+    *(sys.executable, "-m", "pytest", HERE, "-v", "-o", "addopts=", "-p", "no:nbval"),
+    *("--benchmark-disable-gc", "--benchmark-max-time=0.5", "--benchmark-min-rounds=5"),
+    "--benchmark-quiet",
+]
+
+
+def measure() -> dict[str, Any]:
+    """Run the benchmarks and return what pytest-benchmark says."""
+    with tempfile.TemporaryDirectory() as folder:
+        report = Path(folder) / "report.json"
+        # That variable makes OpenBLAS take the kernels of another processor.
+        environment = {k: v for k, v in os.environ.items() if k != "OPENBLAS_CORETYPE"}
+        command = [*PYTEST, f"--benchmark-json={report}"]
+        if subprocess.run(command, env=environment, check=False).returncode != 0:
+            sys.exit("a benchmark failed: nothing was written")
+        result: dict[str, Any] = json.loads(report.read_text(encoding="utf-8"))
+    return result
+
+
+def times(report: dict[str, Any]) -> dict[str, dict[str, float]]:
+    """Nanoseconds a point, by group and name; memory and import have units of their own."""
+    groups: dict[str, dict[str, float]] = defaultdict(dict)
+    for test in report["benchmarks"]:
+        name = test["params"].get("way", "closed_curve") if test["params"] else test["name"]
+        extra = test["extra_info"]
+        if "points" in extra:
+            value = test["stats"]["min"] / extra["points"] * 1e9
+        else:
+            (name, value), *_ = extra.items()
+        groups[test["group"]][name] = float(f"{value:.4g}")
+    return groups
+
+
+def counts() -> dict[str, dict[str, int]]:
+    """Operations of turning one point, counted."""
+    axis, angle, point = [0, 0, 1], 0.5, [1, 2, 3]
+    matrix, q = rotation_matrix(axis, angle), Quaternion.from_axis_angle(axis, angle)
+    found = {
+        "rotate, Rodrigues' formula": count(rotate, point, axis, angle),
+        "transform, the matrix being there": count(transform, matrix, point),
+        "rotation_matrix": count(rotation_matrix, axis, angle),
+        "Quaternion.rotate": count(lambda w, v, r: Quaternion(w, v).rotate(r), q.w, q.v, point),
+        "Quaternion.matrix": count(lambda w, v: Quaternion(w, v).matrix(), q.w, q.v),
+    }
+    return {name: asdict(operations) for name, operations in found.items()}
+
+
+def ratios(groups: dict[str, dict[str, float]]) -> dict[str, float]:
+    """Compare ours with the best of the others, and with the limit."""
+    found = {}
+    for group, row in groups.items():
+        if not group.startswith("turning"):
+            continue
+        peers = [
+            time
+            for name, time in row.items()
+            if not name.startswith(("copy", "np.matmul", "rotate", "transform"))
+        ]
+        found[f"{group}: transform / best peer"] = row["transform"] / min(peers)
+        found[f"{group}: transform, out= / copy"] = row["transform, out="] / row["copy"]
+    for group, row in groups.items():
+        if group.startswith("layouts"):
+            found[f"{group}: transform / points @ M.T"] = row["transform"] / row["points @ M.T"]
+    curves = groups["closed curve, 500 segments"]
+    for peer in ("the paper's loop", "splines, CatmullRom", "scipy, RotationSpline and apply"):
+        found[f"{peer} / closed_curve"] = curves[peer] / curves["closed_curve"]
+    found["scipy, RotationSpline / closed_rotation_curve"] = (
+        curves["scipy, RotationSpline"] / curves["closed_rotation_curve"]
+    )
+    for n in (4, 50_000):
+        other = groups[f"closed curve, {n} segments"]["closed_curve"]
+        found[f"closed_curve, {n} / 500 segments"] = other / curves["closed_curve"]
+    return {name: float(f"{ratio:.3g}") for name, ratio in found.items()}
+
+
+def main() -> None:
+    """Measure, print, and write."""
+    report = measure()
+    groups = times(report)
+    result = {
+        "date": datetime.datetime.now(datetime.UTC).date().isoformat(),
+        "machine": {
+            "processor": report["machine_info"]["cpu"].get("brand_raw", platform.processor()),
+            "cores": os.cpu_count(),
+            "system": f"{platform.system()} {platform.machine()}",
+        },
+        "versions": {"python": platform.python_version()}
+        | {name: importlib.metadata.version(name) for name in PACKAGES},
+        "nanoseconds a point": groups,
+        "operations": counts(),
+        "ratios": ratios(groups),
+    }
+    RESULTS.write_text(json.dumps(result, indent=1) + "\n", encoding="utf-8")
+    for group, row in groups.items():
+        print(f"\n{group}")
+        for name, value in row.items():
+            print(f"  {name:34} {value:12.4g}")
+    print("\nratios")
+    for name, ratio in result["ratios"].items():
+        print(f"  {name:70} {ratio:8.3g}")
+    print(f"\nwritten to {RESULTS.relative_to(HERE.parent)}")
+
+
+if __name__ == "__main__":
+    main()

@@ -118,6 +118,38 @@ def test_one_point(measure: Callable[..., None], way: str) -> None:
     measure("one point", 1, ways[way])
 
 
+def plain_matrix(m: list[list[float]], x: float, y: float, z: float) -> tuple[float, ...]:
+    """Do (3-2): 9 multiplications and 6 additions."""
+    (a, b, c), (d, e, f), (g, h, i) = m
+    return a * x + b * y + c * z, d * x + e * y + f * z, g * x + h * y + i * z
+
+
+def plain_quaternion(q: list[float], x: float, y: float, z: float) -> tuple[float, ...]:
+    """Do r + 2 v x (v x r + w r): 18 multiplications and 12 additions, a sum being a doubling."""
+    w, a, b, c = q
+    u = b * z - c * y + w * x
+    v = c * x - a * z + w * y
+    t = a * y - b * x + w * z
+    u, v, t = u + u, v + v, t + t
+    return x + b * t - c * v, y + c * u - a * t, z + a * v - b * u
+
+
+@pytest.mark.parametrize("way", ["matrix", "quaternion"])
+def test_plain_python(measure: Callable[..., None], way: str) -> None:
+    m, q = MATRIX.tolist(), quaternion.from_rotation_matrix(MATRIX).components.tolist()
+    points = np.random.default_rng(0).normal(size=(1000, 3)).tolist()
+    ways = {
+        "matrix": lambda: [plain_matrix(m, *point) for point in points],
+        "quaternion": lambda: [plain_quaternion(q, *point) for point in points],
+    }
+    measure("plain Python", 1000, ways[way])
+
+
+def test_plain_python_turns_points() -> None:
+    m, q = MATRIX.tolist(), quaternion.from_rotation_matrix(MATRIX).components.tolist()
+    assert np.allclose(plain_matrix(m, 1, 2, 3), plain_quaternion(q, 1, 2, 3), atol=1e-14, rtol=0)
+
+
 def on_the_sphere(n: int, dimension: int = 3) -> np.ndarray:
     """Points of a wavy closed loop."""
     u = np.linspace(0, 2 * np.pi, n, endpoint=False)

@@ -2,8 +2,10 @@
 
 import ast
 import inspect
+import json
 import textwrap
 from collections.abc import Callable, Iterable, Sequence
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -131,3 +133,27 @@ def agree(found: npt.ArrayLike, expected: npt.ArrayLike, within: float) -> State
     if not residual <= within:
         raise AssertionError(f"expected a residual of at most {within:.0e}, got {residual:.1e}")
     return Statement(f"{found.size:,} numbers agree within {within:.0e}")
+
+
+def stored_benchmark() -> dict[str, Any]:
+    """Read what ``make bench`` last wrote, in the checkout that this package is part of.
+
+    Returns
+    -------
+    dict
+        ``date``, ``machine``, ``versions``, ``nanoseconds a point`` by group and name,
+        ``operations`` and ``ratios``.
+
+    Raises
+    ------
+    FileNotFoundError
+        If the package was installed without its checkout.
+
+    Examples
+    --------
+    >>> stored_benchmark()["nanoseconds a point"]["one point"].keys()
+    dict_keys(['matrix @ point', 'scipy, Rotation.apply', 'transform'])
+    """
+    results = Path(__file__).parents[1] / "benchmarks" / "results.json"
+    found: dict[str, Any] = json.loads(results.read_text(encoding="utf-8"))
+    return found

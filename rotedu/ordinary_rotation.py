@@ -24,6 +24,7 @@ from rotedu.errors import DegenerateError
 
 __all__ = ["axis_angle", "rotate", "rotation_matrix", "transform"]
 
+DOUBLE = np.dtype(np.float64)
 # Numbers that are best checked before they are used; more are checked afterwards.
 FEW = 3 * 1000
 # Points multiplied together in pairs: OpenBLAS has a faster way up to a million multiplications.
@@ -203,7 +204,7 @@ def transform(matrix: npt.ArrayLike, points: npt.ArrayLike, out: Array | None = 
         _require_like_result(out, m, r)
     projective = m.shape[-1] == 4 and not (m[..., 3, :] == (0, 0, 0, 1)).all()
     linear = m[..., :3] if projective else m[..., :3, :3]
-    if m.ndim > 2 or r.dtype == object or r.size <= FEW:
+    if m.ndim > 2 or "O" in (m.dtype.char, r.dtype.char) or r.size <= FEW:
         require_finite("points", r)
         moved = _multiply(linear, r)
     else:
@@ -303,7 +304,7 @@ def _matrix_and_points(matrix: Any, points: Any) -> list[Array]:
     """Do as `shaped`, but at once if they are arrays of float64 of the most usual shapes."""
     if (
         type(matrix) is type(points) is np.ndarray
-        and matrix.dtype.char == points.dtype.char == "d"
+        and matrix.dtype == points.dtype == DOUBLE
         and matrix.shape == (3, 3)
         and points.shape[-1:] == (3,)
     ):
@@ -314,9 +315,10 @@ def _matrix_and_points(matrix: Any, points: Any) -> list[Array]:
 def _require_like_result(out: Array, m: Array, r: Array) -> None:
     """Refuse an array that cannot hold the result of `transform`."""
     shape = (*np.broadcast_shapes(m.shape[:-2], r.shape[:-1]), 3)
-    if not isinstance(out, np.ndarray) or (out.shape, out.dtype) != (shape, r.dtype):
+    dtype = np.result_type(m, r)
+    if not isinstance(out, np.ndarray) or (out.shape, out.dtype) != (shape, dtype):
         got = f"{out.dtype} {out.shape}" if isinstance(out, np.ndarray) else shortened(out)
-        raise ValueError(f"out must be an array of {r.dtype} and shape {shape}; got {got}")
+        raise ValueError(f"out must be an array of {dtype} and shape {shape}; got {got}")
 
 
 def _perspective_divide(moved: Array) -> Array:
@@ -351,15 +353,20 @@ def _multiply(matrix: Array, points: Array, out: Array | None = None) -> Array:
 def _multiply_many(matrix: Array, points: Array, out: Array | None) -> Array:
     """Do as `_multiply`, but check the points afterwards, by the first coordinates of the images.
 
-    What is not finite shows there, unless a zero in the matrix hides it.
+    What is not finite shows there, unless a zero in the matrix hides it. Points that are replaced
+    by their images are checked before.
     """
+    if out is points:
+        require_finite("points", points)
+    elif out is not None and np.may_share_memory(out, points):
+        points = points.copy()
     with np.errstate(invalid="ignore", over="ignore"):
         if out is not None and out.flags.c_contiguous and points.flags.c_contiguous:
             moved = _multiply_in_pairs(matrix, points, out)
         else:
             moved = _multiply(matrix, points, out)
     first = moved[..., 0]
-    if not (matrix[0].all() and math.isfinite(np.vdot(first, first))):
+    if out is not points and not (matrix[0].all() and math.isfinite(np.vdot(first, first))):
         require_finite("points", points)
     return moved
 

@@ -164,3 +164,30 @@ def test_pages_can_be_read_from_the_file_system(browser: Any, book: Path) -> Non
     assert family.startswith("KaTeX_Main")
     assert page.evaluate("document.fonts.check('16px KaTeX_Main')")
     page.close()
+
+
+def test_words_of_the_glossary_are_links_where_they_are_first_used(
+    pages: dict[str, BeautifulSoup],
+) -> None:
+    explained = {term["id"] for term in pages["book/glossary.html"].select("dl.glossary dt[id]")}
+    assert {"term-cross-product", "term-SO-3", "term-degrees-of-freedom"} <= explained
+    for name, soup in pages.items():
+        links = [urlsplit(link["href"]).fragment for link in soup.select("article a.first-use")]
+        assert len(links) == len(set(links)), name
+        assert set(links) <= explained, name
+        if re.match(r"book/(0|errata)", name):
+            assert len(links) > 10, name
+            first = next(
+                text
+                for paragraph in soup.select("article p")
+                if not paragraph.find_parent("figcaption")
+                for text in paragraph.find_all(string=re.compile(r"\b[Rr]otations?\b(?! v)"))
+                if not text.find_parent(["code", "em"])
+            )
+            assert first.find_parent("a") is not None, (name, first)
+
+
+def test_links_have_names(pages: dict[str, BeautifulSoup]) -> None:
+    for name, soup in pages.items():
+        for link in soup.select("article a[href]:not(.headerlink)"):
+            assert link.get_text(strip=True) or link.get("title") or link.find("img"), (name, link)

@@ -8,9 +8,11 @@ import sys
 from pathlib import Path
 from typing import Any
 
+import nbformat
 import numpy as np
 import pytest
 import pyvista
+from nbclient import NotebookClient
 from PIL import Image
 
 sys.path.insert(0, str(Path(__file__).parent))
@@ -320,3 +322,22 @@ class TestFigure:
         np.testing.assert_allclose(color, [0x00, 0x72, 0xB2], atol=2)
         # Through both sides of the ball.
         assert abs(alpha / 255 - (1 - 0.7**2)) < 0.01
+
+
+class TestStillPicture:
+    def test_a_scene_is_closed_when_its_cell_has_run(self) -> None:
+        notebook = nbformat.v4.new_notebook()
+        notebook.cells = [
+            nbformat.v4.new_code_cell(source)
+            for source in (
+                "from rotedu import scenes\nplotter = scenes.figure_1()",
+                "plotter.show(jupyter_backend='still')",
+                "print(plotter.render_window)",
+            )
+        ]
+        NotebookClient(notebook).execute()
+        _, shown, after = notebook.cells
+        picture = Image.open(io.BytesIO(base64.b64decode(shown.outputs[0].data["image/png"])))
+        assert picture.size == scenes.SIZE
+        assert np.asarray(picture).std() > 1
+        assert after.outputs[0].text == "None\n"

@@ -76,7 +76,7 @@ def add_line(
 ) -> None:
     """Add a round line through points, shape (n, 3)."""
     line = pyvista.MultipleLines(np.asarray(points, float))
-    add_thin(plotter, line.tube(radius=radius, n_sides=10), color)
+    add_thin(plotter, line.tube(radius=radius, n_sides=8), color)
 
 
 def add_arrow(
@@ -505,7 +505,7 @@ FIGURE_8 = ((0.8, -0.4, 0.4), (0.5, 0.8, -0.4), (0.6, 0.7, 0.4), (0.1, 0.4, 0.9)
 
 def add_sphere(plotter: pyvista.Plotter, opacity: float = 0.18) -> None:
     """Add the unit sphere, see-through; it hides the labels behind it."""
-    ball = pyvista.Sphere(radius=1.0, theta_resolution=60, phi_resolution=40)
+    ball = pyvista.Sphere(radius=1.0, theta_resolution=48, phi_resolution=32)
     plotter.add_mesh(ball, color=NEUTRAL, opacity=opacity, smooth_shading=True)
 
 

@@ -50,8 +50,8 @@ FRACTIONS = [1 / 2, 1 / 3]
 pytestmark = pytest.mark.filterwarnings("ignore:.* are almost .*:UserWarning")
 
 
-def random_units(*shape: int) -> Array:
-    vectors = RNG.normal(size=shape)
+def random_units(*shape: int, rng: np.random.Generator = RNG) -> Array:
+    vectors = rng.normal(size=shape)
     return np.asarray(vectors / np.linalg.norm(vectors, axis=-1, keepdims=True))
 
 
@@ -100,6 +100,13 @@ CURVES = [
     for k, fraction in zip("23", FRACTIONS, strict=True)
 ]
 
+# Lengths of arcs: where a sine or cosine loses digits, and on both sides of `NEAR_PI`, 2.4981.
+LENGTHS = [1e-16, 1e-9, 1e-8, 3e-8, 1e-7, 1e-4, 0.1, 1, 2, 2.498, 2.4982, 2.6, 3, np.pi - 1e-2]
+LENGTHS_AND_DTYPES = [
+    *((length, np.float64) for length in [*LENGTHS, np.pi - 1e-4, np.pi - 1e-7]),
+    *((length, np.float32) for length in LENGTHS),
+]
+
 coordinates = st.floats(-1, 1, allow_subnormal=False)
 units = (
     arrays(float, 3, elements=coordinates)
@@ -115,6 +122,15 @@ def segments(points: Array, fraction: float) -> list[Array]:
     a, b = control_points(points, fraction)
     n = len(points)
     return [np.array([points[i - 1], a[i - 1], b[i % n], points[i % n]]) for i in range(1, n + 1)]
+
+
+def bezier(points: Array, fraction: float, u: Array) -> Array:
+    """Do the same with straight lines: points of the segments, of shape (n, samples, d)."""
+    before, after = np.roll(points, 1, axis=0), np.roll(points, -1, axis=0)
+    handle = fraction * (after - before) / 2
+    control = points, points + handle, after - np.roll(handle, -1, axis=0), after
+    weights = (1 - u) ** 3, 3 * u * (1 - u) ** 2, 3 * u**2 * (1 - u), u**3
+    return np.asarray(sum(np.multiply.outer(w, c) for w, c in zip(weights, control, strict=True)))
 
 
 class TestProofs:
@@ -623,6 +639,62 @@ class TestClosedCurve:
         by_hand = np.concatenate([de_casteljau(c, u) for c in segments(points, fraction)])
         close(closed_curve(points, 10, fraction), by_hand, 1e-13)
 
+    @pytest.mark.parametrize("d", [2, 3, 4])
+    @pytest.mark.parametrize(("theta", "dtype"), LENGTHS_AND_DTYPES)
+    def test_arcs_of_any_length(self, theta: float, dtype: Any, d: int) -> None:
+        # Control points P, P, Q, Q, which fraction 0 makes: u is followed by 3 u^2 - 2 u^3.
+        single = dtype == np.float32
+        u, rng = np.arange(20) / 20, np.random.default_rng(d)
+        for _ in range(10):
+            p, x, *others = np.linalg.qr(rng.normal(size=(d, d)))[0].T
+            q = np.cos(theta) * p + np.sin(theta) * x
+            between = p + q + (others[0] if others else x / 2)
+            points = np.array([p, q, between / np.linalg.norm(between)], dtype)
+            found = closed_curve(points, 20, 0)
+            assert found.dtype == dtype
+            on_the_sphere(found, 2e-6 if single else 4e-15)
+            turn = (theta * (3 * u**2 - 2 * u**3))[:, None]
+            # The points are rounded, which matters more, the nearer to pi.
+            rounding = (1e-6 if single else 2e-15) / min(1, np.pi - theta)
+            close(found[:20], np.cos(turn) * p + np.sin(turn) * x, rounding)
+
+    @pytest.mark.parametrize("size", [1e-16, 1e-12, 1e-9, 1e-8, 1e-7, 1e-5, 1e-3, 0.1, 0.5])
+    @pytest.mark.parametrize("fraction", FRACTIONS)
+    def test_is_de_casteljau_for_near_neighbours(self, size: float, fraction: float) -> None:
+        u, rng = np.arange(10) / 10, np.random.default_rng(10)
+        for d in (3, 4):
+            points = HERE if d == 3 else [0.1, 0.7, -0.1, 0.7]
+            points = points + size * random_units(6, d, rng=rng)
+            points /= np.linalg.norm(points, axis=-1, keepdims=True)
+            by_hand = np.concatenate([de_casteljau(c, u) for c in segments(points, fraction)])
+            close(closed_curve(points, 10, fraction), by_hand)
+            single = points.astype(np.float32)
+            by_hand = np.concatenate(
+                [de_casteljau(c.astype(float), u) for c in segments(single, fraction)]
+            )
+            close(closed_curve(single, 10, np.float32(fraction)), by_hand, 1e-6)
+
+    @pytest.mark.parametrize(
+        ("size", "dtype", "rounding"),
+        [(size, np.float64, 1e-14) for size in (1e-100, 1e-16, 1e-12, 1e-9, 1e-8)]
+        + [(size, np.float32, 4e-6) for size in (1e-15, 1e-7, 1e-4)],
+    )
+    @pytest.mark.parametrize("fraction", FRACTIONS)
+    def test_curve_of_nearly_coincident_points_is_the_one_in_the_plane(
+        self, size: float, dtype: Any, rounding: float, fraction: float
+    ) -> None:
+        flat, u = np.random.default_rng(7).normal(size=(7, 2)), np.arange(10) / 10
+        points = np.insert(size * flat, 2, 1, axis=1).astype(dtype)
+        curve = closed_curve(points, 10, fraction).reshape(7, 10, 3)
+        close(curve[..., :2] / size, bezier(flat, fraction, u).swapaxes(0, 1), rounding)
+
+    @pytest.mark.parametrize("rest", [1e-6, 1e-3, 0.016, 0.1, 0.6, 0.643, 0.644, 0.7, 1])
+    def test_inner_control_points_of_any_distance(self, rest: float) -> None:
+        points, u = self.with_inner_control_points(rest), np.arange(50) / 50
+        by_hand = np.concatenate([de_casteljau(c, u) for c in segments(points, 1 / 2)])
+        # `de_casteljau` rounds the control points once more.
+        close(closed_curve(points, 50), by_hand, 1e-15 / min(1, rest / 4))
+
     def test_is_the_loop_of_the_paper_corrected(self) -> None:
         curve = []
         for control in segments(UNEVEN, 1 / 2):
@@ -750,7 +822,7 @@ class TestClosedCurve:
         with pytest.raises(DegenerateError, match=f"^{which} are antipodal"):
             closed_curve(np.roll(points, -1, axis=0))
 
-    @pytest.mark.parametrize("rest", [1e-6, 1e-3, 0.01])
+    @pytest.mark.parametrize("rest", [1e-6, 1e-3, np.radians(0.99)])
     def test_nearly_antipodal_inner_control_points_are_warned_of(self, rest: float) -> None:
         points = self.with_inner_control_points(rest)
         which = r"control points a and b between points\[0\] and points\[1\]"
@@ -767,7 +839,7 @@ class TestClosedCurve:
     def test_others_are_not(self) -> None:
         with warnings.catch_warnings():
             warnings.simplefilter("error")
-            closed_curve(self.with_inner_control_points(0.02))
+            closed_curve(self.with_inner_control_points(np.radians(1.01)))
             closed_curve(UNEVEN)
 
 
@@ -829,6 +901,61 @@ class TestOrientations:
 
     def test_no_turn(self) -> None:
         close(rotation_arc(self.R1, self.R1, 0.3), self.R1, 3e-15)
+
+    @pytest.mark.parametrize(("theta", "dtype"), LENGTHS_AND_DTYPES)
+    def test_closed_curve_with_turns_of_any_size(self, theta: float, dtype: Any) -> None:
+        # As for points: the turns of the first segment are of 3 u^2 - 2 u^3 times theta.
+        u, axes = np.arange(20) / 20, random_units(20, 3, rng=np.random.default_rng(20))
+        for start, axis in zip(self.R1[:20], axes, strict=True):
+            turn = theta * np.array([0, 1, 0.6])
+            rotations = start @ Rotation.from_rotvec(turn[:, None] * axis).as_matrix()
+            rotations[2] = rotations[2] @ rotation_matrix(np.roll(axis, 1), 0.7)
+            found = closed_rotation_curve(rotations.astype(dtype), 20, 0)
+            assert found.dtype == dtype
+            part = theta * (3 * u**2 - 2 * u**3)
+            expected = start @ Rotation.from_rotvec(part[:, None] * axis).as_matrix()
+            close(found[:20], expected, 3e-6 if dtype == np.float32 else 1e-14)
+
+    @pytest.mark.parametrize("fraction", FRACTIONS)
+    def test_closed_curve_is_made_of_rotation_arcs(self, fraction: float) -> None:
+        u = np.arange(10) / 10
+        longest = []
+        for seed in range(12):
+            here = Rotation.random(6, rng=np.random.default_rng(seed)).as_matrix()
+            before, after = np.roll(here, 1, axis=0), np.roll(here, -1, axis=0)
+            middle = rotation_arc(here @ before.mT @ here, after, 0.5)
+            a = rotation_arc(here, middle, fraction)
+            b = here @ a.mT @ here
+            row = [here, a, np.roll(b, -1, axis=0), after]
+            longest += [axis_angle(p.mT @ q)[1] for p, q in pairwise(row)]
+            row = [control[:, None] for control in row]
+            while len(row) > 1:
+                row = [rotation_arc(p, q, u) for p, q in pairwise(row)]
+            close(closed_rotation_curve(here, 10, fraction), row[0].reshape(60, 3, 3), 1e-13)
+        assert np.max(longest) > 3
+
+    @pytest.mark.parametrize(
+        ("size", "dtype", "rounding"),
+        [(size, np.float64, 1e-14) for size in (1e-100, 1e-16, 1e-12, 1e-9)]
+        + [(size, np.float32, 4e-6) for size in (1e-15, 1e-7)],
+    )
+    def test_closed_curve_of_tiny_turns_is_the_one_of_their_axes(
+        self, size: float, dtype: Any, rounding: float
+    ) -> None:
+        turns, u = np.random.default_rng(7).normal(size=(7, 3)), np.arange(10) / 10
+        x, y, z = size * turns.T
+        rotations = np.empty((7, 3, 3), dtype)
+        rotations[:] = np.eye(3)
+        rotations[:, [2, 0, 1], [1, 2, 0]] = np.stack([x, y, z], axis=1)
+        rotations[:, [1, 2, 0], [2, 0, 1]] = -np.stack([x, y, z], axis=1)
+        curve = closed_rotation_curve(rotations, 10).reshape(7, 10, 3, 3)
+        found = (curve - curve.mT)[..., [2, 0, 1], [1, 2, 0]] / (2 * size)
+        close(found, bezier(turns, 1 / 2, u).swapaxes(0, 1), rounding)
+
+    def test_closed_curve_of_equal_orientations(self) -> None:
+        for dtype, rounding in [(np.float64, 1e-14), (np.float32, 2e-6)]:
+            same = np.stack([self.R1[0]] * 4).astype(dtype)
+            close(closed_rotation_curve(same, 5), [same[0]] * 20, rounding)
 
     @pytest.mark.parametrize("fraction", FRACTIONS)
     def test_closed_curve_is_that_of_quaternions_whose_signs_agree(self, fraction: float) -> None:
@@ -894,6 +1021,7 @@ class TestOrientations:
         curves = closed_rotation_curve(matrices, 4)
         assert curves.shape == (2, 3, 20, 3, 3)
         close(curves[1, 2], closed_rotation_curve(matrices[1, 2], 4), 1e-15)
+        assert closed_rotation_curve(np.empty((0, 5, 3, 3)), 4).shape == (0, 20, 3, 3)
 
 
 class TestAgainstSplines:

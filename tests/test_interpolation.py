@@ -106,6 +106,8 @@ LENGTHS_AND_DTYPES = [
     *((length, np.float64) for length in [*LENGTHS, np.pi - 1e-4, np.pi - 1e-7]),
     *((length, np.float32) for length in LENGTHS),
 ]
+# Gaps between three points of a circle.
+UNEQUAL_GAPS = [(*gaps, 2 * np.pi - sum(gaps)) for gaps in [(1, 2.5), (2.6, 2.6), (2.4, 3)]]
 
 coordinates = st.floats(-1, 1, allow_subnormal=False)
 units = (
@@ -131,6 +133,16 @@ def bezier(points: Array, fraction: float, u: Array) -> Array:
     control = points, points + handle, after - np.roll(handle, -1, axis=0), after
     weights = (1 - u) ** 3, 3 * u * (1 - u) ** 2, 3 * u**2 * (1 - u), u**3
     return np.asarray(sum(np.multiply.outer(w, c) for w, c in zip(weights, control, strict=True)))
+
+
+def turning(gaps: tuple[float, ...], fraction: float, u: Array) -> Array:
+    """Angles along the curve through three points of a circle with these gaps between them."""
+    at = np.cumsum([0.0, *gaps])
+    # The last is the first again.
+    handle = fraction * (np.roll(gaps, 1) + gaps)[[0, 1, 2, 0]] / 2
+    control = np.array([at[:-1], (at + handle)[:-1], (at - handle)[1:], at[1:]])
+    weights = np.array([(1 - u) ** 3, 3 * u * (1 - u) ** 2, 3 * u**2 * (1 - u), u**3])
+    return (control.T @ weights).ravel()
 
 
 class TestProofs:
@@ -688,6 +700,13 @@ class TestClosedCurve:
         curve = closed_curve(points, 10, fraction).reshape(7, 10, 3)
         close(curve[..., :2] / size, bezier(flat, fraction, u).swapaxes(0, 1), rounding)
 
+    @pytest.mark.parametrize("gaps", UNEQUAL_GAPS)
+    @pytest.mark.parametrize("fraction", [0.2, 1 / 2, 1])
+    def test_on_a_great_circle(self, gaps: tuple[float, ...], fraction: float) -> None:
+        points = great_circle(np.degrees(np.cumsum([0, *gaps[:2]])))
+        turn = np.degrees(turning(gaps, fraction, np.arange(20) / 20))
+        close(closed_curve(points, 20, fraction), great_circle(turn))
+
     @pytest.mark.parametrize("rest", [1e-6, 1e-3, 0.016, 0.1, 0.6, 0.643, 0.644, 0.7, 1])
     def test_inner_control_points_of_any_distance(self, rest: float) -> None:
         points, u = self.with_inner_control_points(rest), np.arange(50) / 50
@@ -915,6 +934,16 @@ class TestOrientations:
             part = theta * (3 * u**2 - 2 * u**3)
             expected = start @ Rotation.from_rotvec(part[:, None] * axis).as_matrix()
             close(found[:20], expected, 3e-6 if dtype == np.float32 else 1e-14)
+
+    @pytest.mark.parametrize("gaps", UNEQUAL_GAPS)
+    @pytest.mark.parametrize("fraction", [0.2, 1 / 2, 1])
+    def test_closed_curve_about_one_axis(self, gaps: tuple[float, ...], fraction: float) -> None:
+        # With 1 an arc at the start, and so one of each level, is longer than 2.5.
+        start, axis = self.R1[0], [2, 3, 6]
+        rotations = rotation_matrix(axis, np.cumsum([0, *gaps[:2]])) @ start
+        turn = turning(gaps, fraction, np.arange(20) / 20)
+        found = closed_rotation_curve(rotations, 20, fraction)
+        close(found, rotation_matrix(axis, turn) @ start)
 
     @pytest.mark.parametrize("fraction", FRACTIONS)
     def test_closed_curve_is_made_of_rotation_arcs(self, fraction: float) -> None:

@@ -48,7 +48,7 @@ NO_WEBGL = """
     };
 """
 SAVE_DATA = "Object.defineProperty(navigator, 'connection', {value: {saveData: true}})"
-PICTURE = """async (element) => {
+PICTURES = """async (element, which) => {
     const draw = async (source) => {
         if (source.decode) await source.decode();
         const { width, height } = element.querySelector("canvas");
@@ -56,7 +56,7 @@ PICTURE = """async (element) => {
         paper.getContext("2d").drawImage(source, 0, 0, width, height);
         return paper.toDataURL();
     };
-    return Promise.all([...element.querySelectorAll("img, .scene-canvas")].map(draw));
+    return Promise.all([...element.querySelectorAll(which)].map(draw));
 }"""
 SPACE = "element => [element.offsetHeight, element.closest('figure').offsetHeight]"
 LABELS = """(element) => [...element.querySelectorAll(".scene-label")].map((label) => {
@@ -189,12 +189,16 @@ def settle(page: Any) -> None:
     page.evaluate("() => new Promise(done => requestAnimationFrame(() => setTimeout(done, 60)))")
 
 
-def pictures(scene: Any) -> list[np.ndarray]:
+def pictures(scene: Any, which: str = "img, .scene-canvas") -> list[np.ndarray]:
     """The poster and the live picture, at the same size."""
     return [
         np.asarray(Image.open(io.BytesIO(base64.b64decode(url.partition(",")[2]))), float)
-        for url in scene.evaluate(PICTURE)
+        for url in scene.evaluate(PICTURES, which)
     ]
+
+
+def live_picture(scene: Any) -> np.ndarray:
+    return pictures(scene, ".scene-canvas")[0]
 
 
 def difference(a: np.ndarray, b: np.ndarray) -> float:
@@ -277,11 +281,11 @@ def test_every_scene_of_the_book_lives(
                 assert 0 < now["left"] < 1, (where, now)
                 assert 0 < now["top"] < 1, (where, now)
             drag(page, scene, 70, 25)
-            _, turned = pictures(scene)
+            turned = live_picture(scene)
             assert difference(first, turned) > 0.3, where
             scene.get_by_role("button", name="Reset the view").click()
             settle(page)
-            _, back = pictures(scene)
+            back = live_picture(scene)
             assert difference(first, back) < 0.01, where
         assert page.evaluate("contexts.map(context => context.isContextLost())") == [False], name
         page.context.close()
@@ -301,7 +305,7 @@ def test_many_scenes_share_one_context(strict_site: str, open_page: Callable[...
     for i in range(MANY):
         bring_live(page, scenes.nth(i))
     assert page.evaluate("contexts.map(context => context.isContextLost())") == [False]
-    first, last = pictures(scenes.first)[1], pictures(scenes.last)[1]
+    first, last = live_picture(scenes.first), live_picture(scenes.last)
     assert difference(first, last) < 0.01
     names = [
         entry.rsplit("/", 1)[1]
@@ -345,12 +349,12 @@ def test_keys(strict_site: str, open_page: Callable[..., Any]) -> None:
     scene = bring_live(page, page.locator(".scene"))
     canvas = scene.locator("canvas")
     canvas.focus()
-    _, first = pictures(scene)
+    first = live_picture(scene)
     seen = [first]
     for key in ("ArrowLeft", "ArrowRight", "ArrowUp", "ArrowDown", "+", "-"):
         page.keyboard.press(key)
         settle(page)
-        picture = pictures(scene)[1]
+        picture = live_picture(scene)
         assert difference(seen[-1], picture) > 0.1, key
         seen.append(picture)
         if key in ("ArrowRight", "ArrowDown", "-"):
@@ -358,7 +362,7 @@ def test_keys(strict_site: str, open_page: Callable[..., Any]) -> None:
     page.keyboard.press("ArrowUp")
     page.keyboard.press("Home")
     settle(page)
-    assert difference(first, pictures(scene)[1]) < 0.01
+    assert difference(first, live_picture(scene)) < 0.01
     page.keyboard.press("f")
     page.wait_for_function("() => document.fullscreenElement?.className === 'scene'")
     page.wait_for_function("() => document.querySelector('.scene-canvas').width === innerWidth")
@@ -376,13 +380,13 @@ def test_the_wheel_scrolls_the_page_and_zooms_with_ctrl(
 ) -> None:
     page = open_page(f"{strict_site}/one.html", viewport={"width": 1000, "height": 600})
     scene = bring_live(page, page.locator(".scene"))
-    _, first = pictures(scene)
+    first = live_picture(scene)
     page.mouse.move(*middle(scene))
     down = page.evaluate("scrollY")
     page.mouse.wheel(0, 60)
     page.wait_for_function("before => scrollY > before", arg=down)
     settle(page)
-    assert difference(first, pictures(scene)[1]) == 0
+    assert difference(first, live_picture(scene)) == 0
     page.mouse.move(*middle(scene))
     down = page.evaluate("scrollY")
     page.keyboard.down("Control")
@@ -390,7 +394,7 @@ def test_the_wheel_scrolls_the_page_and_zooms_with_ctrl(
     page.keyboard.up("Control")
     settle(page)
     assert page.evaluate("scrollY") == down
-    assert difference(first, pictures(scene)[1]) > 0.3
+    assert difference(first, live_picture(scene)) > 0.3
 
 
 def swipe(page: Any, fingers: list[list[tuple[float, float]]]) -> None:
@@ -411,25 +415,25 @@ def test_fingers(strict_site: str, open_page: Callable[..., Any]) -> None:
     page = open_page(f"{strict_site}/one.html", **phone)
     scene = bring_live(page, page.locator(".scene"))
     assert scene.locator(".scene-hint").is_visible()
-    _, first = pictures(scene)
+    first = live_picture(scene)
     steps = range(0, 90, 10)
 
     x, y = middle(scene)
     down = page.evaluate("scrollY")
     swipe(page, [[(x, y - step) for step in steps]])
     assert page.evaluate("scrollY") > down
-    assert difference(first, pictures(scene)[1]) == 0
+    assert difference(first, live_picture(scene)) == 0
 
     x, y = middle(scene)
     down = page.evaluate("scrollY")
     swipe(page, [[(x + step, y) for step in steps]])
-    _, turned = pictures(scene)
+    turned = live_picture(scene)
     assert difference(first, turned) > 0.3
     assert page.evaluate("scrollY") == down
     assert not scene.locator(".scene-hint").count()
 
     swipe(page, [[(x - 20 - step, y) for step in steps], [(x + 20 + step, y) for step in steps]])
-    _, zoomed = pictures(scene)
+    zoomed = live_picture(scene)
     assert difference(turned, zoomed) > 0.3
     assert page.evaluate("scrollY") == down
     assert page.evaluate("visualViewport.scale") == 1
@@ -438,7 +442,7 @@ def test_fingers(strict_site: str, open_page: Callable[..., Any]) -> None:
 def test_the_page_shows_through_in_both_themes(site: str, open_page: Callable[..., Any]) -> None:
     page = open_page(f"{site}/book/03-ordinary-rotation.html", color_scheme="light")
     scene = bring_live(page, page.locator(".scene").first)
-    _, picture = pictures(scene)
+    picture = live_picture(scene)
     assert picture[0, 0, 3] == 0
     ink = "() => getComputedStyle(document.querySelector('.scene-label > *')).color"
     light = page.evaluate(ink)
@@ -537,7 +541,7 @@ def test_paper_shows_posters(strict_site: str, open_page: Callable[..., Any]) ->
 def test_a_lost_context_comes_back(strict_site: str, open_page: Callable[..., Any]) -> None:
     page = open_page(f"{strict_site}/one.html", CONTEXTS, quiet=False)
     scene = bring_live(page, page.locator(".scene"))
-    _, first = pictures(scene)
+    first = live_picture(scene)
     page.evaluate(
         """() => new Promise((done) => {
             const lose = contexts[0].getExtension("WEBGL_lose_context");
@@ -550,7 +554,7 @@ def test_a_lost_context_comes_back(strict_site: str, open_page: Callable[..., An
         })"""
     )
     settle(page)
-    assert difference(first, pictures(scene)[1]) < 0.01
+    assert difference(first, live_picture(scene)) < 0.01
 
 
 def test_a_live_scene_is_accessible(strict_site: str, open_page: Callable[..., Any]) -> None:

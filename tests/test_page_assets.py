@@ -114,3 +114,19 @@ def test_pages_are_light(pages: dict[Path, BeautifulSoup]) -> None:
         if size > BUDGET:
             heavy.append(f"{page.name}: {size / 1000:.0f} kB")
     assert heavy == []
+
+
+def test_only_code_with_a_colour_of_its_own_has_an_element(
+    book: Path, pages: dict[Path, BeautifulSoup]
+) -> None:
+    """What page_assets unwraps looks the same without: in either theme it has the plain colour."""
+    code = [soup for soup in pages.values() if soup.select(".highlight .k")]
+    assert code
+    for soup in code:
+        assert not soup.select(".highlight :is(.n, .nn, .p, .w)")
+    styles = (book / "_static" / "pygments.css").read_text(encoding="utf-8")
+    for theme in ("light", "dark"):
+        in_theme = rf'html\[data-theme="{theme}"\] \.highlight'
+        [plain] = re.findall(in_theme + r" {.*?[ ;]color: (#\w+)", styles)
+        for name in ("n", "nn", "p", "w"):
+            assert re.findall(rf"{in_theme} \.{name} {{ color: (#\w+)", styles) == [plain], name

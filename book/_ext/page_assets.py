@@ -4,10 +4,11 @@ Jupyter Book and the theme add the files of all their extensions to every page. 
 that no page uses, others stay only where the page has something for them, and all scripts but
 the one that chooses the colours wait until the page is there. Nothing is inline but what the
 theme's own templates have: its buttons to print and to fill the screen, which browsers have
-too, give way to one that downloads the notebook.
+too, give way to one that downloads the notebook. Code keeps the elements that colour it.
 """
 
 import html
+import re
 import textwrap
 from pathlib import PurePosixPath
 from typing import Any
@@ -24,6 +25,8 @@ USED_WITH = {
     "design-tabs.js": 'class="sd-tab',
     "sphinx-design.min.css": 'class="sd-',
 }
+# Names, punctuation and spaces have the colour of the code around them.
+UNCOLOURED = re.compile(r'<span class="(?:n|nn|p|w)">([^<]*)</span>')
 BEFORE_THE_PAGE = "theme-mode.js"
 DOWNLOAD = {
     "type": "link",
@@ -55,6 +58,7 @@ def choose(
     """Choose the files of a page, after all extensions have added theirs."""
     for kind in ("css_files", "script_files"):
         context[kind] = [file for file in context[kind] if is_used(file, context.get("body", ""))]
+    context["body"] = UNCOLOURED.sub(r"\1", context.get("body", ""))
     for script in context["script_files"]:
         # The theme's search page runs its scripts in the order of the page.
         if pagename == "search" or name_of(script) == BEFORE_THE_PAGE:

@@ -287,3 +287,17 @@ def _stands_behind(plotter: pyvista.Plotter, eye: np.ndarray, point: np.ndarray)
         if len(hits) >= (1 if actor.prop.opacity == 1 else 2):
             return True
     return False
+
+
+def announce_chosen_backend() -> None:
+    """Give pyvista the backend it was told to use, if it is one of ours.
+
+    To find it by its name pyvista would load all that are installed, and trame takes 16 MB.
+    """
+    name = pyvista.global_theme.jupyter_backend or ""
+    handler = {"book": book_figure, "still": still_picture}.get(name)
+    if handler is not None:
+        pyvista.register_jupyter_backend(name, handler)
+
+
+announce_chosen_backend()

@@ -331,8 +331,8 @@ class TestStillPicture:
             nbformat.v4.new_code_cell(source)
             for source in (
                 "from rotedu import scenes\nplotter = scenes.figure_1()",
-                "plotter.show(jupyter_backend='still')",
-                "print(plotter.render_window)",
+                "plotter.show()",
+                "import sys\nprint(plotter.render_window, 'trame' in sys.modules)",
             )
         ]
         NotebookClient(notebook).execute()
@@ -340,4 +340,5 @@ class TestStillPicture:
         picture = Image.open(io.BytesIO(base64.b64decode(shown.outputs[0].data["image/png"])))
         assert picture.size == scenes.SIZE
         assert np.asarray(picture).std() > 1
-        assert after.outputs[0].text == "None\n"
+        # As conftest.py sets PYVISTA_JUPYTER_BACKEND, other backends were not loaded.
+        assert after.outputs[0].text == "None False\n"

@@ -202,14 +202,15 @@ def transform(matrix: npt.ArrayLike, points: npt.ArrayLike, out: Array | None = 
     require_finite("matrix", m)
     if out is not None:
         _require_like_result(out, m, r)
-    projective = m.shape[-1] == 4 and not (m[..., 3, :] == (0, 0, 0, 1)).all()
-    linear = m[..., :3] if projective else m[..., :3, :3]
-    if m.ndim > 2 or "O" in (m.dtype.char, r.dtype.char) or r.size <= FEW:
+    homogeneous = m.shape[-1] == 4
+    projective = homogeneous and not (m[..., 3, :] == (0, 0, 0, 1)).all()
+    linear = m[..., : 3 + projective, :3] if homogeneous else m
+    if r.size <= FEW or m.ndim > 2 or "O" in (m.dtype.char, r.dtype.char):
         require_finite("points", r)
         moved = _multiply(linear, r)
     else:
         moved = _multiply_many(linear, r, None if projective else out)
-    if m.shape[-1] == 4:
+    if homogeneous:
         moved += m[..., : linear.shape[-2], 3]
     if projective:
         moved = _perspective_divide(moved)
@@ -304,7 +305,7 @@ def _matrix_and_points(matrix: Any, points: Any) -> list[Array]:
     """Do as `shaped`, but at once if they are arrays of float64 of the most usual shapes."""
     if (
         type(matrix) is type(points) is np.ndarray
-        and matrix.dtype == points.dtype == DOUBLE
+        and matrix.dtype is points.dtype is DOUBLE
         and matrix.shape == (3, 3)
         and points.shape[-1:] == (3,)
     ):
@@ -342,12 +343,13 @@ def _multiply(matrix: Array, points: Array, out: Array | None = None) -> Array:
         return np.asarray((matrix @ points[..., np.newaxis])[..., 0])
     if points.ndim == 1:
         return np.asarray(matrix @ points)
-    rows = points.reshape(-1, 3)
-    if not rows.flags.forc:
-        rows = np.ascontiguousarray(rows)
-    columns = None if out is None else out.reshape(-1, 3).T
-    moved: Array = np.matmul(np.asfortranarray(matrix), rows.T, out=columns).T
-    return moved if points.ndim == 2 else moved.reshape(*points.shape[:-1], len(matrix))
+    if points.ndim > 2:
+        return _multiply(matrix, points.reshape(-1, 3)).reshape(*points.shape[:-1], len(matrix))
+    if not points.flags.forc:
+        points = np.ascontiguousarray(points)
+    columns = None if out is None else out.T
+    moved: Array = np.matmul(np.asfortranarray(matrix), points.T, out=columns).T
+    return moved
 
 
 def _multiply_many(matrix: Array, points: Array, out: Array | None) -> Array:

@@ -235,6 +235,13 @@ def inside(a: np.ndarray, b: np.ndarray, depth: int = 3) -> np.ndarray:
     )
 
 
+def cut_off(picture: np.ndarray) -> float:
+    """The part of the border of a picture on which something is seen."""
+    opacity = picture[..., 3]
+    border = np.concatenate([opacity[0], opacity[-1], opacity[:, 0], opacity[:, -1]])
+    return float((border > 0).mean())
+
+
 def middle(scene: Any) -> tuple[float, float]:
     box = scene.bounding_box()
     return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
@@ -299,6 +306,7 @@ def test_every_scene_of_the_book_lives(
             drag(page, scene, 70, 25)
             turned = live_picture(scene)
             assert difference(first, turned) > 0.3, where
+            assert cut_off(turned) <= cut_off(first) + 0.002, where
             scene.get_by_role("button", name="Reset the view").click()
             settle(page)
             back = live_picture(scene)

@@ -1,6 +1,8 @@
 /* Numbers for the camera. */
 
 const DEGREES = 180 / Math.PI;
+// Up to here a turned scene may reach: a label needs some room.
+const ROOM = 0.93;
 
 /**
  * The height of the field of view, in degrees, that shows all of the poster in a box of another
@@ -22,4 +24,67 @@ export function fieldOfView(viewAngle, posterAspect, aspect) {
 export function clipping(distance, radius) {
   const far = distance + radius;
   return { near: Math.max(distance - radius, far / 1000) * 0.99, far: far * 1.01 };
+}
+
+/**
+ * Of many points those that reach farthest, each in one of some directions.
+ * @param {ArrayLike<number>[]} clouds coordinates, three for each point
+ * @param {number[]} center from which they reach
+ * @returns {number[][]} points as seen from the center
+ */
+export function outermost(clouds, center, directions = 64) {
+  return spread(directions).map((direction) => {
+    let most = -Infinity;
+    let farthest;
+    for (const cloud of clouds) {
+      for (let i = 0; i < cloud.length; i += 3) {
+        const reach = cloud[i] * direction[0] + cloud[i + 1] * direction[1] + cloud[i + 2] * direction[2];
+        if (reach > most) {
+          most = reach;
+          farthest = [cloud[i] - center[0], cloud[i + 1] - center[1], cloud[i + 2] - center[2]];
+        }
+      }
+    }
+    return farthest;
+  });
+}
+
+/** Directions evenly spread over a sphere: a spiral whose turns differ by the golden angle. */
+function spread(count) {
+  const golden = Math.PI * (3 - Math.sqrt(5));
+  return Array.from({ length: count }, (_, i) => {
+    const height = 1 - (2 * i + 1) / count;
+    const radius = Math.sqrt(1 - height * height);
+    return [radius * Math.cos(golden * i), radius * Math.sin(golden * i), height];
+  });
+}
+
+/**
+ * How far points reach towards the border of the picture: 1 is there, 0 is the middle.
+ * @param {number[][]} points as seen from what the camera looks at
+ * @param {number[][]} axes of the camera: to the right, up and back, of length 1
+ * @param {number} distance from the camera to what it looks at
+ * @param {number[]} half width and height of the picture, at distance 1
+ */
+export function reach(points, axes, distance, half) {
+  const along = (axis, [x, y, z]) => axis[0] * x + axis[1] * y + axis[2] * z;
+  const [right, up, back] = axes;
+  const far = points.map((point) => {
+    const depth = distance - along(back, point);
+    const x = Math.abs(along(right, point)) / half[0];
+    const y = Math.abs(along(up, point)) / half[1];
+    return Math.max(x, y) / Math.max(depth, distance / 1000);
+  });
+  return Math.max(...far);
+}
+
+/**
+ * A field of view, in degrees, in which a scene that was turned is as little cut off as at rest.
+ * @param {number} angle field of view at rest, in degrees
+ * @param {number} now how far the scene reaches, turned
+ * @param {number} atRest how far it reached
+ */
+export function widened(angle, now, atRest) {
+  const half = Math.tan(angle / 2 / DEGREES);
+  return 2 * DEGREES * Math.atan(half * Math.max(1, now / Math.max(ROOM, atRest)));
 }

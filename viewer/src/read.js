@@ -6,7 +6,7 @@ import { dress } from "./looks.js";
 /**
  * @param {ArrayBuffer} file binary glTF as `rotedu.book_gltf` writes it
  * @returns the objects to draw, the surfaces that hide labels, the sphere around everything, the
- *   camera of the poster
+ *   coordinates of all points, the camera of the poster
  */
 export async function read(file) {
   const { scene } = await new GLTFLoader().parseAsync(file, "");
@@ -14,24 +14,30 @@ export async function read(file) {
   const { camera, lights } = scene.userData;
   const objects = [];
   const surfaces = [];
+  const clouds = [];
   const around = new Sphere();
   scene.traverse((part) => {
     if (!part.geometry) return;
     part.geometry.computeBoundingSphere();
     around.union(part.geometry.boundingSphere.clone().applyMatrix4(part.matrixWorld));
+    clouds.push(inScene(part).array);
     const pickable = part.userData.pickable ?? part.parent.userData.pickable;
     if (part.isMesh && pickable) surfaces.push(surface(part));
     objects.push(...dress(part, lights));
   });
-  return { objects, surfaces, around, camera };
+  return { objects, surfaces, around, clouds, camera };
+}
+
+/** The corners of a part in the coordinates of the scene. */
+function inScene({ geometry, matrixWorld }) {
+  return geometry.attributes.position.clone().applyMatrix4(matrixWorld);
 }
 
 /** The faces of a part in the coordinates of the scene. */
-function surface({ geometry, material, matrixWorld }) {
-  const positions = geometry.attributes.position.clone().applyMatrix4(matrixWorld);
+function surface(part) {
   return {
-    positions: positions.array,
-    corners: geometry.index.array,
-    seeThrough: material.opacity < 1,
+    positions: inScene(part).array,
+    corners: part.geometry.index.array,
+    seeThrough: part.material.opacity < 1,
   };
 }

@@ -1,6 +1,6 @@
 /* Makes a scene of the page live. */
-import { PerspectiveCamera, Scene } from "three";
-import { clipping, fieldOfView } from "./camera.js";
+import { PerspectiveCamera, Scene, Vector3 } from "three";
+import { clipping, fieldOfView, outermost, reach, widened } from "./camera.js";
 import { takeInHand } from "./hand.js";
 import { isHidden, project } from "./labels.js";
 import { scaleWidths, sortSeeThrough } from "./looks.js";
@@ -17,7 +17,7 @@ import { createCanvas, createTools } from "./stage.js";
  */
 export async function show(element, file, context) {
   const poster = element.querySelector(".scene-poster");
-  const { objects, surfaces, around, camera: pose } = await read(file);
+  const { objects, surfaces, around, clouds, camera: pose } = await read(file);
   const scene = new Scene();
   scene.add(...objects);
   const camera = new PerspectiveCamera();
@@ -28,14 +28,22 @@ export async function show(element, file, context) {
     label,
     position: label.dataset.position.split(" ").map(Number),
   }));
+  const ends = outermost([...clouds, ...labels.map(({ position }) => position)], pose.target);
+  const distance = camera.position.distanceTo(new Vector3(...pose.target));
+  camera.lookAt(...pose.target);
+  const atRest = axes(camera);
 
   const drawNow = () => {
     const { near, far } = clipping(camera.position.distanceTo(around.center), around.radius);
     const aspect = canvas.width / canvas.height;
     Object.assign(camera, { near, far, aspect });
-    camera.fov = fieldOfView(pose.viewAngle, pose.aspect, aspect);
+    const angle = fieldOfView(pose.viewAngle, pose.aspect, aspect);
+    const half = Math.tan((angle * Math.PI) / 360);
+    const [now, before] = [axes(camera), atRest].map((directions) =>
+      reach(ends, directions, distance, [half * aspect, half]),
+    );
+    camera.fov = widened(angle, now, before);
     camera.updateProjectionMatrix();
-    camera.updateMatrixWorld();
     sortSeeThrough(objects, camera);
     draw(scene, camera, canvas);
     placeLabels(labels, camera, surfaces);
@@ -73,6 +81,14 @@ export async function show(element, file, context) {
   canvas.addEventListener("keydown", () => hint.remove());
   new ResizeObserver(fit).observe(element);
   onRestored(redraw);
+}
+
+/** The directions of a camera: right, up and back. */
+function axes(camera) {
+  camera.updateMatrixWorld();
+  const directions = [new Vector3(), new Vector3(), new Vector3()];
+  camera.matrixWorld.extractBasis(...directions);
+  return directions.map((direction) => direction.toArray());
 }
 
 function placeLabels(labels, camera, surfaces) {

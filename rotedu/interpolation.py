@@ -3,7 +3,7 @@
 The notation is that of the equations: p and q are unit vectors, theta is the angle between them,
 and t is the part of the way from p to q. Only the forms with an axis, ``..._by_rotation``, need
 three dimensions; all others are right in any number. Of unit vectors with four components, taken
-for quaternions, `closed_curve` makes Shoemake's rotation spline.
+for quaternions, `closed_curve` makes their spline of rotations.
 
 The construction of the curve asks two things of the space it runs in: arcs, and Double. It is
 written once, for such a `_Space`, of which there are two: the sphere, and the rotation matrices.
@@ -398,7 +398,7 @@ def control_points(points: npt.ArrayLike, fraction: float = 1 / 2) -> tuple[Arra
         end (erratum E12): P_n is P_0.
     fraction : float
         How far a_i goes, from 0 to 1, from P_i towards the midpoint: 1/2 is the paper's, which
-        bisects; 1/3 is Shoemake's.
+        bisects; 1/3 is Shoemake's, as quoted by Geier (2021).
 
     Returns
     -------
@@ -428,7 +428,7 @@ def control_points(points: npt.ArrayLike, fraction: float = 1 / 2) -> tuple[Arra
 
     References
     ----------
-    Cheng et al. (2023), Eqs. (5-4) to (5-15); Shoemake (1985) for 1/3
+    Cheng et al. (2023), Eqs. (5-4) to (5-15); Geier (2021) for 1/3
 
     Examples
     --------
@@ -775,10 +775,12 @@ def _arc(p: Array, q: Array, t: Any) -> Array:
 def _inner_arc(p: Array, q: Array, t: Any) -> Array:
     """(5-2) as it is printed, for t from 0 to 1: right to the last digits but near pi.
 
-    A cosine below 1 keeps it from 0/0; at such an angle, 1e-8, the weights are 1 - t and t. The
-    weight of p, sin((1 - t) theta) / sin(theta), is found from the one of q.
+    A cosine below 1 keeps numbers from 0/0; at such an angle, 1e-8, the weights are 1 - t and t.
+    The weight of p, sin((1 - t) theta) / sin(theta), is found from the one of q.
     """
-    cosine = np.minimum(_dot(p, q), 1 - max(_eps(p), 2**-53))
+    cosine = _dot(p, q)
+    if cosine.dtype != object:
+        cosine = np.minimum(cosine, 1 - _eps(p))
     if cosine.min() < NEAR_PI:
         return _arc(p, q, t)
     sin, cos = _sin_cos(t * np.arccos(cosine))
@@ -851,7 +853,9 @@ def _inner_rotation_arc(r1: Array, r2: Array, t: Any) -> Array:
         return turned.reshape(9, *turned.shape[2:])
     skew = [turn[2, 1] - turn[1, 2], turn[0, 2] - turn[2, 0], turn[1, 0] - turn[0, 1]]
     axis = np.stack(skew) / 2
-    sine = np.maximum(_length(axis), 1e-30)
+    sine = _length(axis)
+    if sine.dtype != object:
+        sine = np.maximum(sine, 1e-30)
     sin, cos = _sin_cos(t * np.arctan2(sine, cosine))
     across = _cross(axis, r1)
     inward = _cross(axis, across)

@@ -1081,6 +1081,17 @@ class TestCounts:
         turns = rotation_matrix([1, 2, 2], np.arange(3))
         assert count(lambda r: closed_rotation_curve(r, 2), turns).multiplications > 0
 
+    def test_out_and_back_costs_as_much_as_other_ways(self) -> None:
+        """There a_i is P_i: angles are zero, and arrays of floats are clipped."""
+        out_and_back = np.array([E1, UNEVEN[1], E1, UNEVEN[2]]) * (1 + 1e-15)
+        with np.errstate(invalid="ignore"):
+            found = count(lambda p: closed_curve(p, 2), out_and_back)
+        assert found == count(lambda p: closed_curve(p, 2), UNEVEN[:4])
+        here, turned = (rotation_matrix([1, 2, 2], k * np.arange(4)) for k in (0, 1))
+        with np.errstate(invalid="ignore"):
+            found = count(lambda r: closed_rotation_curve(r, 2), here)
+        assert found == count(lambda r: closed_rotation_curve(r, 2), turned)
+
     def test_results_are_those_of_the_floats(self) -> None:
         results: list[Any] = []
         count(lambda points: results.append(closed_curve(points, 3)), UNEVEN)

@@ -181,7 +181,7 @@ def figure_1(
     for tip in (r, turned):
         add_line(plotter, [center, tip], NEUTRAL, radius=0.004)
     add_point(plotter, center, NEUTRAL, radius=0.022)
-    add_label(plotter, center + rotate(0.56 * spoke, n, angle / 2), r"$\theta$")
+    add_label(plotter, center + rotate(0.6 * spoke, n, 0.43 * angle), r"$\theta$")
     add_label(plotter, center - 0.14 * spoke, r"$\vec r_\parallel$")
     add_label(plotter, center + 0.72 * spoke + 0.09 * n, r"$\vec r_\perp$")
 
@@ -189,8 +189,8 @@ def figure_1(
     add_arrow(plotter, ORIGIN, r, VECTOR)
     add_arrow(plotter, ORIGIN, turned, RESULT)
     add_label(plotter, 1.29 * n, r"$\hat n$", AXIS)
-    add_label(plotter, 1.2 * r, r"$\vec r$", VECTOR)
-    add_label(plotter, 1.17 * turned, r"$\vec r^{\,\prime}$", RESULT)
+    for tip, name, color in ((r, r"$\vec r$", VECTOR), (turned, r"$\vec r^{\,\prime}$", RESULT)):
+        add_label(plotter, tip + 0.2 * (tip - center) - 0.05 * n, name, color)
 
     first = np.cos(angle) * r
     second = first + (1 - np.cos(angle)) * (r @ n) * n
@@ -688,7 +688,7 @@ def carried_mesh(
     ):
         add_line(plotter, [*path, path[0]], color, radius=0.007)
     for k, place in enumerate(r[:, :, 2]):
-        add_label(plotter, 1.24 * place, f"$R_{k}$", VECTOR)
+        add_label(plotter, 1.33 * place, f"$R_{k}$", VECTOR)
     describe(
         plotter,
         f"Teaspoons on a see-through sphere: {len(r)} blue ones, and {between} green ones between"
@@ -935,7 +935,8 @@ def gimbals(
         for axis, far, name in (
             (w, 1.8, "W"),
             (v, 1.8, r"V^{\,\prime}"),
-            (u, 1.8, r"U^{\,\prime\prime}"),
+            # Outside both rings if it points along W.
+            (u, 1.8 if abs(w @ u) > 0.9 else 1.52, r"U^{\,\prime\prime}"),
         ):
             add_label(plotter, place + far * axis, f"${name}$", AXIS)
     describe(
@@ -1352,7 +1353,7 @@ def reversed_axis(points: ArrayLike = LOOP, samples: int = 24) -> pyvista.Plotte
     control = np.stack([p, a, np.roll(b, -1, axis=0), after], axis=1)
     printed = de_casteljau(control[:, np.newaxis], np.arange(samples) / samples)
 
-    plotter = new_scene(eye=(4.75, 2.3, 2.05), target=(0.35, 0.16, 0.1))
+    plotter = new_scene(eye=(4.6, 2.25, 2.05), target=ORIGIN, view_angle=25.5)
     add_sphere(plotter)
     for curve, color in ((closed_curve(p, samples), RESULT), (printed, CROSS)):
         closed = curve.reshape(-1, 3)

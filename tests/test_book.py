@@ -192,3 +192,30 @@ def test_links_have_names(pages: dict[str, BeautifulSoup]) -> None:
     for name, soup in pages.items():
         for link in soup.select("article a[href]:not(.headerlink)"):
             assert link.get_text(strip=True) or link.get("title") or link.find("img"), (name, link)
+
+
+def test_a_mark_stays_on_the_line_of_the_formula_before_it(
+    browser: Any, site: str, pages: dict[str, BeautifulSoup]
+) -> None:
+    page = browser.new_page(viewport={"width": 390, "height": 900})
+    page.goto(f"{site}/book/05-control-points.html")
+    torn = page.evaluate(
+        """() => [...document.querySelectorAll("article .unbroken")]
+            .filter((element) => element.checkVisibility())
+            .map((element) => [element.firstElementChild, element.lastChild])
+            .filter(([formula, mark]) => {
+                const range = document.createRange();
+                range.selectNode(mark);
+                const box = formula.querySelector(".katex-html").getBoundingClientRect();
+                return range.getBoundingClientRect().top > box.bottom;
+            }).length"""
+    )
+    page.close()
+    assert torn == 0
+    followed = [
+        formula.parent.get("class", [])
+        for soup in pages.values()
+        for formula in soup.select("article p > .math, article .unbroken > .math")
+        if (mark := formula.next_sibling) and str(mark)[0] in ".,;:"
+    ]
+    assert followed.count(["unbroken"]) > 0.8 * len(followed) > 100

@@ -1,0 +1,54 @@
+"""What belongs together stays on one line: a formula and the comma after it, (4-1), 18 + 12.
+
+Browsers break a line after any formula, as after a picture; no character prevents it.
+"""
+
+import re
+from typing import Any
+
+from docutils import nodes
+from sphinx.application import Sphinx
+from sphinx.transforms.post_transforms import SphinxPostTransform
+
+MARKS = re.compile(r"[.,;:!?)\N{RIGHT DOUBLE QUOTATION MARK}]+")
+UNSEEN = re.compile(r"\\textcolor\{[^}]*\}|\\[A-Za-z]+|[\\{}^_\s]")
+# Numbers of equations, counts of operations, shapes.
+NUMBERS = re.compile(r"(\(\d-\d+\)|\d+ [+×] \d+)")
+# A longer formula has to break somewhere, on a phone.
+SHORT = 16
+
+
+def unbroken(*content: nodes.Node) -> nodes.inline:
+    """Make an element that does not break."""
+    return nodes.inline("", "", *content, classes=["unbroken"])
+
+
+class KeepTogether(SphinxPostTransform):
+    """Put what belongs together into one element."""
+
+    default_priority = 5
+
+    def run(self, **_: Any) -> None:
+        """Look at all texts, and at what follows each formula."""
+        for text in list(self.document.findall(nodes.Text)):
+            if not isinstance(text.parent, nodes.paragraph | nodes.emphasis | nodes.strong):
+                continue
+            # Every other part is one that the pattern found.
+            parts = [nodes.Text(part) for part in NUMBERS.split(text)]
+            parts[1::2] = map(unbroken, parts[1::2])
+            if len(parts) > 1:
+                text.parent.replace(text, parts)
+        for formula in list(self.document.findall(nodes.math)):
+            after = formula.next_node(descend=False, siblings=True)
+            if not isinstance(after, nodes.Text) or not (marks := MARKS.match(after)):
+                continue
+            if len(UNSEEN.sub("", formula.astext())) > SHORT:
+                continue
+            formula.replace_self(unbroken(formula.deepcopy(), nodes.Text(marks[0])))
+            after.parent.replace(after, nodes.Text(after[marks.end() :]))
+
+
+def setup(app: Sphinx) -> dict[str, Any]:
+    """Come before links are made of words."""
+    app.add_post_transform(KeepTogether)
+    return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -22,7 +22,7 @@ test: .venv/ready .venv/browser ## check code, notebooks and the built book
 audit: book .venv/browser ## weigh the pages; Lighthouse and axe judge them
 	$(BIN)/python tools/audit.py
 
-bench: .venv/ready ## measure speed beside other packages (two minutes)
+bench: .venv/ready ## measure speed beside other packages (one minute)
 	$(BIN)/python benchmarks/run.py
 
 lab: .venv/ready ## open the notebooks in JupyterLab, with live scenes

@@ -33,14 +33,14 @@ export function clipping(distance, radius) {
  * @returns {number[][]} points as seen from the center
  */
 export function outermost(clouds, center, directions = 64) {
-  return spread(directions).map((direction) => {
+  return spread(directions).map(([x, y, z]) => {
     let most = -Infinity;
     let farthest;
     for (const cloud of clouds) {
       for (let i = 0; i < cloud.length; i += 3) {
-        const reach = cloud[i] * direction[0] + cloud[i + 1] * direction[1] + cloud[i + 2] * direction[2];
-        if (reach > most) {
-          most = reach;
+        const height = cloud[i] * x + cloud[i + 1] * y + cloud[i + 2] * z;
+        if (height > most) {
+          most = height;
           farthest = [cloud[i] - center[0], cloud[i + 1] - center[1], cloud[i + 2] - center[2]];
         }
       }

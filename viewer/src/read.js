@@ -20,24 +20,20 @@ export async function read(file) {
     if (!part.geometry) return;
     part.geometry.computeBoundingSphere();
     around.union(part.geometry.boundingSphere.clone().applyMatrix4(part.matrixWorld));
-    clouds.push(inScene(part).array);
+    const positions = part.geometry.attributes.position.clone().applyMatrix4(part.matrixWorld).array;
+    clouds.push(positions);
     const pickable = part.userData.pickable ?? part.parent.userData.pickable;
-    if (part.isMesh && pickable) surfaces.push(surface(part));
+    if (part.isMesh && pickable) surfaces.push(surface(part, positions));
     objects.push(...dress(part, lights));
   });
   return { objects, surfaces, around, clouds, camera };
 }
 
-/** The corners of a part in the coordinates of the scene. */
-function inScene({ geometry, matrixWorld }) {
-  return geometry.attributes.position.clone().applyMatrix4(matrixWorld);
-}
-
-/** The faces of a part in the coordinates of the scene. */
-function surface(part) {
+/** The faces of a part, whose positions are in the coordinates of the scene. */
+function surface({ geometry, material }, positions) {
   return {
-    positions: inScene(part).array,
-    corners: part.geometry.index.array,
-    seeThrough: part.material.opacity < 1,
+    positions,
+    corners: geometry.index.array,
+    seeThrough: material.opacity < 1,
   };
 }

@@ -31,9 +31,11 @@ export async function show(element, file, context) {
   const ends = outermost([...clouds, ...labels.map(({ position }) => position)], pose.target);
   const distance = camera.position.distanceTo(new Vector3(...pose.target));
   camera.lookAt(...pose.target);
+  camera.updateMatrixWorld();
   const atRest = axes(camera);
 
   const drawNow = () => {
+    camera.updateMatrixWorld();
     const { near, far } = clipping(camera.position.distanceTo(around.center), around.radius);
     const aspect = canvas.width / canvas.height;
     Object.assign(camera, { near, far, aspect });
@@ -85,7 +87,6 @@ export async function show(element, file, context) {
 
 /** The directions of a camera: right, up and back. */
 function axes(camera) {
-  camera.updateMatrixWorld();
   const directions = [new Vector3(), new Vector3(), new Vector3()];
   camera.matrixWorld.extractBasis(...directions);
   return directions.map((direction) => direction.toArray());

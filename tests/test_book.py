@@ -138,8 +138,7 @@ def test_a_browser_finds_everything_here(
     page.on("response", lambda r: r.status < 400 or complaints.append(f"{r.status} {r.url}"))
     page.on("pageerror", lambda error: complaints.append(str(error)))
     for name in pages:
-        # The front door sends readers on at once.
-        page.goto(f"{site}/{name}", wait_until="networkidle" if name == "index.html" else "load")
+        page.goto(f"{site}/{name}", wait_until="networkidle")
         missing = page.evaluate(
             """async () => {
                 const seen = [...document.images].filter((image) => image.checkVisibility());
@@ -216,4 +215,6 @@ def test_what_belongs_together_stays_on_one_line(
         for formula in soup.select("article p > .math, article .unbroken > .math")
         if (mark := formula.next_sibling) and str(mark)[0] in ".,;:"
     ]
+    whole = {span.get_text() for soup in pages.values() for span in soup.select(".unbroken")}
+    assert {"(2-6)", "18 + 12"} <= whole
     assert followed.count(["unbroken"]) > 0.8 * len(followed) > 100

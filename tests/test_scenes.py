@@ -45,6 +45,10 @@ def test_figure_1_takes_its_vector_axis_and_angle() -> None:
     for text, tip in tips.items():
         assert np.linalg.norm(labels[text] - tip) < 0.25, text
         assert labels[text] @ tip > 0.95 * (tip @ tip), text
+    assert np.allclose(np.cross(labels[r"$\hat n$"], axis), 0)
+    turned = rotate(labels[r"$\vec r$"], axis, angle)
+    assert np.allclose(labels[r"$\vec r^{\,\prime}$"], turned)
+    assert np.isclose(np.linalg.det([labels[r"$\vec r$"], vector, axis]), 0)
 
 
 def test_the_teaspoon_is_a_closed_surface_but_for_its_ends() -> None:

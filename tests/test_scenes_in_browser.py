@@ -64,7 +64,8 @@ AT_REST = """() => {
     return before === scrollY;
 }"""
 WITHOUT_SCRIPTS = """() => [...document.querySelectorAll(".scene")].map((scene) => {
-    const seen = (element) => element.checkVisibility({ visibilityProperty: true });
+    const seen = (element) =>
+        element.checkVisibility({ visibilityProperty: true }) && element.offsetWidth > 0;
     const labels = [...scene.querySelectorAll(".scene-label:not([data-hidden])")];
     return {
         poster: seen(scene.querySelector(".scene-poster")),

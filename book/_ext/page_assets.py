@@ -58,7 +58,6 @@ def choose(
     """Choose the files of a page, after all extensions have added theirs."""
     for kind in ("css_files", "script_files"):
         context[kind] = [file for file in context[kind] if is_used(file, context.get("body", ""))]
-    context["body"] = UNCOLOURED.sub(r"\1", context.get("body", ""))
     for script in context["script_files"]:
         # The theme's search page runs its scripts in the order of the page.
         if pagename == "search" or name_of(script) == BEFORE_THE_PAGE:
@@ -73,6 +72,18 @@ def choose(
         context["metatags"] += f'\n    <meta name="description" content="{words}">'
 
 
+def unwrap_code(
+    app: Sphinx,
+    pagename: str,
+    template: str,
+    context: dict[str, Any],
+    doctree: nodes.document | None,
+) -> None:
+    """Take the elements off what has no colour of its own: most of the words of a program."""
+    if "body" in context:
+        context["body"] = UNCOLOURED.sub(r"\1", context["body"])
+
+
 def remove_scripts(app: Sphinx, doctree: nodes.document, docname: str) -> None:
     """Remove the scripts that sphinx-thebe puts at the end of every page."""
     for node in [node for node in doctree.children if isinstance(node, nodes.raw)]:
@@ -84,4 +95,5 @@ def setup(app: Sphinx) -> dict[str, Any]:
     """Come last: the priorities of others are 500."""
     app.connect("doctree-resolved", remove_scripts, priority=900)
     app.connect("html-page-context", choose, priority=900)
+    app.connect("html-page-context", unwrap_code)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

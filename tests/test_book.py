@@ -166,6 +166,59 @@ def test_pages_can_be_read_from_the_file_system(browser: Any, book: Path) -> Non
     page.close()
 
 
+def all_laid_out(page: Any) -> list[float]:
+    """Where every heading and every block of the article stands, from the top of the page."""
+    page.wait_for_function("window.bootstrap")
+    return page.evaluate(
+        """() => [...document.querySelectorAll("article section > :not(section)")]
+            .map((element) => element.getBoundingClientRect().top + scrollY)"""
+    )
+
+
+def test_a_page_laid_out_in_parts_is_the_same_page(browser: Any, site: str) -> None:
+    """Nothing moves meanwhile, and in the end all stands where it stands when opened at once."""
+    url = f"{site}/book/02-quaternions.html"
+    page = browser.new_page()
+    page.add_init_script(
+        """window.moved = 0;
+        new PerformanceObserver((list) => list.getEntries().forEach(({ value }) => moved += value))
+            .observe({ type: "layout-shift", buffered: true });"""
+    )
+    page.goto(url)
+    parts = all_laid_out(page)
+    assert page.evaluate("moved") < 0.01
+    page.goto("about:blank")
+    page.goto(f"{url}#exercises")
+    assert not page.evaluate(
+        "[...document.querySelectorAll('article section')]"
+        ".some((section) => getComputedStyle(section).contentVisibility !== 'visible')"
+    )
+    whole = all_laid_out(page)
+    assert len(whole) > 100
+    assert parts == pytest.approx(whole, abs=0.5)
+    page.click(".theme-switch-button")
+    assert page.evaluate("document.documentElement.dataset.mode") != "auto"
+    page.close()
+
+
+@pytest.mark.parametrize("when", ["commit", "domcontentloaded", "load"])
+def test_links_lead_to_their_section_before_all_is_laid_out(
+    browser: Any, site: str, when: str
+) -> None:
+    page = browser.new_page()
+    page.goto(f"{site}/book/02-quaternions.html", wait_until=when)
+    page.wait_for_selector("#pst-secondary-sidebar a[href='#exercises']", state="attached")
+    page.evaluate("document.querySelector(`nav a[href='#exercises']`).click()")
+    all_laid_out(page)
+    page.wait_for_function(
+        """() => {
+            const { top } = document.querySelector("#exercises").getBoundingClientRect();
+            return 0 < top && top < 120;
+        }"""
+    )
+    page.close()
+
+
 def test_words_of_the_glossary_are_links_where_they_are_first_used(
     pages: dict[str, BeautifulSoup],
 ) -> None:

@@ -91,7 +91,7 @@ def test_scripts_wait_and_nothing_else_is_inline(pages: dict[Path, BeautifulSoup
             if text and not text.startswith(INLINE):
                 wrong.append(f"{page.name}: {text[:60]}")
             source = script.get("src", "")
-            in_order = page.name == "search.html" or "theme-mode.js" in source
+            in_order = page.name == "search.html" or "before-the-page.js" in source
             if source and not in_order and not script.has_attr("defer"):
                 wrong.append(f"{page.name}: {source} does not wait")
         wrong += [
@@ -108,7 +108,7 @@ def test_pages_are_light(pages: dict[Path, BeautifulSoup]) -> None:
     heavy = []
     for page, soup in pages.items():
         references = [e["src"] for e in soup.select("script[src], img[src]")]
-        references += [e["href"] for e in soup.select("link[rel=stylesheet]")]
+        references += [e["href"] for e in soup.select("link[rel=stylesheet], link[as=script]")]
         files = {(page.parent / urlsplit(reference).path).resolve() for reference in references}
         size = sum(len(gzip.compress(file.read_bytes())) for file in {page, *files})
         if size > BUDGET:

@@ -27,7 +27,8 @@ USED_WITH = {
 }
 # Names, punctuation and spaces have the colour of the code around them.
 UNCOLOURED = re.compile(r'<span class="(?:n|nn|p|w)">([^<]*)</span>')
-BEFORE_THE_PAGE = "theme-mode.js"
+BEFORE_THE_PAGE = "before-the-page.js"
+AFTER_THE_PAGE = "in-parts.js"
 DOWNLOAD = {
     "type": "link",
     "tooltip": "Download this page as a notebook",
@@ -59,8 +60,9 @@ def choose(
     for kind in ("css_files", "script_files"):
         context[kind] = [file for file in context[kind] if is_used(file, context.get("body", ""))]
     for script in context["script_files"]:
+        name = name_of(script)
         # The theme's search page runs its scripts in the order of the page.
-        if pagename == "search" or name_of(script) == BEFORE_THE_PAGE:
+        if name == BEFORE_THE_PAGE or (pagename == "search" and name != AFTER_THE_PAGE):
             script.attributes.pop("defer", None)
         else:
             script.attributes["defer"] = "defer"

@@ -27,8 +27,10 @@ __all__ = ["axis_angle", "rotate", "rotation_matrix", "transform"]
 DOUBLE = np.dtype(np.float64)
 # Numbers that are best checked before they are used; more are checked afterwards.
 FEW = 3 * 1000
-# Points multiplied together in pairs: OpenBLAS has a faster way up to a million multiplications.
-BLOCK = 54_000
+# Points multiplied at a time: few enough for the cache, and enough for several threads.
+BLOCK = 400_000
+# Points that stay in the cache until they are copied to where they belong.
+CACHED = 16_000
 
 
 def rotate(points: npt.ArrayLike, axis: npt.ArrayLike, angle: npt.ArrayLike) -> Array:
@@ -160,9 +162,9 @@ def transform(matrix: npt.ArrayLike, points: npt.ArrayLike, out: Array | None = 
     points : array_like, shape (..., 3)
         The points.
     out : ndarray, shape (..., 3), optional
-        Where to put the result, of its shape and dtype; it may be `points` itself. A new array is
-        made otherwise, which takes longer than the computation if there are many points. After an
-        error it may be filled in part.
+        Where to put the result, of its shape and dtype; it may be `points` itself. After an error
+        it may be filled in part. A new array is made otherwise, which takes time of its own if
+        there are millions of points.
 
     Returns
     -------
@@ -332,7 +334,7 @@ def _perspective_divide(moved: Array) -> Array:
     return np.asarray(moved[..., :3] / moved[..., 3:])
 
 
-def _multiply(matrix: Array, points: Array, out: Array | None = None) -> Array:
+def _multiply(matrix: Array, points: Array) -> Array:
     """Matrix times column vector, for all points.
 
     One matrix for many points is multiplied by these as columns. So each coordinate of the result
@@ -345,42 +347,55 @@ def _multiply(matrix: Array, points: Array, out: Array | None = None) -> Array:
         return np.asarray(matrix @ points)
     if points.ndim > 2:
         return _multiply(matrix, points.reshape(-1, 3)).reshape(*points.shape[:-1], len(matrix))
-    if not points.flags.forc:
-        points = np.ascontiguousarray(points)
-    columns = None if out is None else out.T
-    moved: Array = np.matmul(np.asfortranarray(matrix), points.T, out=columns).T
+    moved: Array = np.asfortranarray(matrix).dot(points.T).T
     return moved
 
 
 def _multiply_many(matrix: Array, points: Array, out: Array | None) -> Array:
-    """Do as `_multiply`, but check the points afterwards, by the first coordinates of the images.
+    """Do as `_multiply`, block by block, and check each block while it is in the cache.
 
-    What is not finite shows there, unless a zero in the matrix hides it. Points that are replaced
-    by their images are checked before.
+    What is not finite shows in the images, unless a zero in the matrix hides it. Points that are
+    replaced by their images are checked before.
     """
     if out is points:
         require_finite("points", points)
     elif out is not None and np.may_share_memory(out, points):
         points = points.copy()
+    r = points.reshape(-1, 3)
     with np.errstate(invalid="ignore", over="ignore"):
-        if out is not None and out.flags.c_contiguous and points.flags.c_contiguous:
-            moved = _multiply_in_pairs(matrix, points, out)
+        if out is not None and out.flags.c_contiguous:
+            moved, squares = out, _fill_rows(out.reshape(-1, 3), matrix, r)
         else:
-            moved = _multiply(matrix, points, out)
-    first = moved[..., 0]
-    if out is not points and not (matrix[0].all() and math.isfinite(np.vdot(first, first))):
+            columns = np.empty((len(matrix), len(r)), np.result_type(matrix, r))
+            squares = _fill_columns(columns, matrix, r)
+            moved = columns.T.reshape(*points.shape[:-1], len(matrix))
+    if out is not points and not (matrix[0].all() and math.isfinite(squares)):
         require_finite("points", points)
     return moved
 
 
-def _multiply_in_pairs(matrix: Array, points: Array, out: Array) -> Array:
-    """Multiply two points at a time, block by block: twice the numbers, but in half the time."""
-    r, images = points.reshape(-1, 3), out.reshape(-1, 3)
-    twice = np.zeros((6, 6), matrix.dtype)
-    twice[:3, :3] = twice[3:, 3:] = matrix.T
-    even = len(r) // 2 * 2
-    for start in range(0, even, BLOCK):
-        block = slice(start, min(start + BLOCK, even))
-        np.matmul(r[block].reshape(-1, 6), twice, out=images[block].reshape(-1, 6))
-    np.matmul(r[even:], matrix.T, out=images[even:])
-    return out
+def _fill_columns(columns: Array, matrix: Array, points: Array) -> float:
+    """Put the images of the points into columns; return the squares of the first row, summed."""
+    m, squares = np.asfortranarray(matrix), 0.0
+    for start in range(0, len(points), BLOCK):
+        r = points[start : start + BLOCK]
+        if not points.flags.forc:
+            r = np.ascontiguousarray(r)
+        images = np.matmul(m, r.T, out=columns[:, start : start + BLOCK])
+        squares += float(np.vdot(images[0], images[0]))
+    return squares
+
+
+def _fill_rows(rows: Array, matrix: Array, points: Array) -> float:
+    """Put the images of the points into rows; return the squares of all their coordinates, summed.
+
+    They pass through the cache: memory that is only copied to need not be read before.
+    """
+    m, squares = np.ascontiguousarray(matrix.T), 0.0
+    cached = np.empty((min(CACHED, len(points)), 3), rows.dtype)
+    for start in range(0, len(points), CACHED):
+        r = np.ascontiguousarray(points[start : start + CACHED])
+        images = np.matmul(r, m, out=cached[: len(r)])
+        rows[start : start + CACHED] = images
+        squares += float(np.vdot(images, images))
+    return squares

@@ -735,7 +735,7 @@ def _segments(space: _Space, name: str, here: Array, fraction: Any) -> tuple[Arr
 def _shifted(space: _Space, sequence: Array, by: int) -> Array:
     """Put the next, or the previous, in the place of each, round the closed sequence."""
     n = sequence.shape[space.axis]
-    return np.asarray(sequence.take((np.arange(n) + by) % n, space.axis))
+    return np.asarray(sequence.take(np.arange(by, n + by), space.axis, mode="wrap"))
 
 
 def _levels(arc: Arc, points: Array, u: Array) -> Iterator[Array]:
@@ -891,7 +891,7 @@ def _require_unique_arc(
     """
     if p.dtype == object or q.dtype == object:
         return
-    if np.min(space.cosine(p, q), initial=1) > NEAR_PI:
+    if space.cosine(p, q).min(initial=1) > NEAR_PI:
         return
     missing = np.pi - space.angle(p, q)
     ambiguous = missing <= space.tolerance(_eps(missing))

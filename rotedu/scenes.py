@@ -621,7 +621,7 @@ def carried_around(steps: int = 3, size: float = 0.33) -> pyvista.Plotter:
     pyvista.Plotter
         The scene.
     """
-    plotter = new_scene(eye=(4.0, 2.5, 2.9), target=(0.08, 0.08, 0.08))
+    plotter = new_scene(eye=(4.2, 2.65, 3.05), target=ORIGIN)
     add_sphere(plotter)
     carried = np.eye(3)
     for start, end in zip(np.eye(3), np.roll(np.eye(3), -1, axis=0), strict=True):

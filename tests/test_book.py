@@ -159,7 +159,8 @@ def test_pages_can_be_read_from_the_file_system(browser: Any, book: Path) -> Non
     """Without a server, formulas are typeset and posters are seen."""
     page = browser.new_page()
     page.goto((book / "book" / "03-ordinary-rotation.html").as_uri())
-    assert page.evaluate("document.querySelector('.scene-poster').naturalWidth") > 1000
+    page.locator(".scene-poster").first.scroll_into_view_if_needed()
+    page.wait_for_function("document.querySelector('.scene-poster').naturalWidth > 1000")
     family = page.evaluate("getComputedStyle(document.querySelector('.katex')).fontFamily")
     assert family.startswith("KaTeX_Main")
     assert page.evaluate("document.fonts.check('16px KaTeX_Main')")
@@ -196,8 +197,22 @@ def test_a_page_laid_out_in_parts_is_the_same_page(browser: Any, site: str) -> N
     whole = all_laid_out(page)
     assert len(whole) > 100
     assert parts == pytest.approx(whole, abs=0.5)
-    page.click(".theme-switch-button")
-    assert page.evaluate("document.documentElement.dataset.mode") != "auto"
+    page.close()
+
+
+def test_the_theme_works(browser: Any, site: str) -> None:
+    """Its scripts come last: the button for the colours, and the contents that follow the reader."""
+    page = browser.new_page(viewport={"width": 1440, "height": 900})
+    page.goto(f"{site}/book/02-quaternions.html")
+    page.wait_for_function(
+        """() => {
+            document.querySelector(".theme-switch-button").click();
+            return document.documentElement.dataset.mode !== "auto";
+        }"""
+    )
+    for name in ("from-mirrors-to-rotations", "exercises"):
+        page.evaluate("name => document.getElementById(name).scrollIntoView()", name)
+        page.wait_for_selector(f".page-toc a.active[href='#{name}']")
     page.close()
 
 

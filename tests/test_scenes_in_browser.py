@@ -75,6 +75,12 @@ WITHOUT_SCRIPTS = """() => [...document.querySelectorAll(".scene")].map((scene) 
         message: scene.nextElementSibling.innerText,
     };
 })"""
+# The button does nothing before the theme's script has started.
+SWITCH_TO_DARK = """() => {
+    const page = document.documentElement.dataset;
+    if (page.theme !== "dark") document.querySelector(".theme-switch-button").click();
+    return page.theme === "dark";
+}"""
 SPACE = "element => [element.offsetHeight, element.closest('figure').offsetHeight]"
 LABELS = """(element) => [...element.querySelectorAll(".scene-label")].map((label) => {
     const { left, top, width, height } = label.getBoundingClientRect();
@@ -474,7 +480,7 @@ def test_the_page_shows_through_in_both_themes(site: str, open_page: Callable[..
     assert picture[0, 0, 3] == 0
     ink = "() => getComputedStyle(document.querySelector('.scene-label > *')).color"
     light = page.evaluate(ink)
-    page.evaluate("document.documentElement.dataset.theme = 'dark'")
+    page.wait_for_function(SWITCH_TO_DARK)
     settle(page)
     assert page.evaluate(ink) != light
     shot = np.asarray(Image.open(io.BytesIO(scene.screenshot())).convert("L"), float)

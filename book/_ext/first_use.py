@@ -13,7 +13,7 @@ from sphinx.application import Sphinx
 from sphinx.transforms.post_transforms import SphinxPostTransform
 from sphinx.util.nodes import make_refnode
 
-PAGES_WITHOUT = ("book/glossary", "book/api", "book/references")
+PAGES_WITHOUT = ("book/glossary", "book/api", "book/equations", "book/references")
 PLURALS = {"matrix": "matrices", "erratum": "errata", "degrees of freedom": "degree of freedom"}
 NOT_PROSE = (
     addnodes.pending_xref,

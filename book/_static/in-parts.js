@@ -14,10 +14,17 @@
     await nextFrame();
   };
 
-  const start = ({ href }) => {
-    const script = Object.assign(document.createElement("script"), { src: href, async: false });
-    document.body.append(script);
+  const start = ({ href }) =>
+    new Promise((onload) => {
+      const script = document.createElement("script");
+      document.body.append(Object.assign(script, { src: href, onload }));
+    });
+
+  const startTheme = async () => {
+    for (const link of document.querySelectorAll("link[as=script]")) await start(link);
+    // It begins by itself only in pages that are still loading.
+    window.bootstrap.ScrollSpy.getOrCreateInstance(document.body);
   };
 
-  layOut().then(() => document.querySelectorAll("link[as=script]").forEach(start));
+  layOut().then(startTheme);
 }

@@ -201,7 +201,7 @@ def test_a_page_laid_out_in_parts_is_the_same_page(browser: Any, site: str) -> N
 
 
 def test_the_theme_works(browser: Any, site: str) -> None:
-    """Its scripts come last: the button for the colours, and the contents that follow the reader."""
+    """Its scripts come last: for the colours, and for the contents that follow the reader."""
     page = browser.new_page(viewport={"width": 1440, "height": 900})
     page.goto(f"{site}/book/02-quaternions.html")
     page.wait_for_function(

@@ -1,4 +1,4 @@
-"""What belongs together stays on one line: a formula and the comma after it, (4-1), 18 + 12.
+"""What belongs together stays on one line: a formula and its comma or brackets, (4-1), 18 + 12.
 
 Browsers break a line after any formula, as after a picture; no character prevents it.
 """
@@ -10,6 +10,7 @@ from docutils import nodes
 from sphinx.application import Sphinx
 from sphinx.transforms.post_transforms import SphinxPostTransform
 
+OPENING = re.compile(r"[(\N{LEFT DOUBLE QUOTATION MARK}]+$")
 MARKS = re.compile(r"[.,;:!?)\N{RIGHT DOUBLE QUOTATION MARK}]+")
 UNSEEN = re.compile(r"\\textcolor\{[^}]*\}|\\[A-Za-z]+|[\\{}^_\s]")
 # Numbers of equations, counts of operations, shapes.
@@ -39,13 +40,21 @@ class KeepTogether(SphinxPostTransform):
             if len(parts) > 1:
                 text.parent.replace(text, parts)
         for formula in list(self.document.findall(nodes.math)):
-            after = formula.next_node(descend=False, siblings=True)
-            if not isinstance(after, nodes.Text) or not (marks := MARKS.match(after)):
+            around = formula.parent
+            at = around.index(formula)
+            before, after = around[max(at - 1, 0)], around[min(at + 1, len(around) - 1)]
+            opening = isinstance(before, nodes.Text) and OPENING.search(before)
+            marks = isinstance(after, nodes.Text) and MARKS.match(after)
+            if not (opening or marks) or len(UNSEEN.sub("", formula.astext())) > SHORT:
                 continue
-            if len(UNSEEN.sub("", formula.astext())) > SHORT:
-                continue
-            formula.replace_self(unbroken(formula.deepcopy(), nodes.Text(marks[0])))
-            after.parent.replace(after, nodes.Text(after[marks.end() :]))
+            whole = [formula.deepcopy()]
+            if opening:
+                whole.insert(0, nodes.Text(opening[0]))
+                around[at - 1] = nodes.Text(before[: opening.start()])
+            if marks:
+                whole.append(nodes.Text(marks[0]))
+                around[at + 1] = nodes.Text(after[marks.end() :])
+            around[at] = unbroken(*whole)
 
 
 def setup(app: Sphinx) -> dict[str, Any]:

@@ -169,7 +169,7 @@ def test_pages_can_be_read_from_the_file_system(browser: Any, book: Path) -> Non
 
 def all_laid_out(page: Any) -> list[float]:
     """Where every heading and every block of the article stands, from the top of the page."""
-    page.wait_for_function("window.bootstrap")
+    page.wait_for_function("window.bootstrap?.ScrollSpy.getInstance(document.body)")
     return page.evaluate(
         """() => [...document.querySelectorAll("article section > :not(section)")]
             .map((element) => element.getBoundingClientRect().top + scrollY)"""

@@ -58,6 +58,8 @@ PICTURES = """async (element, which) => {
     };
     return Promise.all([...element.querySelectorAll(which)].map(draw));
 }"""
+# The last thing that in-parts.js does; before, what is above a scene may still move it.
+LAID_OUT = "window.bootstrap?.ScrollSpy.getInstance(document.body)"
 AT_REST = """() => {
     const before = window.scrolled;
     window.scrolled = scrollY;
@@ -289,6 +291,7 @@ def test_every_scene_of_the_book_lives(
     assert names
     for name in names:
         page = open_page(f"{site}/{name}", CONTEXTS, device_scale_factor=2)
+        page.wait_for_function(LAID_OUT)
         # At the poster's own size, for to scale it is to blur its edges.
         page.add_style_tag(
             content=".scene { width: 45rem !important; max-width: none !important; }"

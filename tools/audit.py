@@ -42,6 +42,8 @@ SCROLL = """async () => {
         await new Promise(resolve => setTimeout(resolve, 50));
     }
 }"""
+# The last thing that in-parts.js does.
+STARTED = "window.bootstrap?.ScrollSpy.getInstance(document.body)"
 AXE = """async () => {
     document.querySelectorAll("details").forEach(details => { details.open = true; });
     const found = (await axe.run()).violations.map(({id, nodes}) => {
@@ -153,6 +155,7 @@ def run_axe(browser: Browser, url: str) -> list[str]:
                 f"localStorage.setItem('mode', '{theme}'); localStorage.setItem('theme', '{theme}')"
             )
             page.goto(url, wait_until="networkidle")
+            page.wait_for_function(STARTED)
             page.add_script_tag(path=MODULES / "axe-core" / "axe.min.js")
             for finding in page.evaluate(AXE):
                 findings.setdefault(finding, []).append(f"{width} {theme}")

@@ -466,11 +466,7 @@ MUTATIONS: dict[str, list[tuple[str, str, str]]] = {
         ),
         ("(5-2) near pi", "        return _arc(p, q, t)", "        return _arc(q, p, t)"),
         ("near pi", "NEAR_PI = -0.8", "NEAR_PI = -0.9999"),
-        (
-            "(5-2) inside",
-            "_sin_cos(t * np.arccos(cosine))",
-            "_sin_cos(np.arccos(cosine))",
-        ),
+        ("(5-2) inside", "_sin_cos(t * np.arccos(cosine))", "_sin_cos(np.arccos(cosine))"),
         (
             "(5-2) inside",
             "_sin_cos(t * np.arccos(cosine))",

@@ -30,7 +30,7 @@ class KeepTogether(SphinxPostTransform):
     default_priority = 5
 
     def run(self, **_: Any) -> None:
-        """Look at all texts, and at what follows each formula."""
+        """Look at all texts, and at what stands around each formula."""
         for text in list(self.document.findall(nodes.Text)):
             if not isinstance(text.parent, nodes.paragraph | nodes.emphasis | nodes.strong):
                 continue

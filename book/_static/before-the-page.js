@@ -9,9 +9,11 @@
   page.theme = page.mode === "auto" ? (prefersDark ? "dark" : "light") : page.mode;
 }
 
-// A page that is opened at its top is laid out in parts (in-parts.js). One that is opened again
-// is not: the browser goes back to where the reader was, and needs the height of all above.
+// A page that is opened at its top is laid out in parts (in-parts.js), if the browser can do that.
+// One that is opened again is not: the browser goes back to where the reader was, and needs the
+// height of all above.
 {
   const [opening] = performance.getEntriesByType("navigation");
-  document.documentElement.classList.toggle("in-parts", opening?.type === "navigate");
+  const can = CSS.supports("content-visibility", "auto");
+  document.documentElement.classList.toggle("in-parts", can && opening?.type === "navigate");
 }

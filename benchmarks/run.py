@@ -1,4 +1,4 @@
-"""Run the benchmarks, print what they found, and write it to results.json.
+"""Run the benchmarks, print what they found, and write it to rotedu/edition/benchmark.json.
 
 ``make bench`` calls this. Of each measurement the shortest time counts: on a busy machine the
 others say more about the machine.
@@ -22,7 +22,7 @@ from rotedu.ordinary_rotation import rotate, rotation_matrix, transform
 from rotedu.quaternions import Quaternion
 
 HERE = Path(__file__).parent
-RESULTS = HERE / "results.json"
+RESULTS = HERE.parent / "rotedu" / "edition" / "benchmark.json"
 PACKAGES = ("numpy", "scipy", "numpy-quaternion", "pytransform3d", "splines")
 PYTEST = [
     *(sys.executable, "-m", "pytest", HERE, "-v", "-o", "addopts=", "-p", "no:nbval"),

@@ -20,8 +20,9 @@ from pytransform3d import transformations
 from scipy.spatial.transform import Rotation, RotationSpline
 from threadpoolctl import threadpool_limits
 
-from rotedu.interpolation import closed_curve, closed_rotation_curve
+from rotedu.closed_curve import closed_curve
 from rotedu.ordinary_rotation import rotate, rotation_matrix, transform
+from rotedu.orientations import closed_rotation_curve
 
 AXIS, ANGLE = np.array([1.0, 2.0, 2.0]) / 3, 1.0
 MATRIX = rotation_matrix(AXIS, ANGLE)
@@ -169,7 +170,7 @@ def papers_loop(points: np.ndarray, samples: int) -> list[list[float]]:
     def dot(p: list[float], q: list[float]) -> float:
         return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]
 
-    def arc(p: list[float], q: list[float], t: float) -> list[float]:
+    def slerp(p: list[float], q: list[float], t: float) -> list[float]:
         theta = math.acos(min(1.0, dot(p, q)))
         if theta == 0:
             return p
@@ -183,7 +184,7 @@ def papers_loop(points: np.ndarray, samples: int) -> list[list[float]]:
 
     p = points.tolist()
     n = len(p)
-    a = [arc(p[i], arc(double(p[i - 1], p[i]), p[(i + 1) % n], 0.5), 0.5) for i in range(n)]
+    a = [slerp(p[i], slerp(double(p[i - 1], p[i]), p[(i + 1) % n], 0.5), 0.5) for i in range(n)]
     b = [double(a[i], p[i]) for i in range(n)]
     curve = []
     for i in range(n):
@@ -191,7 +192,7 @@ def papers_loop(points: np.ndarray, samples: int) -> list[list[float]]:
         for j in range(samples):
             level = [p[i], a[i], b[following], p[following]]
             while len(level) > 1:
-                level = [arc(*pair, j / samples) for pair in pairwise(level)]
+                level = [slerp(*pair, j / samples) for pair in pairwise(level)]
             curve.append(level[0])
     return curve
 

@@ -10,21 +10,21 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from rotedu._validation import Array, arrays, length, place, unit
+from rotedu._arguments import Array, arrays, length, place, unit
 
 __all__ = [
+    "axis_angle_from_euler_angles",
     "compose",
-    "half_angle_sums",
     "homogeneous",
+    "matrix_from_euler_angles",
     "perspective",
-    "principal_product",
+    "quaternion_from_euler_angles",
     "reflection",
     "rotation_u",
     "rotation_v",
     "rotation_w",
     "scaling",
     "shearing",
-    "single_rotation",
     "translation",
 ]
 
@@ -131,7 +131,7 @@ def rotation_w(angle: npt.ArrayLike) -> Array:
     return _matrix([cos, -sin, 0, 0], [sin, cos, 0, 0], [0, 0, 1, 0])
 
 
-def principal_product(
+def matrix_from_euler_angles(
     theta_u: npt.ArrayLike, theta_v: npt.ArrayLike, theta_w: npt.ArrayLike
 ) -> Array:
     """Rotate about U first, then about V, then about W, all fixed: (4-1), multiplied out (4-2).
@@ -163,14 +163,14 @@ def principal_product(
     Examples
     --------
     >>> turn = np.pi / 2
-    >>> print(principal_product(turn, 0, turn).round(15)[:3, :3] + 0.0)
+    >>> print(matrix_from_euler_angles(turn, 0, turn).round(15)[:3, :3] + 0.0)
     [[0. 0. 1.]
      [1. 0. 0.]
      [0. 1. 0.]]
 
     Gimbal lock:
 
-    >>> a, b = principal_product(0.3, turn, 0.1), principal_product(0.7, turn, 0.5)
+    >>> a, b = matrix_from_euler_angles(0.3, turn, 0.1), matrix_from_euler_angles(0.7, turn, 0.5)
     >>> np.allclose(a, b, rtol=0, atol=1e-15)
     True
     """
@@ -183,7 +183,7 @@ def principal_product(
     )
 
 
-def half_angle_sums(
+def quaternion_from_euler_angles(
     theta_u: npt.ArrayLike, theta_v: npt.ArrayLike, theta_w: npt.ArrayLike
 ) -> tuple[Array, Array, Array, Array]:
     """Evaluate alpha, beta, gamma (4-4) and the cosine of half the angle (4-6).
@@ -194,7 +194,7 @@ def half_angle_sums(
     Parameters
     ----------
     theta_u, theta_v, theta_w : array_like, shape (...)
-        Angles in radians, as for `principal_product`.
+        Angles in radians, as for `matrix_from_euler_angles`.
 
     Returns
     -------
@@ -212,7 +212,7 @@ def half_angle_sums(
 
     Examples
     --------
-    >>> print(np.array(half_angle_sums(0, 0, 2 * np.pi / 3)).round(3))
+    >>> print(np.array(quaternion_from_euler_angles(0, 0, 2 * np.pi / 3)).round(3))
     [0.    0.    0.866 0.5  ]
     """
     angles = arrays(theta_u=(theta_u, ()), theta_v=(theta_v, ()), theta_w=(theta_w, ()))
@@ -225,7 +225,7 @@ def half_angle_sums(
     return alpha, beta, gamma, delta
 
 
-def single_rotation(
+def axis_angle_from_euler_angles(
     theta_u: npt.ArrayLike, theta_v: npt.ArrayLike, theta_w: npt.ArrayLike
 ) -> tuple[Array, Array]:
     """Axis and angle of the one rotation that three principal rotations come to, (4-3) to (4-6).
@@ -233,7 +233,7 @@ def single_rotation(
     Parameters
     ----------
     theta_u, theta_v, theta_w : array_like, shape (...)
-        Angles in radians, as for `principal_product`.
+        Angles in radians, as for `matrix_from_euler_angles`.
 
     Returns
     -------
@@ -264,18 +264,18 @@ def single_rotation(
 
     Examples
     --------
-    >>> axis, angle = single_rotation(np.pi / 2, 0, np.pi / 2)
+    >>> axis, angle = axis_angle_from_euler_angles(np.pi / 2, 0, np.pi / 2)
     >>> print(axis.round(3), np.degrees(angle).round(3))
     [0.577 0.577 0.577] 120.0
 
     Three half turns leave everything in place:
 
-    >>> axis, angle = single_rotation(np.pi, np.pi, np.pi)
+    >>> axis, angle = axis_angle_from_euler_angles(np.pi, np.pi, np.pi)
     >>> print(axis, angle)
     [1. 0. 0.] 0.0
     """
     angles = arrays(theta_u=(theta_u, ()), theta_v=(theta_v, ()), theta_w=(theta_w, ()))
-    *vector, cosine = half_angle_sums(*angles)
+    *vector, cosine = quaternion_from_euler_angles(*angles)
     a = np.stack(vector, axis=-1)
     sine = length(a)
     unturned = sine <= _rounding(angles)

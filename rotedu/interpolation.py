@@ -20,15 +20,13 @@ from typing import Any, NamedTuple, SupportsIndex
 import numpy as np
 import numpy.typing as npt
 
-from rotedu._validation import Array, arrays, length, place, require_rotation, unit
+from rotedu._arguments import Array, arrays, length, place, require_rotation, unit
 from rotedu.errors import DegenerateError
 from rotedu.ordinary_rotation import axis_angle, rotation_matrix, transform
 
 __all__ = [
     "angle_between",
-    "arc",
     "arc_axis",
-    "arc_by_rotation",
     "bisect",
     "bisect_by_rotation",
     "closed_curve",
@@ -38,7 +36,9 @@ __all__ = [
     "de_casteljau_levels",
     "double",
     "double_by_rotation",
-    "rotation_arc",
+    "slerp",
+    "slerp_by_rotation",
+    "slerp_rotations",
 ]
 
 # Numbers of a curve computed together: few enough for the cache, enough to keep numpy busy.
@@ -134,7 +134,7 @@ def arc_axis(p: npt.ArrayLike, q: npt.ArrayLike) -> Array:
     return _components_last(_axis(p, q))
 
 
-def arc(p: npt.ArrayLike, q: npt.ArrayLike, t: npt.ArrayLike) -> Array:
+def slerp(p: npt.ArrayLike, q: npt.ArrayLike, t: npt.ArrayLike) -> Array:
     """Point of the shortest arc from p to q (5-2).
 
     Parameters
@@ -159,7 +159,7 @@ def arc(p: npt.ArrayLike, q: npt.ArrayLike, t: npt.ArrayLike) -> Array:
 
     See Also
     --------
-    arc_by_rotation : the same in the other form (5-3).
+    slerp_by_rotation : the same in the other form (5-3).
 
     Notes
     -----
@@ -177,11 +177,11 @@ def arc(p: npt.ArrayLike, q: npt.ArrayLike, t: npt.ArrayLike) -> Array:
 
     Examples
     --------
-    >>> arc([1, 0, 0], [0, 1, 0], [0, 1 / 3, 1]).round(3)
+    >>> slerp([1, 0, 0], [0, 1, 0], [0, 1 / 3, 1]).round(3)
     array([[1.   , 0.   , 0.   ],
            [0.866, 0.5  , 0.   ],
            [0.   , 1.   , 0.   ]])
-    >>> arc([1, 0, 0], [-1, 0, 0], 1 / 2)
+    >>> slerp([1, 0, 0], [-1, 0, 0], 1 / 2)
     Traceback (most recent call last):
         ...
     rotedu.errors.DegenerateError: p and q are antipodal: no unique arc joins them
@@ -191,7 +191,7 @@ def arc(p: npt.ArrayLike, q: npt.ArrayLike, t: npt.ArrayLike) -> Array:
     return _components_last(_arc(p, q, t))
 
 
-def arc_by_rotation(p: npt.ArrayLike, q: npt.ArrayLike, t: npt.ArrayLike) -> Array:
+def slerp_by_rotation(p: npt.ArrayLike, q: npt.ArrayLike, t: npt.ArrayLike) -> Array:
     """Point of the shortest arc from p to q: p, rotated by t theta about the axis (5-3).
 
     Parameters
@@ -223,7 +223,7 @@ def arc_by_rotation(p: npt.ArrayLike, q: npt.ArrayLike, t: npt.ArrayLike) -> Arr
 
     Examples
     --------
-    >>> arc_by_rotation([1, 0, 0], [0, 1, 0], 1 / 3).round(3)
+    >>> slerp_by_rotation([1, 0, 0], [0, 1, 0], 1 / 3).round(3)
     array([0.866, 0.5  , 0.   ])
     """
     p, q, t = _arguments(t, 3, p=p, q=q)
@@ -593,7 +593,7 @@ def closed_curve(
     return _bezier(_inner_arc, flat, k).reshape(*leading, n * k, dimension)
 
 
-def rotation_arc(r1: npt.ArrayLike, r2: npt.ArrayLike, t: npt.ArrayLike) -> Array:
+def slerp_rotations(r1: npt.ArrayLike, r2: npt.ArrayLike, t: npt.ArrayLike) -> Array:
     """Orientation on the shortest way from one to another: R1 Exp(t Log(R1^T R2)).
 
     Parameters
@@ -628,7 +628,7 @@ def rotation_arc(r1: npt.ArrayLike, r2: npt.ArrayLike, t: npt.ArrayLike) -> Arra
 
     Examples
     --------
-    >>> turns = rotation_arc(np.eye(3), rotation_matrix([1, 1, 1], np.pi / 2), [0, 1 / 3, 1])
+    >>> turns = slerp_rotations(np.eye(3), rotation_matrix([1, 1, 1], np.pi / 2), [0, 1 / 3, 1])
     >>> axis, angle = axis_angle(turns)
     >>> print(axis[1].round(3), np.degrees(angle).round(9))
     [0.577 0.577 0.577] [ 0. 30. 90.]
@@ -675,7 +675,7 @@ def closed_rotation_curve(
 
     Notes
     -----
-    The construction is that of the points, with `rotation_arc` for arcs and, for Double(R1, R2),
+    The construction is that of the points, with `slerp_rotations` for arcs and, for Double(R1, R2),
     R2 R1^T R2. Where `closed_curve` of quaternions depends on their signs, and needs signs that
     agree all the way round, this has none: a body that turns right round and comes back to where
     it was is as good as any other data.

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from rotedu._validation import (
+from rotedu._arguments import (
     Array,
     arrays,
     normalised,

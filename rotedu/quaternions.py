@@ -14,7 +14,7 @@ import numpy as np
 import numpy.typing as npt
 
 from rotedu import ordinary_rotation
-from rotedu._validation import Array, arrays, length, normalised, place, unit
+from rotedu._arguments import Array, arrays, length, normalised, place, unit
 from rotedu.errors import DegenerateError
 
 __all__ = ["Quaternion", "rotate_about_u"]

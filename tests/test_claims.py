@@ -5,7 +5,7 @@ from typing import get_args
 
 import pytest
 
-from rotedu.claims import CHAPTERS, CLAIMS, Claim, Verdict, claim_table
+from rotedu.edition.claims import CHAPTERS, CLAIMS, Claim, Verdict, claim_table
 
 BOOK = Path(__file__).parents[1] / "book"
 PLACES = {"abstract", "1", "3", "4", "5", "6", "folklore", "not claimed"}

@@ -17,18 +17,18 @@ from rotedu import general_rotation as general
 from rotedu.cost import OperationCount, count
 from rotedu.errors import DegenerateError
 from rotedu.general_rotation import (
+    axis_angle_from_euler_angles,
     compose,
-    half_angle_sums,
     homogeneous,
+    matrix_from_euler_angles,
     perspective,
-    principal_product,
+    quaternion_from_euler_angles,
     reflection,
     rotation_u,
     rotation_v,
     rotation_w,
     scaling,
     shearing,
-    single_rotation,
     translation,
 )
 from rotedu.ordinary_rotation import axis_angle, rotation_matrix, transform
@@ -65,7 +65,7 @@ class TestProofs:
     def test_4_2_is_4_1_multiplied_out(self) -> None:
         u, v, w = map(symbolic, self.angles)
         product = matrix(rotation_w(w)) * matrix(rotation_v(v)) * matrix(rotation_u(u))
-        assert (matrix(principal_product(u, v, w)) - product).expand() == sp.zeros(4, 4)
+        assert (matrix(matrix_from_euler_angles(u, v, w)) - product).expand() == sp.zeros(4, 4)
 
     def test_no_other_order_gives_4_2(self) -> None:
         factors = [
@@ -81,20 +81,20 @@ class TestProofs:
             Quaternion.from_axis_angle(symbolic(*map(int, axis)), theta)
             for axis, theta in zip(np.eye(3), (u, v, w), strict=True)
         )
-        alpha, beta, gamma, delta = half_angle_sums(u, v, w)
+        alpha, beta, gamma, delta = quaternion_from_euler_angles(u, v, w)
         sums = matrix([delta, alpha, beta, gamma])
         assert (matrix((qw * qv * qu).components) - sums).expand() == sp.zeros(4, 1)
         assert (matrix((qu * qv * qw).components) - sums).expand() != sp.zeros(4, 1)
 
     def test_the_squares_add_up_to_one(self) -> None:
-        sums = matrix(half_angle_sums(*map(symbolic, self.angles)))
+        sums = matrix(quaternion_from_euler_angles(*map(symbolic, self.angles)))
         assert vanishes(sum(x**2 for x in sums) - 1)
 
     def test_the_single_rotation_has_the_matrix_4_2(self) -> None:
         u, v, w = map(symbolic, self.angles)
-        *vector, delta = half_angle_sums(u, v, w)
+        *vector, delta = quaternion_from_euler_angles(u, v, w)
         q = Quaternion(np.array(delta), np.array(vector))
-        difference = matrix(q.matrix()) - matrix(principal_product(u, v, w)[:3, :3])
+        difference = matrix(q.matrix()) - matrix(matrix_from_euler_angles(u, v, w)[:3, :3])
         tangents = sp.symbols("t_u t_v t_w")
         rational: dict[Any, Any] = {}
         for angle, t in zip(self.angles, tangents, strict=True):
@@ -106,8 +106,8 @@ class TestProofs:
 
     def test_gimbal_lock(self) -> None:
         u, _, w = map(symbolic, self.angles)
-        locked = matrix(principal_product(u, symbolic(sp.pi / 2), w))
-        turned = matrix(principal_product(u - w, symbolic(sp.pi / 2), 0 * w))
+        locked = matrix(matrix_from_euler_angles(u, symbolic(sp.pi / 2), w))
+        turned = matrix(matrix_from_euler_angles(u - w, symbolic(sp.pi / 2), 0 * w))
         assert vanishes(locked - turned)
 
 
@@ -122,46 +122,46 @@ class TestPrincipal:
 
     def test_product_against_scipy(self) -> None:
         oracle = Rotation.from_euler("xyz", EULER).as_matrix()
-        product = principal_product(*EULER.T)
+        product = matrix_from_euler_angles(*EULER.T)
         close(product[:, :3, :3], oracle, 2e-15)
         close(product, rotation_w(EULER[:, 2]) @ rotation_v(EULER[:, 1]) @ rotation_u(EULER[:, 0]))
 
     def test_order_matters(self) -> None:
         turn = np.pi / 2
-        close(principal_product(turn, turn, 0) @ [0, 1, 0, 1], [1, 0, 0, 1])
+        close(matrix_from_euler_angles(turn, turn, 0) @ [0, 1, 0, 1], [1, 0, 0, 1])
         close(compose(rotation_u(turn), rotation_v(turn)) @ [0, 1, 0, 1], [0, 0, 1, 1])
 
     def test_shapes(self) -> None:
-        assert principal_product(1, [1, 2], np.ones((3, 1))).shape == (3, 2, 4, 4)
+        assert matrix_from_euler_angles(1, [1, 2], np.ones((3, 1))).shape == (3, 2, 4, 4)
         assert rotation_u(np.ones((2, 3))).shape == (2, 3, 4, 4)
         assert rotation_v(np.ones(0)).shape == (0, 4, 4)
-        assert [np.shape(x) for x in half_angle_sums(1, [1, 2], 3)] == [(2,)] * 4
-        axis, angle = single_rotation(1, [1, 2], np.ones((3, 1)))
+        assert [np.shape(x) for x in quaternion_from_euler_angles(1, [1, 2], 3)] == [(2,)] * 4
+        axis, angle = axis_angle_from_euler_angles(1, [1, 2], np.ones((3, 1)))
         assert axis.shape == (3, 2, 3)
         assert angle.shape == (3, 2)
 
 
 class TestSingleRotation:
     def test_is_the_product(self) -> None:
-        axis, angle = single_rotation(*EULER.T)
-        close(homogeneous(rotation_matrix(axis, angle)), principal_product(*EULER.T), 2e-15)
+        axis, angle = axis_angle_from_euler_angles(*EULER.T)
+        close(homogeneous(rotation_matrix(axis, angle)), matrix_from_euler_angles(*EULER.T), 2e-15)
         close(np.linalg.norm(axis, axis=-1), 1, 1e-15)
         assert (angle >= 0).all()
         assert (angle <= 2 * np.pi).all()
         assert (angle > np.pi).sum() > 500
 
     def test_against_the_axis_of_the_matrix(self) -> None:
-        axis, angle = single_rotation(*EULER.T)
-        other_axis, other_angle = axis_angle(principal_product(*EULER.T)[:, :3, :3])
+        axis, angle = axis_angle_from_euler_angles(*EULER.T)
+        other_axis, other_angle = axis_angle(matrix_from_euler_angles(*EULER.T)[:, :3, :3])
         beyond = angle > np.pi
         close(np.where(beyond, 2 * np.pi - angle, angle), other_angle, 1e-13)
         close(np.where(beyond[:, None], -axis, axis), other_axis, 1e-13)
 
     def test_the_sine_alone_would_not_do(self) -> None:
         angles = np.radians([300, 40, 20])
-        _, angle = single_rotation(*angles)
+        _, angle = axis_angle_from_euler_angles(*angles)
         close(np.degrees(angle), 281.02, 0.005)
-        alpha, beta, gamma, _ = half_angle_sums(*angles)
+        alpha, beta, gamma, _ = quaternion_from_euler_angles(*angles)
         close(np.degrees(2 * np.arcsin(np.sqrt(alpha**2 + beta**2 + gamma**2))), 78.98, 0.005)
 
     @pytest.mark.parametrize(
@@ -177,40 +177,40 @@ class TestSingleRotation:
         ],
     )
     def test_identity(self, angles: Any) -> None:
-        axis, angle = single_rotation(*angles)
+        axis, angle = axis_angle_from_euler_angles(*angles)
         close(axis, [1, 0, 0], 0)
         assert angle in (0, 2 * np.pi)
-        close(principal_product(*angles), np.eye(4), 1e-15)
+        close(matrix_from_euler_angles(*angles), np.eye(4), 1e-15)
 
     def test_identity_among_others(self) -> None:
-        axis, angle = single_rotation([0, np.pi, 0], [0, np.pi, 1], [0, np.pi, 0])
+        axis, angle = axis_angle_from_euler_angles([0, np.pi, 0], [0, np.pi, 1], [0, np.pi, 0])
         close(axis, [[1, 0, 0], [1, 0, 0], [0, 1, 0]], 0)
         close(angle, [0, 0, 1], 1e-15)
 
     @pytest.mark.parametrize("size", [1e-300, 1e-200, 1e-20, 1e-12, 1e-8, 1e-4])
     def test_small_angles_keep_their_digits(self, size: float) -> None:
         for i in range(3):
-            axis, angle = single_rotation(*size * np.eye(3)[i])
+            axis, angle = axis_angle_from_euler_angles(*size * np.eye(3)[i])
             close(axis, np.eye(3)[i], 0)
             assert angle == pytest.approx(size, rel=1e-15)
-        axis, angle = single_rotation(size, 2 * size, -2 * size)
+        axis, angle = axis_angle_from_euler_angles(size, 2 * size, -2 * size)
         close(axis, np.array([1, 2, -2]) / 3, 2 * size + 1e-15)
         assert angle == pytest.approx(3 * size, rel=size + 1e-15)
 
     @pytest.mark.parametrize("axis", [*np.eye(3)])
     def test_half_turns(self, axis: Array) -> None:
-        found, angle = single_rotation(*np.pi * axis)
+        found, angle = axis_angle_from_euler_angles(*np.pi * axis)
         close(found, axis, 1e-15)
         close(angle, np.pi, 1e-15)
 
     @repeatable
     @given(angles, angles, angles)
     def test_laws(self, u: float, v: float, w: float) -> None:
-        axis, angle = single_rotation(u, v, w)
-        product = principal_product(u, v, w)
+        axis, angle = axis_angle_from_euler_angles(u, v, w)
+        product = matrix_from_euler_angles(u, v, w)
         close(homogeneous(rotation_matrix(axis, angle)), product, 4e-15)
         close(transform(product, axis), axis, 4e-15)
-        close(sum(x * x for x in half_angle_sums(u, v, w)), 1)
+        close(sum(x * x for x in quaternion_from_euler_angles(u, v, w)), 1)
 
 
 class TestTransforms:
@@ -322,21 +322,25 @@ class TestCompose:
 
     def test_three_principal_rotations(self) -> None:
         u, v, w = EULER[0]
-        close(compose(rotation_w(w), rotation_v(v), rotation_u(u)), principal_product(u, v, w))
+        close(
+            compose(rotation_w(w), rotation_v(v), rotation_u(u)), matrix_from_euler_angles(u, v, w)
+        )
 
 
 class TestCounts:
     angles = 0.1, 0.2, 0.3
 
     def test_as_in_the_audit(self) -> None:
-        assert count(principal_product, *self.angles) == OperationCount(16, 4, trigonometric=6)
+        assert count(matrix_from_euler_angles, *self.angles) == OperationCount(
+            16, 4, trigonometric=6
+        )
         sums = OperationCount(16, 4, divisions=3, trigonometric=6)
-        assert count(half_angle_sums, *self.angles) == sums
+        assert count(quaternion_from_euler_angles, *self.angles) == sums
         a, b = RNG.normal(size=(2, 4, 4))
         assert count(compose, a, b) == OperationCount(64, 48)
 
     def test_the_single_rotation_can_be_counted(self) -> None:
-        counted = count(single_rotation, *self.angles)
+        counted = count(axis_angle_from_euler_angles, *self.angles)
         assert counted.square_roots == 1
         assert counted.trigonometric == 7
 
@@ -348,10 +352,10 @@ class TestSinglePrecision:
             rotation_u(one),
             rotation_v(one),
             rotation_w(one),
-            principal_product(one, 2, 3),
-            *half_angle_sums(one, 2, 3),
-            *single_rotation(one, 2, 3),
-            *single_rotation(0 * one, 0, 0),
+            matrix_from_euler_angles(one, 2, 3),
+            *quaternion_from_euler_angles(one, 2, 3),
+            *axis_angle_from_euler_angles(one, 2, 3),
+            *axis_angle_from_euler_angles(0 * one, 0, 0),
             homogeneous(np.eye(3, dtype=np.float32)),
             translation(vector),
             scaling(one),
@@ -362,10 +366,14 @@ class TestSinglePrecision:
             compose(np.eye(3, dtype=np.float32), np.eye(4, dtype=np.float32)),
         ]
         assert {np.asarray(x).dtype for x in found} == {np.dtype(np.float32)}
-        assert rotation_u(1).dtype == principal_product(one, np.float64(1), 1).dtype == np.float64
+        assert (
+            rotation_u(1).dtype
+            == matrix_from_euler_angles(one, np.float64(1), 1).dtype
+            == np.float64
+        )
 
     def test_identity(self) -> None:
-        axis, angle = single_rotation(*np.full(3, np.pi, np.float32))
+        axis, angle = axis_angle_from_euler_angles(*np.full(3, np.pi, np.float32))
         close(axis, [1, 0, 0], 0)
         assert angle == 0
 
@@ -374,9 +382,9 @@ GOOD: dict[Any, dict[str, Any]] = {
     rotation_u: {"angle": 1},
     rotation_v: {"angle": 1},
     rotation_w: {"angle": 1},
-    principal_product: {"theta_u": 1, "theta_v": 1, "theta_w": 1},
-    half_angle_sums: {"theta_u": 1, "theta_v": 1, "theta_w": 1},
-    single_rotation: {"theta_u": 1, "theta_v": 1, "theta_w": 1},
+    matrix_from_euler_angles: {"theta_u": 1, "theta_v": 1, "theta_w": 1},
+    quaternion_from_euler_angles: {"theta_u": 1, "theta_v": 1, "theta_w": 1},
+    axis_angle_from_euler_angles: {"theta_u": 1, "theta_v": 1, "theta_w": 1},
     homogeneous: {"matrix": np.eye(3)},
     translation: {"v": [1, 2, 3]},
     scaling: {"s": [1, 2, 3]},
@@ -416,7 +424,7 @@ class TestRefusals:
         with pytest.raises(ValueError, match=r"^matrices\[0\] and matrices\[1\] must broadcast"):
             compose(np.ones((2, 4, 4)), np.ones((3, 3, 3)))
         with pytest.raises(ValueError, match=r"^theta_u and theta_v and theta_w must broadcast"):
-            principal_product([1, 2], [1, 2, 3], 0)
+            matrix_from_euler_angles([1, 2], [1, 2, 3], 0)
 
     def test_zeros(self) -> None:
         with pytest.raises(ValueError, match=r"^normal must not be the zero vector; got zeros$"):

@@ -17,25 +17,19 @@ from splines.quaternion import DeCasteljau, UnitQuaternion
 from symbolic import matrix, symbolic, vanishes
 
 from rotedu import interpolation
-from rotedu.cost import OperationCount, count
-from rotedu.errors import DegenerateError
-from rotedu.interpolation import (
-    angle_between,
-    arc,
-    arc_axis,
-    arc_by_rotation,
+from rotedu.arcs import angle_between, arc_axis, slerp, slerp_by_rotation
+from rotedu.closed_curve import closed_curve, de_casteljau, de_casteljau_levels
+from rotedu.control_points import (
     bisect,
     bisect_by_rotation,
-    closed_curve,
-    closed_rotation_curve,
     control_points,
-    de_casteljau,
-    de_casteljau_levels,
     double,
     double_by_rotation,
-    rotation_arc,
 )
+from rotedu.cost import OperationCount, count
+from rotedu.errors import DegenerateError
 from rotedu.ordinary_rotation import axis_angle, rotate, rotation_matrix
+from rotedu.orientations import closed_rotation_curve, slerp_rotations
 from rotedu.quaternions import Quaternion
 
 Array = np.ndarray[Any, Any]
@@ -164,11 +158,11 @@ class TestProofs:
         return (first * self.back(self.p) + second * self.back(self.q)) / sp.sin(theta)
 
     def test_arc_is_5_2(self) -> None:
-        assert vanishes(self.back(arc(self.p, self.q, symbolic(self.t))) - self.of_5_2(self.t))
-        assert not vanishes(self.back(arc(self.p, self.q, symbolic(self.t))) - self.of_5_2(0))
+        assert vanishes(self.back(slerp(self.p, self.q, symbolic(self.t))) - self.of_5_2(self.t))
+        assert not vanishes(self.back(slerp(self.p, self.q, symbolic(self.t))) - self.of_5_2(0))
 
     def test_arc_by_rotation_is_5_2(self) -> None:
-        rotated = arc_by_rotation(self.p, self.q, symbolic(self.t))
+        rotated = slerp_by_rotation(self.p, self.q, symbolic(self.t))
         assert vanishes(self.back(rotated) - self.of_5_2(self.t))
 
     def test_double_is_twice_the_arc(self) -> None:
@@ -238,37 +232,37 @@ class TestArc:
     def test_against_scipy(self, d: int) -> None:
         t = np.linspace(0, 1, 11)
         for p, q in random_units(50, 2, d):
-            close(arc(p, q, t), geometric_slerp(p, q, t))
+            close(slerp(p, q, t), geometric_slerp(p, q, t))
 
     def test_both_forms_agree(self) -> None:
         p, q = PAIRS
         for t in [0, 0.1, 0.5, 0.8, 1, 1.7, -0.6]:
-            close(arc_by_rotation(p, q, t), arc(p, q, t), 1e-13)
+            close(slerp_by_rotation(p, q, t), slerp(p, q, t), 1e-13)
 
     @pytest.mark.parametrize("d", [2, 3, 4, 7])
     def test_on_the_sphere_from_end_to_end(self, d: int) -> None:
         p, q = random_units(2, 2000, d)
-        on_the_sphere(arc(p, q, RNG.uniform(0, 1, 2000)))
-        close(arc(p, q, 0), p, 1e-15)
-        close(arc(p, q, 1), q, 1e-15)
+        on_the_sphere(slerp(p, q, RNG.uniform(0, 1, 2000)))
+        close(slerp(p, q, 0), p, 1e-15)
+        close(slerp(p, q, 1), q, 1e-15)
 
     def test_at_constant_speed(self) -> None:
         p, q = PAIRS
         t = RNG.uniform(0, 1, 500)
-        close(angle_between(p, arc(p, q, t)), t * angle_between(p, q))
-        close(angle_between(arc(p, q, t), q), (1 - t) * angle_between(p, q))
+        close(angle_between(p, slerp(p, q, t)), t * angle_between(p, q))
+        close(angle_between(slerp(p, q, t), q), (1 - t) * angle_between(p, q))
 
     def test_as_printed_where_that_is_possible(self) -> None:
         for p, q in PAIRS.swapaxes(0, 1)[:50]:
             theta = math.acos(p @ q)
             if 0.1 < theta < 3:
                 printed = (math.sin(0.7 * theta) * p + math.sin(0.3 * theta) * q) / math.sin(theta)
-                close(arc(p, q, 0.3), printed)
+                close(slerp(p, q, 0.3), printed)
 
     @pytest.mark.parametrize("theta", [1e-300, 1e-12, 1e-9, 1e-8, 1e-7, 1e-4])
     def test_nearly_coincident(self, theta: float) -> None:
         q = [np.cos(theta), np.sin(theta), 0]
-        for form in [arc, arc_by_rotation]:
+        for form in [slerp, slerp_by_rotation]:
             found = form(E1, q, [0.25, 0.5])
             np.testing.assert_allclose(
                 found[:, 1], np.sin([theta / 4, theta / 2]), rtol=1e-14, atol=1e-160
@@ -278,8 +272,8 @@ class TestArc:
     def test_coincident(self) -> None:
         p = PAIRS[0]
         for t in [0, 0.3, 1, 5]:
-            close(arc(p, p, t), p, 5e-16)
-            close(arc_by_rotation(p, p, t), p, 5e-16)
+            close(slerp(p, p, t), p, 5e-16)
+            close(slerp_by_rotation(p, p, t), p, 5e-16)
 
     @pytest.mark.parametrize("rest", [1e-2, 1e-4, 1e-6, 1e-7])
     def test_nearly_antipodal(self, rest: float) -> None:
@@ -289,7 +283,7 @@ class TestArc:
         q = -np.cos(rest) * p + np.sin(rest) * side
         t = np.linspace(0, 1, 9)[:, None]
         turn = (t * (np.pi - rest))[..., None]
-        for form in [arc, arc_by_rotation]:
+        for form in [slerp, slerp_by_rotation]:
             found = form(p, q, t)
             close(found, np.cos(turn) * p + np.sin(turn) * side, 1e-15 / rest)
             on_the_sphere(found)
@@ -299,13 +293,15 @@ class TestArc:
         close(bisect(p, q), np.cos(half) * p + np.sin(half) * side, 1e-15 / rest)
         in_a_plane_that_is_exact = [np.cos(np.pi - rest), np.sin(rest), 0]
         close(
-            arc(E1, in_a_plane_that_is_exact, 0.5), [np.sin(rest / 2), np.cos(rest / 2), 0], 1e-15
+            slerp(E1, in_a_plane_that_is_exact, 0.5), [np.sin(rest / 2), np.cos(rest / 2), 0], 1e-15
         )
 
-    @pytest.mark.parametrize("form", [arc, arc_by_rotation, bisect, bisect_by_rotation, arc_axis])
+    @pytest.mark.parametrize(
+        "form", [slerp, slerp_by_rotation, bisect, bisect_by_rotation, arc_axis]
+    )
     @pytest.mark.parametrize("rest", [0, 1e-16, 1e-12, 1e-9])
     def test_antipodal(self, form: Any, rest: float) -> None:
-        t = [0.5] if form in (arc, arc_by_rotation) else []
+        t = [0.5] if form in (slerp, slerp_by_rotation) else []
         q = [-np.cos(rest), np.sin(rest), 0]
         with pytest.raises(DegenerateError, match=r"^p and q are antipodal: no unique arc joins"):
             form(E1, q, *t)
@@ -326,17 +322,17 @@ class TestArc:
             arc_axis([E1, E2], E2)
 
     def test_beyond_the_ends_the_circle_goes_on(self) -> None:
-        close(where(arc(great_circle(10), great_circle(50), [-1, 2, 4])), [-30, 90, 170], 1e-12)
+        close(where(slerp(great_circle(10), great_circle(50), [-1, 2, 4])), [-30, 90, 170], 1e-12)
 
     def test_half_the_way_from_the_identity_by_300_degrees_is_the_short_way(self) -> None:
         q = Quaternion.from_axis_angle(E3, [0, np.radians(300)]).components
-        longer = arc(q[0], q[1], 0.5)
+        longer = slerp(q[0], q[1], 0.5)
         _, angle = Quaternion(longer[0], longer[1:]).axis_angle()
         close(np.degrees(angle), 150, 1e-12)
-        shorter = arc(q[0], -q[1], 0.5)
+        shorter = slerp(q[0], -q[1], 0.5)
         axis, angle = Quaternion(shorter[0], shorter[1:]).axis_angle()
         close(axis * np.degrees(angle), [0, 0, -30], 1e-12)
-        m = rotation_arc(np.eye(3), rotation_matrix(E3, np.radians(300)), 0.5)
+        m = slerp_rotations(np.eye(3), rotation_matrix(E3, np.radians(300)), 0.5)
         close(m, rotation_matrix(E3, np.radians(-30)))
 
 
@@ -350,7 +346,7 @@ class TestSlerpHasAMatrix:
             part = Quaternion.from_axis_angle(axis, 0.3 * angle)
             left = np.column_stack([(part * Quaternion(w, v)).components for w, *v in np.eye(4)])
             close(left.T @ left, np.eye(4))
-            close(left @ p, arc(p, q, 0.3), 1e-13)
+            close(left @ p, slerp(p, q, 0.3), 1e-13)
 
 
 class TestDouble:
@@ -361,7 +357,7 @@ class TestDouble:
         on_the_sphere(reflected, 3e-15)
         close(angle_between(q, reflected), angle_between(p, q))
         close(double(reflected, q), p)
-        close(reflected, arc(p, q, 2), 1e-13)
+        close(reflected, slerp(p, q, 2), 1e-13)
 
     def test_both_forms_agree(self) -> None:
         close(double_by_rotation(*PAIRS), double(*PAIRS), 3e-15)
@@ -389,7 +385,7 @@ class TestBisect:
         on_the_sphere(middle)
         close(angle_between(p, middle), angle_between(p, q) / 2)
         close(angle_between(middle, q), angle_between(p, q) / 2)
-        close(middle, arc(p, q, 0.5), 1e-15)
+        close(middle, slerp(p, q, 0.5), 1e-15)
         close(middle, bisect(q, p), 1e-15)
 
     def test_both_forms_agree(self) -> None:
@@ -471,10 +467,10 @@ class TestControlPoints:
         a, b = control_points(points, fraction)
         for i, (before, here) in enumerate(pairwise([points[-1], *points])):
             middle = bisect(double(before, here), points[(i + 1) % len(points)])
-            close(a[i], arc(here, middle, fraction))
+            close(a[i], slerp(here, middle, fraction))
             close(b[i], double(a[i], here))
         if fraction == 1 / 2:
-            close(a, bisect(points, arc(points, a, 2)), 1e-13)
+            close(a, bisect(points, slerp(points, a, 2)), 1e-13)
         on_the_sphere(a, 1e-15)
         on_the_sphere(b, 3e-15)
 
@@ -511,8 +507,8 @@ class TestControlPoints:
     def test_repeated_points(self) -> None:
         a, b = control_points([E1, E1, E2, E3])
         # Neighbours P, P, Q: Double is P, Bisect is half the way to Q.
-        close(a[1], arc(E1, E2, 0.25))
-        close(a[0], arc(E1, double(E3, E1), 0.25))
+        close(a[1], slerp(E1, E2, 0.25))
+        close(a[0], slerp(E1, double(E3, E1), 0.25))
         close(control_points([E1, E1, E1])[0], [E1] * 3)
         on_the_sphere(b)
 
@@ -584,12 +580,12 @@ class TestDeCasteljau:
         assert [level.shape for level in levels] == [(m, d) for m in (5, 4, 3, 2, 1)]
         close(levels[0], control, 1e-15)
         for level, following in pairwise(levels):
-            close(following, arc(level[:-1], level[1:], 0.3))
+            close(following, slerp(level[:-1], level[1:], 0.3))
         close(de_casteljau(control, 0.3), levels[-1][0], 0)
 
     def test_degrees_0_and_1(self) -> None:
         close(de_casteljau([HERE], [0.1, 0.9]), [HERE, HERE], 1e-15)
-        close(de_casteljau([E1, HERE], 0.3), arc(E1, HERE, 0.3), 0)
+        close(de_casteljau([E1, HERE], 0.3), slerp(E1, HERE, 0.3), 0)
 
     def test_ends(self) -> None:
         control = random_units(200, 4, 3)
@@ -620,7 +616,7 @@ class TestDeCasteljau:
     def test_arcs_between_points_of_arcs_are_no_longer(self) -> None:
         p, q, r = random_units(3, 20000, 3)
         u = RNG.uniform(0, 1, 20000)
-        inner = angle_between(arc(p, q, u), arc(q, r, u))
+        inner = angle_between(slerp(p, q, u), slerp(q, r, u))
         bound = (1 - u) * angle_between(p, q) + u * angle_between(q, r)
         assert (inner <= bound + 1e-14).all()
 
@@ -814,7 +810,7 @@ class TestClosedCurve:
         points = UNEVEN.copy()
         closed_curve(points)[:] = 0
         control_points(points)[0][:] = 0
-        arc(points, points, 0)[:] = 0
+        slerp(points, points, 0)[:] = 0
         close(points, UNEVEN, 0)
 
     @staticmethod
@@ -877,49 +873,49 @@ class TestOrientations:
         t = [0, 0.2, 0.7, 1]
         for r1, r2 in zip(self.R1[:50], self.R2[:50], strict=True):
             oracle = Slerp([0, 1], Rotation.from_matrix([r1, r2]))(t).as_matrix()
-            close(rotation_arc(r1, r2, t), oracle, 1e-13)
+            close(slerp_rotations(r1, r2, t), oracle, 1e-13)
 
     def test_laws(self) -> None:
         t = RNG.uniform(0, 1, 300)
-        turns = rotation_arc(self.R1, self.R2, t)
+        turns = slerp_rotations(self.R1, self.R2, t)
         close(turns.mT @ turns, np.broadcast_to(np.eye(3), turns.shape))
         close(np.linalg.det(turns), 1)
         whole = axis_angle(self.R1.mT @ self.R2)[1]
         close(axis_angle(self.R1.mT @ turns)[1], t * whole, 1e-13)
-        close(rotation_arc(self.R2, self.R1, 1 - t), turns, 1e-13)
-        close(rotation_arc(self.R1, self.R2, 0), self.R1, 1e-15)
-        close(rotation_arc(self.R1, self.R2, 1), self.R2, 4e-15)
+        close(slerp_rotations(self.R2, self.R1, 1 - t), turns, 1e-13)
+        close(slerp_rotations(self.R1, self.R2, 0), self.R1, 1e-15)
+        close(slerp_rotations(self.R1, self.R2, 1), self.R2, 4e-15)
         twice = self.R2 @ self.R1.mT @ self.R2
-        close(rotation_arc(self.R1, self.R2, 2), twice, 1e-13)
+        close(slerp_rotations(self.R1, self.R2, 2), twice, 1e-13)
 
     def test_is_slerp_of_quaternions(self) -> None:
         p, q = Quaternion.from_matrix(self.R1), Quaternion.from_matrix(self.R2)
         sign = np.sign(np.sum(p.components * q.components, axis=-1))
-        components = arc(p.components, sign[:, None] * q.components, 0.3)
-        slerp = Quaternion(components[:, 0], components[:, 1:]).matrix()
-        close(rotation_arc(self.R1, self.R2, 0.3), slerp, 1e-13)
+        components = slerp(p.components, sign[:, None] * q.components, 0.3)
+        by_quaternions = Quaternion(components[:, 0], components[:, 1:]).matrix()
+        close(slerp_rotations(self.R1, self.R2, 0.3), by_quaternions, 1e-13)
 
     @pytest.mark.parametrize("rest", [1e-2, 1e-6, 1e-9, 1e-12])
     def test_nearly_half_a_turn(self, rest: float) -> None:
         r1, axis = self.R1[0], np.array([2, 3, 6]) / 7
         r2 = r1 @ rotation_matrix(axis, np.pi - rest)
         expected = r1 @ rotation_matrix(axis, (np.pi - rest) / 4)
-        close(rotation_arc(r1, r2, 0.25), expected)
+        close(slerp_rotations(r1, r2, 0.25), expected)
 
     def test_half_a_turn(self) -> None:
         with pytest.raises(DegenerateError, match=r"^r1 and r2 are half a turn apart: no unique"):
-            rotation_arc(np.eye(3), np.diag([1, -1, -1]), 0.5)
+            slerp_rotations(np.eye(3), np.diag([1, -1, -1]), 0.5)
         turned = self.R1 @ rotation_matrix(random_units(300, 3), np.pi)
         for r1, r2 in zip(self.R1, turned, strict=True):
             with pytest.raises(DegenerateError):
-                rotation_arc(r1, r2, 0.5)
+                slerp_rotations(r1, r2, 0.5)
         with pytest.raises(DegenerateError):
-            rotation_arc(np.eye(3), rotation_matrix([1, 2, 2], np.pi - 5e-15), 0.5)
+            slerp_rotations(np.eye(3), rotation_matrix([1, 2, 2], np.pi - 5e-15), 0.5)
         with pytest.raises(DegenerateError, match=r"^r1 and r2 at index \(1,\) are half a turn"):
-            rotation_arc(np.eye(3), [np.eye(3), np.diag([-1, -1, 1])], 0.5)
+            slerp_rotations(np.eye(3), [np.eye(3), np.diag([-1, -1, 1])], 0.5)
 
     def test_no_turn(self) -> None:
-        close(rotation_arc(self.R1, self.R1, 0.3), self.R1, 3e-15)
+        close(slerp_rotations(self.R1, self.R1, 0.3), self.R1, 3e-15)
 
     @pytest.mark.parametrize(("theta", "dtype"), LENGTHS_AND_DTYPES)
     def test_closed_curve_with_turns_of_any_size(self, theta: float, dtype: Any) -> None:
@@ -952,14 +948,14 @@ class TestOrientations:
         for seed in range(12):
             here = Rotation.random(6, rng=np.random.default_rng(seed)).as_matrix()
             before, after = np.roll(here, 1, axis=0), np.roll(here, -1, axis=0)
-            middle = rotation_arc(here @ before.mT @ here, after, 0.5)
-            a = rotation_arc(here, middle, fraction)
+            middle = slerp_rotations(here @ before.mT @ here, after, 0.5)
+            a = slerp_rotations(here, middle, fraction)
             b = here @ a.mT @ here
             row = [here, a, np.roll(b, -1, axis=0), after]
             longest += [axis_angle(p.mT @ q)[1] for p, q in pairwise(row)]
             row = [control[:, None] for control in row]
             while len(row) > 1:
-                row = [rotation_arc(p, q, u) for p, q in pairwise(row)]
+                row = [slerp_rotations(p, q, u) for p, q in pairwise(row)]
             close(closed_rotation_curve(here, 10, fraction), row[0].reshape(60, 3, 3), 1e-13)
         assert np.max(longest) > 3
 
@@ -1069,7 +1065,7 @@ class TestAgainstSplines:
 class TestCounts:
     def test_of_the_code(self) -> None:
         assert count(double, E1, HERE) == OperationCount(7, 5)
-        plain, turned = count(arc, E1, HERE, 0.3), count(arc_by_rotation, E1, HERE, 0.3)
+        plain, turned = count(slerp, E1, HERE, 0.3), count(slerp_by_rotation, E1, HERE, 0.3)
         assert plain.multiplications < turned.multiplications
         assert plain.additions < turned.additions
 
@@ -1116,20 +1112,20 @@ class TestShapes:
     def test_broadcasting_is_a_loop(self, p: Any, q: Any, t: Any, expected: Any) -> None:
         p, q, t = RNG.normal(size=p), RNG.normal(size=q), RNG.uniform(size=t)
         pairs = np.broadcast_shapes(p.shape, q.shape)
-        for f in [arc, arc_by_rotation]:
+        for f in [slerp, slerp_by_rotation]:
             assert f(p, q, t).shape == expected
         for f in [double, double_by_rotation, bisect, bisect_by_rotation, arc_axis]:
             assert f(p, q).shape == pairs
         assert angle_between(p, q).shape == pairs[:-1]
-        results = arc(p, q, t), arc_by_rotation(p, q, t)
+        results = slerp(p, q, t), slerp_by_rotation(p, q, t)
         p, q = np.broadcast_to(p, expected), np.broadcast_to(q, expected)
         t = np.broadcast_to(t, expected[:-1])
         for i in np.ndindex(expected[:-1]):
-            for f, found in zip([arc, arc_by_rotation], results, strict=True):
+            for f, found in zip([slerp, slerp_by_rotation], results, strict=True):
                 close(found[i], f(p[i], q[i], t[i]), 1e-15)
 
     def test_sequences_and_integers(self) -> None:
-        close(arc((1, 0, 0), np.array([0, 5, 0]), 1), E2, 1e-15)
+        close(slerp((1, 0, 0), np.array([0, 5, 0]), 1), E2, 1e-15)
         close(closed_curve(np.eye(3, dtype=int), 5), closed_curve(np.eye(3), 5), 0)
 
 
@@ -1141,10 +1137,10 @@ class TestSinglePrecision:
         found = [
             angle_between(p, q),
             arc_axis(p, q),
-            arc(p, q, 0.3),
-            arc(p, [1, 2, 3], np.float32(0.3)),
-            arc_by_rotation(p, q, 0.3),
-            arc_by_rotation(p, p, 0.3),
+            slerp(p, q, 0.3),
+            slerp(p, [1, 2, 3], np.float32(0.3)),
+            slerp_by_rotation(p, q, 0.3),
+            slerp_by_rotation(p, p, 0.3),
             double(p, q),
             double_by_rotation(p, q),
             bisect(p, q),
@@ -1153,11 +1149,11 @@ class TestSinglePrecision:
             de_casteljau(self.points, 0.3),
             *de_casteljau_levels(self.points, [0.3, 0.4]),
             closed_curve(self.points),
-            rotation_arc(np.eye(3, dtype=np.float32), np.eye(3, dtype=np.float32), 0.3),
+            slerp_rotations(np.eye(3, dtype=np.float32), np.eye(3, dtype=np.float32), 0.3),
             closed_rotation_curve(rotation_matrix(E3, [0, 1, 2]).astype(np.float32)),
         ]
         assert {x.dtype for x in found} == {np.dtype(np.float32)}
-        assert arc(p, q, np.float64(0.3)).dtype == arc(p, E1, 0.3).dtype == np.float64
+        assert slerp(p, q, np.float64(0.3)).dtype == slerp(p, E1, 0.3).dtype == np.float64
 
     def test_is_right_to_its_digits(self) -> None:
         close(closed_curve(self.points), closed_curve(UNEVEN), 2e-6)
@@ -1170,8 +1166,8 @@ class TestSinglePrecision:
     def test_antipodal_to_half_of_its_digits(self) -> None:
         p, q = np.float32([[1, 0, 0], [-1, 1e-4, 0]])
         with pytest.raises(DegenerateError):
-            arc(p, q, 0.5)
-        arc(p.astype(float), q, 0.5)
+            slerp(p, q, 0.5)
+        slerp(p.astype(float), q, 0.5)
 
 
 POINTS_OF = [
@@ -1180,11 +1176,11 @@ POINTS_OF = [
     for name in ("p", "q")
 ]
 GOOD: dict[Any, dict[str, Any]] = {f: {"p": E1, "q": E2} for f, _ in POINTS_OF}
-GOOD |= {f: {"p": E1, "q": E2, "t": 0.5} for f in (arc, arc_by_rotation)}
+GOOD |= {f: {"p": E1, "q": E2, "t": 0.5} for f in (slerp, slerp_by_rotation)}
 GOOD |= {control_points: {"points": np.eye(3), "fraction": 0.5}}
 GOOD |= {closed_curve: {"points": np.eye(3), "fraction": 0.5}}
 GOOD |= {f: {"control": np.eye(3), "u": 0.5} for f in (de_casteljau, de_casteljau_levels)}
-GOOD |= {rotation_arc: {"r1": np.eye(3), "r2": np.eye(3), "t": 0.5}}
+GOOD |= {slerp_rotations: {"r1": np.eye(3), "r2": np.eye(3), "t": 0.5}}
 GOOD |= {closed_rotation_curve: {"rotations": np.stack([np.eye(3)] * 3), "fraction": 0.5}}
 ARGUMENTS = [(f, name) for f, arguments in GOOD.items() for name in arguments]
 VECTORS = [(f, name) for f, name in ARGUMENTS if name in ("p", "q", "points", "control")]
@@ -1216,7 +1212,7 @@ class TestRefusals:
         with pytest.raises(ValueError, match=r"^points must not be the zero vector"):
             closed_curve(np.empty((3, 0)))
 
-    @pytest.mark.parametrize("f", [angle_between, arc, double, bisect])
+    @pytest.mark.parametrize("f", [angle_between, slerp, double, bisect])
     def test_different_dimensions(self, f: Any) -> None:
         match = r"^q must have shape \(..., 3\); got shape \(2,\)$"
         with pytest.raises(ValueError, match=match):
@@ -1225,7 +1221,7 @@ class TestRefusals:
             f(**GOOD[f] | {"p": 1})
 
     @pytest.mark.parametrize(
-        "f", [arc_axis, arc_by_rotation, double_by_rotation, bisect_by_rotation]
+        "f", [arc_axis, slerp_by_rotation, double_by_rotation, bisect_by_rotation]
     )
     def test_axes_need_three_dimensions(self, f: Any) -> None:
         with pytest.raises(ValueError, match=r"^p must have shape \(..., 3\); got shape \(4,\)$"):
@@ -1233,7 +1229,7 @@ class TestRefusals:
 
     def test_shapes_that_do_not_broadcast(self) -> None:
         with pytest.raises(ValueError, match=r"^p and q and t must broadcast over"):
-            arc(PAIRS[0, :4], PAIRS[1, :5], 0.5)
+            slerp(PAIRS[0, :4], PAIRS[1, :5], 0.5)
         with pytest.raises(ValueError, match=r"^control and u must broadcast over"):
             de_casteljau(random_units(5, 4, 3), [0.1, 0.2])
 
@@ -1257,13 +1253,13 @@ class TestRefusals:
         with pytest.raises(ValueError, match=r"^rotations must have shape \(..., n, 3, 3\); got"):
             closed_rotation_curve(np.eye(3))
         with pytest.raises(ValueError, match=r"^r1 must have shape \(..., 3, 3\); got"):
-            rotation_arc(np.eye(4), np.eye(3), 0)
+            slerp_rotations(np.eye(4), np.eye(3), 0)
 
     def test_not_rotations(self) -> None:
         with pytest.raises(ValueError, match=r"^r1 must be a rotation: "):
-            rotation_arc(2 * np.eye(3), np.eye(3), 0)
+            slerp_rotations(2 * np.eye(3), np.eye(3), 0)
         with pytest.raises(ValueError, match=r"^r2 must be a rotation: .* it reflects$"):
-            rotation_arc(np.eye(3), -np.eye(3), 0)
+            slerp_rotations(np.eye(3), -np.eye(3), 0)
         with pytest.raises(ValueError, match=r"^rotations must be a rotation: .* at index \(1,\)$"):
             closed_rotation_curve([np.eye(3), 2 * np.eye(3), np.eye(3)])
 

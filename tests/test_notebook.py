@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from rotedu.notebook import agree, source
+from rotedu.edition.notebook import agree, source
 from rotedu.ordinary_rotation import rotate
 
 

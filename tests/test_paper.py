@@ -13,8 +13,9 @@ from typing import Any
 import nbformat
 import pytest
 
-from rotedu import paper, scenes
-from rotedu.paper import EQUATIONS, ERRATA, FIGURES, Equation, Erratum, Figure
+from rotedu import scenes
+from rotedu.edition import paper
+from rotedu.edition.paper import EQUATIONS, ERRATA, FIGURES, Equation, Erratum, Figure
 
 ROOT = Path(__file__).parents[1]
 NUMBERED = {2: 6, 3: 3, 4: 7, 5: 15}

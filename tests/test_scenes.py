@@ -5,8 +5,9 @@ import pytest
 import pyvista
 
 from rotedu import scenes
-from rotedu.book_backend import scene_labels
-from rotedu.interpolation import angle_between, bisect, control_points, double
+from rotedu.arcs import angle_between
+from rotedu.control_points import bisect, control_points, double
+from rotedu.figures.backend import scene_labels
 from rotedu.ordinary_rotation import rotate
 
 SCENES = [

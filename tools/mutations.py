@@ -404,13 +404,13 @@ MUTATIONS: dict[str, list[tuple[str, str, str]]] = {
         ),
         (
             "pseudocode",
-            "arc(points[:, :-1], points[:, 1:], u)",
-            "arc(points[:, 1:], points[:, :-1], u)",
+            "slerp(points[:, :-1], points[:, 1:], u)",
+            "slerp(points[:, 1:], points[:, :-1], u)",
         ),
         (
             "pseudocode",
-            "arc(points[:, :-1], points[:, 1:], u)",
-            "arc(points[:, :-1], points[:, -1:], u)",
+            "slerp(points[:, :-1], points[:, 1:], u)",
+            "slerp(points[:, :-1], points[:, -1:], u)",
         ),
         ("pseudocode", "while points.shape[1] > 1:", "while points.shape[1] > 2:"),
         (

@@ -60,7 +60,16 @@ def serve_katex(app: Sphinx, config: Config) -> None:
     katex.STARTUP_TIMEOUT = katex.RENDER_TIMEOUT = 60
     if hasattr(socket, "AF_UNIX"):
         katex.KaTeXServer.start_server_process = start_katex
-    katex.KATEX_DEFAULT_OPTIONS.update(throwOnError=True, strict="error")
+    katex.KATEX_DEFAULT_OPTIONS.update(
+        throwOnError=True,
+        strict="error",
+        macros={
+            "\\vector": "\\textcolor{0072b2}{#1}",
+            "\\axis": "\\textcolor{d55e00}{#1}",
+            "\\result": "\\textcolor{009e73}{#1}",
+            "\\cross": "\\textcolor{b65f92}{#1}",
+        },
+    )
 
 
 def start_katex(rundir: Path, timeout: float) -> tuple[subprocess.Popen[bytes], socket.socket]:

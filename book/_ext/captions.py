@@ -13,7 +13,7 @@ from sphinx.transforms import SphinxTransform
 from sphinx.transforms.post_transforms import SphinxPostTransform
 from sphinx.util.nodes import NodeMatcher
 
-from rotedu.book_pages import scene
+from rotedu.figures.pages import scene
 
 BEGINNING = re.compile(r"(Figure [\w-]+)\.")
 

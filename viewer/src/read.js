@@ -4,7 +4,7 @@ import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 import { dress } from "./looks.js";
 
 /**
- * @param {ArrayBuffer} file binary glTF as `rotedu.book_gltf` writes it
+ * @param {ArrayBuffer} file binary glTF as `rotedu.figures.gltf` writes it
  * @returns the objects to draw, the surfaces that hide labels, the sphere around everything, the
  *   coordinates of all points, the camera of the poster
  */

@@ -62,7 +62,7 @@ def scene_gltf(plotter: pyvista.Plotter) -> bytes:
         materials.append(_material(actor))
     camera, camera_node = _camera(plotter)
     document = {
-        "asset": {"version": "2.0", "generator": "rotedu.book_gltf"},
+        "asset": {"version": "2.0", "generator": "rotedu.figures.gltf"},
         "extensionsUsed": ["KHR_materials_unlit", "KHR_mesh_quantization"],
         "extensionsRequired": ["KHR_mesh_quantization"],
         "scene": 0,

@@ -9,7 +9,7 @@ import re
 from dataclasses import dataclass
 from typing import Literal
 
-from rotedu.notebook import Table
+from rotedu.edition.notebook import Table
 
 __all__ = [
     "EQUATIONS",
@@ -196,7 +196,7 @@ EQUATIONS = (
     Equation(
         "4-1",
         "three principal rotations, one after the other",
-        ("general_rotation.compose", "general_rotation.principal_product"),
+        ("general_rotation.compose", "general_rotation.matrix_from_euler_angles"),
         _general("TestCompose::test_three_principal_rotations"),
         "convention",
         "U first, then V, then W; the axes stay where they are",
@@ -204,14 +204,14 @@ EQUATIONS = (
     Equation(
         "4-2",
         "their product, multiplied out",
-        ("general_rotation.principal_product",),
+        ("general_rotation.matrix_from_euler_angles",),
         _general("TestProofs::test_4_2_is_4_1_multiplied_out"),
         "as printed",
     ),
     Equation(
         "4-3",
         "the axis of the one rotation that replaces the three",
-        ("general_rotation.single_rotation",),
+        ("general_rotation.axis_angle_from_euler_angles",),
         _general("TestSingleRotation::test_identity"),
         "convention",
         "0/0 where nothing turns; there the code returns the U axis",
@@ -219,14 +219,14 @@ EQUATIONS = (
     Equation(
         "4-4",
         "the numbers $\\alpha,\\beta,\\gamma$ from half angles",
-        ("general_rotation.half_angle_sums",),
+        ("general_rotation.quaternion_from_euler_angles",),
         _general("TestProofs::test_4_4_and_4_6_are_the_product_of_three_quaternions"),
         "as printed",
     ),
     Equation(
         "4-5",
         "the sine of half its angle",
-        ("general_rotation.single_rotation",),
+        ("general_rotation.axis_angle_from_euler_angles",),
         _general("TestSingleRotation::test_the_sine_alone_would_not_do"),
         "convention",
         "gives the angle only together with (4-6)",
@@ -234,7 +234,7 @@ EQUATIONS = (
     Equation(
         "4-6",
         "the cosine of half its angle",
-        ("general_rotation.half_angle_sums",),
+        ("general_rotation.quaternion_from_euler_angles",),
         _general("TestProofs::test_4_4_and_4_6_are_the_product_of_three_quaternions"),
         "as printed",
     ),
@@ -249,7 +249,7 @@ EQUATIONS = (
     Equation(
         "5-1",
         "the axis of the arc between two points",
-        ("interpolation.arc_axis",),
+        ("arcs.arc_axis",),
         _curves("TestAxis::test_is_perpendicular_and_right_handed"),
         "convention",
         "for ${0<\\theta<\\pi}$",
@@ -257,7 +257,7 @@ EQUATIONS = (
     Equation(
         "5-2",
         "a point of the arc from sines (slerp)",
-        ("interpolation.arc",),
+        ("arcs.slerp",),
         _curves("TestProofs::test_arc_is_5_2"),
         "convention",
         "0/0 where the ends coincide; the code uses an equal form that is not",
@@ -265,7 +265,7 @@ EQUATIONS = (
     Equation(
         "5-3",
         "a point of the arc by rotation",
-        ("interpolation.arc_by_rotation",),
+        ("arcs.slerp_by_rotation",),
         _curves("TestProofs::test_arc_by_rotation_is_5_2"),
         "as printed",
         "the text around it: E7, E9",
@@ -273,7 +273,7 @@ EQUATIONS = (
     Equation(
         "5-4",
         "Double: a point reflected in the next",
-        ("interpolation.double",),
+        ("control_points.double",),
         _curves("TestDouble::test_reflects"),
         "as printed",
         "the text around it: E11",
@@ -281,7 +281,7 @@ EQUATIONS = (
     Equation(
         "5-5",
         "Double by rotation",
-        ("interpolation.double_by_rotation",),
+        ("control_points.double_by_rotation",),
         _curves("TestSteps::test_5_4_and_5_5"),
         "as printed",
         "the text around it: E9",
@@ -289,7 +289,7 @@ EQUATIONS = (
     Equation(
         "5-6",
         "the axis of (5-5)",
-        ("interpolation.arc_axis",),
+        ("arcs.arc_axis",),
         _curves("TestSteps::test_5_4_and_5_5"),
         "convention",
         "for ${0<\\theta_{i-1}<\\pi}$; (5-9) uses the same letter for another axis",
@@ -297,7 +297,7 @@ EQUATIONS = (
     Equation(
         "5-7",
         "Bisect: midway to the next point",
-        ("interpolation.bisect",),
+        ("control_points.bisect",),
         _curves("TestSteps::test_bars_that_are_lost_would_be_noticed"),
         "corrected",
         "a bar lost in the denominators: [glitch](#likely-glitches)",
@@ -305,7 +305,7 @@ EQUATIONS = (
     Equation(
         "5-8",
         "Bisect by rotation",
-        ("interpolation.bisect_by_rotation",),
+        ("control_points.bisect_by_rotation",),
         _curves("TestSteps::test_5_7_to_5_9"),
         "as printed",
         "once its axis (5-9) is corrected; the text around it: E9",
@@ -313,7 +313,7 @@ EQUATIONS = (
     Equation(
         "5-9",
         "the axis of (5-8)",
-        ("interpolation.arc_axis",),
+        ("arcs.arc_axis",),
         _curves("TestSteps::test_5_9_as_printed_turns_away_from_the_next_point"),
         "corrected",
         "E2; also a bar lost: [glitch](#likely-glitches)",
@@ -321,7 +321,7 @@ EQUATIONS = (
     Equation(
         "5-10",
         "the control point $a_i$",
-        ("interpolation.bisect", "interpolation.control_points"),
+        ("control_points.bisect", "control_points.control_points"),
         _curves("TestSteps::test_bars_that_are_lost_would_be_noticed"),
         "corrected",
         "a bar lost in the denominators: [glitch](#likely-glitches)",
@@ -329,7 +329,7 @@ EQUATIONS = (
     Equation(
         "5-11",
         "$a_i$ by rotation",
-        ("interpolation.bisect_by_rotation",),
+        ("control_points.bisect_by_rotation",),
         _curves("TestSteps::test_5_10_to_5_12"),
         "as printed",
         "the text around it: E9",
@@ -337,7 +337,7 @@ EQUATIONS = (
     Equation(
         "5-12",
         "the axis of (5-11)",
-        ("interpolation.arc_axis",),
+        ("arcs.arc_axis",),
         _curves("TestSteps::test_5_10_to_5_12"),
         "corrected",
         "a bar lost in the denominator: [glitch](#likely-glitches)",
@@ -345,7 +345,7 @@ EQUATIONS = (
     Equation(
         "5-13",
         "the control point $b_i$",
-        ("interpolation.double", "interpolation.control_points"),
+        ("control_points.double", "control_points.control_points"),
         _curves("TestSteps::test_5_13_to_5_15"),
         "corrected",
         "E3",
@@ -353,7 +353,7 @@ EQUATIONS = (
     Equation(
         "5-14",
         "$b_i$ by rotation",
-        ("interpolation.double_by_rotation",),
+        ("control_points.double_by_rotation",),
         _curves("TestSteps::test_5_13_to_5_15"),
         "as printed",
         "the text around it: E9",
@@ -361,7 +361,7 @@ EQUATIONS = (
     Equation(
         "5-15",
         "the axis of (5-14)",
-        ("interpolation.arc_axis",),
+        ("arcs.arc_axis",),
         _curves("TestSteps::test_5_13_to_5_15"),
         "as printed",
         "the same vector as (5-12)",

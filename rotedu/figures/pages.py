@@ -1,4 +1,4 @@
-"""The Sphinx side of `rotedu.book_backend`: the output of a scene becomes part of a page.
+"""The Sphinx side of `rotedu.figures.backend`: the output of a scene becomes part of a page.
 
 A scene is a box with the shape of its picture. In it lie the poster and, over the poster,
 one element a label, placed in per cent of the box so that it stays where it belongs at any
@@ -19,7 +19,7 @@ from PIL import Image
 from sphinx import addnodes
 from sphinx.application import Sphinx
 
-from rotedu.book_backend import MIME_TYPE
+from rotedu.figures.backend import MIME_TYPE
 
 NO_SCRIPT = "This figure can be turned where JavaScript is on."
 

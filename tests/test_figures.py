@@ -19,8 +19,8 @@ sys.path.insert(0, str(Path(__file__).parent))
 from demanding import EYE, SIZE, TARGET, UP, VIEW_ANGLE, add_label, demanding_scene, new_plotter
 
 from rotedu import scenes
-from rotedu.book_backend import MIME_TYPE, POSTER_SCALE, book_figure, describe, scene_labels
-from rotedu.book_gltf import scene_gltf
+from rotedu.figures.backend import MIME_TYPE, POSTER_SCALE, book_figure, describe, scene_labels
+from rotedu.figures.gltf import scene_gltf
 
 TYPES = {5120: np.int8, 5123: np.uint16, 5125: np.uint32, 5126: np.float32}
 COMPONENTS = {"SCALAR": 1, "VEC3": 3, "VEC4": 4}

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Literal
 
-from rotedu.notebook import Table
+from rotedu.edition.notebook import Table
 
 __all__ = ["CLAIMS", "Claim", "claim_table"]
 
@@ -26,9 +26,10 @@ CHAPTERS = {
     "02-quaternions": "Chapter\N{NO-BREAK SPACE}2",
     "03-ordinary-rotation": "Chapter\N{NO-BREAK SPACE}3",
     "04-general-rotation": "Chapter\N{NO-BREAK SPACE}4",
-    "05-interpolation": "Chapter\N{NO-BREAK SPACE}5, arcs",
+    "05-arcs": "Chapter\N{NO-BREAK SPACE}5, arcs",
     "05-control-points": "Chapter\N{NO-BREAK SPACE}5, control points",
     "05-closed-curve": "Chapter\N{NO-BREAK SPACE}5, closed curve",
+    "05-orientations": "Chapter\N{NO-BREAK SPACE}5, orientations",
     "06-conclusions": "Chapter\N{NO-BREAK SPACE}6",
 }
 
@@ -139,14 +140,14 @@ CLAIMS = (
         "(5-2) and (5-3) give any point of an arc",
         ("5",),
         "holds",
-        "05-interpolation",
+        "05-arcs",
     ),
     Claim(
         12,
         "Slerp has no form as a matrix times a vector",
         ("5",),
         "does not hold",
-        "05-interpolation",
+        "05-arcs",
     ),
     Claim(
         13,
@@ -160,7 +161,7 @@ CLAIMS = (
         "So interpolating rotations needs none",
         ("abstract", "5", "6"),
         "does not follow",
-        "05-closed-curve",
+        "05-orientations",
     ),
     Claim(
         15,
@@ -230,7 +231,7 @@ CLAIMS = (
         "The construction is tied to points of $S^2$",
         ("not claimed",),
         "does not hold",
-        "05-closed-curve",
+        "05-orientations",
     ),
     Claim(
         25,

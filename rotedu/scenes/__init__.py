@@ -16,28 +16,20 @@ import numpy as np
 import pyvista
 from numpy.typing import ArrayLike, NDArray
 
-from rotedu.book_backend import describe
+from rotedu.arcs import angle_between, arc_axis, slerp
+from rotedu.closed_curve import closed_curve, de_casteljau, de_casteljau_levels
+from rotedu.control_points import bisect, control_points, double
+from rotedu.figures.backend import describe
 from rotedu.general_rotation import (
+    axis_angle_from_euler_angles,
     perspective,
     rotation_v,
     scaling,
     shearing,
-    single_rotation,
     translation,
 )
-from rotedu.interpolation import (
-    angle_between,
-    arc,
-    arc_axis,
-    bisect,
-    closed_curve,
-    closed_rotation_curve,
-    control_points,
-    de_casteljau,
-    de_casteljau_levels,
-    double,
-)
 from rotedu.ordinary_rotation import rotate, rotation_matrix, transform
+from rotedu.orientations import closed_rotation_curve
 from rotedu.quaternions import Quaternion
 
 VECTOR = "#0072b2"
@@ -513,7 +505,7 @@ def add_arc(
     plotter: pyvista.Plotter, start: ArrayLike, end: ArrayLike, color: str, radius: float = 0.006
 ) -> None:
     """Add the shortest arc of the unit sphere from one point to another."""
-    add_line(plotter, arc(start, end, np.linspace(0, 1, 17)), color, radius)
+    add_line(plotter, slerp(start, end, np.linspace(0, 1, 17)), color, radius)
 
 
 def figure_8(points: ArrayLike = FIGURE_8, fraction: float = 1 / 2) -> pyvista.Plotter:
@@ -868,7 +860,7 @@ def one_for_three(
     """
     theta = np.asarray(angles, float)
     start = here = np.asarray(vector, float) / np.linalg.norm(vector)
-    a, angle = single_rotation(*theta)
+    a, angle = axis_angle_from_euler_angles(*theta)
 
     plotter = new_scene(eye=(5.5, 2.3, 1.7), target=(0.0, 0.1, 0.17))
     add_sphere(plotter)
@@ -1030,7 +1022,7 @@ def add_angle(
     place: float = 0.64,
 ) -> None:
     """Mark and name the angle at the origin between two directions."""
-    rim = size * arc(start, end, np.linspace(0, 1, 25))
+    rim = size * slerp(start, end, np.linspace(0, 1, 25))
     plotter.add_mesh(fan(ORIGIN, rim), color=NEUTRAL, opacity=0.35, lighting=False, pickable=False)
     for direction in (start, end):
         add_line(plotter, [ORIGIN, np.asarray(direction, float)], NEUTRAL, radius=0.004)
@@ -1088,7 +1080,7 @@ def figure_2(
         The scene.
     """
     first, second = (np.asarray(v, float) / np.linalg.norm(v) for v in (v1, v2))
-    n, point = arc_axis(first, second), arc(first, second, t)
+    n, point = arc_axis(first, second), slerp(first, second, t)
     angle = float(np.degrees(angle_between(first, second)))
 
     plotter = new_scene(eye=(4.5, 2.3, 2.9), target=(0, 0, 0.16))
@@ -1328,7 +1320,7 @@ def astray(points: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np
     """Compute all a_i and b_i of unit vectors with the axis of (5-9) as printed."""
     reflected = double(np.roll(points, 1, axis=0), points)
     # About the reversed axis, half of the angle leads away from the next point.
-    a = bisect(points, arc(reflected, np.roll(points, -1, axis=0), -0.5))
+    a = bisect(points, slerp(reflected, np.roll(points, -1, axis=0), -0.5))
     return a, double(a, points)
 
 

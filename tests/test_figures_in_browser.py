@@ -20,7 +20,7 @@ from PIL import Image
 sys.path.insert(0, str(Path(__file__).parent))
 from demanding import demanding_scene, scene_of_all_looks
 
-from rotedu.book_backend import MIME_TYPE, book_figure
+from rotedu.figures.backend import MIME_TYPE, book_figure
 
 ROOT = Path(__file__).parents[1]
 AXE = ROOT / "node_modules" / "axe-core" / "axe.min.js"
@@ -109,7 +109,7 @@ class Strict(SimpleHTTPRequestHandler):
 
 
 def markup(figure: Any, name: str) -> str:
-    """A scene as rotedu.book_pages writes it."""
+    """A scene as rotedu.figures.pages writes it."""
     scene = figure._repr_mimebundle_()[MIME_TYPE]
     width, height = scene["width"], scene["height"]
     labels = "".join(

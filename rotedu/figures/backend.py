@@ -12,11 +12,11 @@ How another book would use it
 -----------------------------
 1. Install the package next to `pyvista` and `myst_nb`. Two entry points announce it:
    the group ``pyvista.jupyter_backends`` brings the backend ``book`` (`book_figure`),
-   the group ``myst_nb.mime_renderers`` brings `rotedu.book_pages.SceneRenderer`.
+   the group ``myst_nb.mime_renderers`` brings `rotedu.figures.pages.SceneRenderer`.
 2. Bundle the viewer once, with Node: ``npm install three esbuild``, then ``node
    viewer/build.js <folder>``; the folder is one of Sphinx's ``html_static_path``. All files
    come from the book's own host, and no script is inline.
-3. Add ``rotedu.book_pages`` to the Sphinx extensions (in Jupyter Book:
+3. Add ``rotedu.figures.pages`` to the Sphinx extensions (in Jupyter Book:
    ``sphinx: extra_extensions``). While Sphinx runs, notebooks then use the backend
    ``book``; anywhere else they keep the one they would have had. Pages with scenes load
    ``scene/scene.css`` and ``scene/loader.js``; the viewer follows when a scene comes near.
@@ -46,7 +46,7 @@ from IPython import get_ipython
 from PIL import Image
 from vtkmodules.vtkRenderingLabel import vtkPointSetToLabelHierarchy
 
-from rotedu.book_gltf import scene_gltf, surface_of
+from rotedu.figures.gltf import scene_gltf, surface_of
 
 MIME_TYPE = "application/vnd.pyvista.scene+json"
 POSTER_SCALE = 2
@@ -136,7 +136,7 @@ def book_figure(plotter: pyvista.Plotter, **_: object) -> BookFigure:
     if alt is None:
         raise ValueError(
             "plotter: expected a scene with an alternative text, got one without;"
-            " call rotedu.book_backend.describe(plotter, ...) before show()"
+            " call rotedu.figures.backend.describe(plotter, ...) before show()"
         )
     width, height = plotter.window_size
     labels = scene_labels(plotter)

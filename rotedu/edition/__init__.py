@@ -1,0 +1,1 @@
+"""What this edition says about the paper, and what its notebooks need to say it."""

@@ -7,9 +7,9 @@ seen on white as well as on black, so a scene needs no background of its own.
 
 __all__ = ["AXIS", "CROSS", "NEUTRAL", "RESULT", "VECTOR", "WRONG"]
 
-VECTOR = "#0072b2"  # what is turned, or given
-AXIS = "#d55e00"  # what it is turned about
-RESULT = "#009e73"  # what comes of it
-CROSS = "#b65f92"  # what helps on the way to the result, or is compared with it
-NEUTRAL = "#7d858d"  # what only helps to see
-WRONG = "#cc002a"  # what an error makes of the result
+VECTOR = "#0072b2"  #: what is turned, or given
+AXIS = "#d55e00"  #: what it is turned about
+RESULT = "#009e73"  #: what comes of it
+CROSS = "#b65f92"  #: what helps on the way to the result, or is compared with it
+NEUTRAL = "#7d858d"  #: what only helps to see
+WRONG = "#cc002a"  #: what an error makes of the result

@@ -6,7 +6,7 @@ from numpy.typing import ArrayLike
 
 from rotedu.arcs import angle_between, arc_axis, slerp
 from rotedu.colors import NEUTRAL, RESULT, VECTOR
-from rotedu.figures.backend import describe
+from rotedu.figures import describe
 from rotedu.scenes.parts import (
     ORIGIN,
     add_angle,

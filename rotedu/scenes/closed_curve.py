@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 from rotedu.closed_curve import closed_curve, de_casteljau, de_casteljau_levels
 from rotedu.colors import CROSS, NEUTRAL, RESULT, VECTOR
 from rotedu.control_points import control_points
-from rotedu.figures.backend import describe
+from rotedu.figures import describe
 from rotedu.scenes.parts import add_arc, add_label, add_line, add_point, add_sphere, new_scene
 
 # Uneven gaps, one of them beyond 90 degrees, and on the side of the camera.

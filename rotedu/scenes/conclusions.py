@@ -5,7 +5,7 @@ import pyvista
 from numpy.typing import NDArray
 
 from rotedu.colors import RESULT, VECTOR
-from rotedu.figures.backend import describe
+from rotedu.figures import describe
 from rotedu.ordinary_rotation import transform
 from rotedu.quaternions import Quaternion
 from rotedu.scenes.parts import ORIGIN, add_label, add_line, new_scene, teaspoon

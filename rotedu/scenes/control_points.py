@@ -8,7 +8,7 @@ from rotedu.arcs import arc_axis, slerp
 from rotedu.closed_curve import closed_curve, de_casteljau
 from rotedu.colors import CROSS, RESULT, VECTOR
 from rotedu.control_points import bisect, double
-from rotedu.figures.backend import describe
+from rotedu.figures import describe
 from rotedu.scenes.parts import (
     ORIGIN,
     add_angle,

@@ -5,7 +5,7 @@ import pyvista
 from numpy.typing import ArrayLike
 
 from rotedu.colors import NEUTRAL, RESULT, VECTOR
-from rotedu.figures.backend import describe
+from rotedu.figures import describe
 from rotedu.scenes.parts import add_label, add_line, add_point, add_sphere, new_scene
 
 

@@ -7,7 +7,7 @@ import pyvista
 from numpy.typing import ArrayLike, NDArray
 
 from rotedu.colors import AXIS, CROSS, NEUTRAL, RESULT, VECTOR
-from rotedu.figures.backend import describe
+from rotedu.figures import describe
 from rotedu.general_rotation import (
     axis_angle_from_euler_angles,
     perspective,

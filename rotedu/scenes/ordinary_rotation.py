@@ -5,7 +5,7 @@ import pyvista
 from numpy.typing import ArrayLike
 
 from rotedu.colors import AXIS, CROSS, NEUTRAL, RESULT, VECTOR
-from rotedu.figures.backend import describe
+from rotedu.figures import describe
 from rotedu.ordinary_rotation import rotate, rotation_matrix, transform
 from rotedu.scenes.parts import (
     ORIGIN,

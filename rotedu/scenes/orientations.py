@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 from rotedu.closed_curve import closed_curve
 from rotedu.colors import CROSS, NEUTRAL, RESULT, VECTOR
 from rotedu.control_points import control_points
-from rotedu.figures.backend import describe
+from rotedu.figures import describe
 from rotedu.ordinary_rotation import rotation_matrix, transform
 from rotedu.orientations import closed_rotation_curve
 from rotedu.scenes.parts import (

@@ -6,7 +6,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from rotedu.arcs import arc_axis, slerp
 from rotedu.closed_curve import closed_curve, de_casteljau
-from rotedu.colors import CROSS, RESULT, VECTOR
+from rotedu.colors import CROSS, RESULT, VECTOR, WRONG
 from rotedu.control_points import bisect, double
 from rotedu.figures import describe
 from rotedu.scenes.parts import (
@@ -286,7 +286,7 @@ def reversed_axis(points: ArrayLike = LOOP, samples: int = 24) -> pyvista.Plotte
 
     plotter = new_scene(eye=(4.6, 2.25, 2.05), target=ORIGIN, view_angle=25.5)
     add_sphere(plotter)
-    for curve, color in ((closed_curve(p, samples), RESULT), (printed, CROSS)):
+    for curve, color in ((closed_curve(p, samples), RESULT), (printed, WRONG)):
         closed = curve.reshape(-1, 3)
         add_line(plotter, [*closed, closed[0]], color, radius=0.01)
     outward = p - p.mean(axis=0)
@@ -297,6 +297,6 @@ def reversed_axis(points: ArrayLike = LOOP, samples: int = 24) -> pyvista.Plotte
     describe(
         plotter,
         f"A unit sphere with {len(p)} points and two closed curves through all of them. Both look"
-        " smooth. The purple one leaves the points in other directions and makes detours.",
+        " smooth. The red one leaves the points in other directions and makes detours.",
     )
     return plotter

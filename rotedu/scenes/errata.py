@@ -4,7 +4,7 @@ import numpy as np
 import pyvista
 from numpy.typing import ArrayLike
 
-from rotedu.colors import NEUTRAL, RESULT, VECTOR
+from rotedu.colors import RESULT, VECTOR, WRONG
 from rotedu.figures import describe
 from rotedu.scenes.parts import add_label, add_line, add_point, add_sphere, new_scene
 
@@ -32,7 +32,7 @@ def two_curves(
     centre = p.mean(axis=0)
     plotter = new_scene(eye=5.2 * centre / np.linalg.norm(centre), target=(0, 0, 0))
     add_sphere(plotter)
-    for curve, color, radius in ((right, RESULT, 0.014), (wrong, NEUTRAL, 0.012)):
+    for curve, color, radius in ((right, RESULT, 0.014), (wrong, WRONG, 0.012)):
         add_line(plotter, [*curve, curve[0]], color, radius)
     for i, point in enumerate(p):
         add_point(plotter, point, VECTOR, 0.036)

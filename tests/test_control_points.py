@@ -70,6 +70,7 @@ class TestProofs(TwoPoints):
 
 
 class TestDouble:
+    @pytest.mark.equation("5-4")
     @pytest.mark.parametrize("d", [2, 3, 4, 7])
     def test_reflects(self, d: int) -> None:
         p, q = random_units(2, 500, d)
@@ -128,14 +129,17 @@ class TestSteps:
     a = bisect(here, middle)
     b = double(a, here)
 
+    @pytest.mark.equation("5-5", "5-6")
     def test_5_4_and_5_5(self) -> None:
         close(self.reflected, [-0.5, 0.75**0.5, 0])
         close(double_by_rotation(self.before, self.here), self.reflected)
 
+    @pytest.mark.equation("5-8")
     def test_5_7_to_5_9(self) -> None:
         close(self.middle, (self.reflected + self.after) / 2**0.5)
         close(bisect_by_rotation(self.reflected, self.after), self.middle)
 
+    @pytest.mark.equation("5-9")
     def test_5_9_as_printed_turns_away_from_the_next_point(self) -> None:
         gap = angle_between(self.reflected, self.after)
         printed = arc_axis(self.after, self.reflected)
@@ -147,11 +151,13 @@ class TestSteps:
         close(octant, [-(0.5**0.5), 0, -(0.5**0.5)])
         close(bisect(-E1, E3), [-(0.5**0.5), 0, 0.5**0.5])
 
+    @pytest.mark.equation("5-11", "5-12")
     def test_5_10_to_5_12(self) -> None:
         close(self.a, bisect(self.middle, self.here))
         close(bisect_by_rotation(self.middle, self.here), self.a)
         close(angle_between(self.here, self.a), angle_between(self.here, self.middle) / 2)
 
+    @pytest.mark.equation("5-13", "5-14", "5-15")
     def test_5_13_to_5_15(self) -> None:
         close(double_by_rotation(self.a, self.here), self.b)
         close(arc_axis(self.a, self.here), arc_axis(self.middle, self.here))
@@ -161,6 +167,7 @@ class TestSteps:
     def test_5_13_as_printed_goes_back_to_the_middle(self) -> None:
         close(2 * np.cos(angle_between(self.a, self.here)) * self.a - self.here, self.middle)
 
+    @pytest.mark.equation("5-7", "5-10")
     def test_bars_that_are_lost_would_be_noticed(self) -> None:
         gap, bar = (
             angle_between(self.before, self.here),

@@ -69,6 +69,7 @@ class TestProofs:
             ordinary = homogeneous(rotation_matrix(symbolic(*map(int, axis)), theta))
             assert matrix(principal(theta)) == matrix(ordinary)
 
+    @pytest.mark.equation("4-2")
     def test_4_2_is_4_1_multiplied_out(self) -> None:
         u, v, w = map(symbolic, self.angles)
         product = matrix(rotation_w(w)) * matrix(rotation_v(v)) * matrix(rotation_u(u))
@@ -82,6 +83,7 @@ class TestProofs:
         first, *others = (reduce(sp.Matrix.multiply, order) for order in permutations(factors))
         assert all((first - other).expand() != sp.zeros(4, 4) for other in others)
 
+    @pytest.mark.equation("4-4", "4-6")
     def test_4_4_and_4_6_are_the_product_of_three_quaternions(self) -> None:
         u, v, w = map(symbolic, self.angles)
         qu, qv, qw = (
@@ -164,6 +166,7 @@ class TestSingleRotation:
         close(np.where(beyond, 2 * np.pi - angle, angle), other_angle, 1e-13)
         close(np.where(beyond[:, None], -axis, axis), other_axis, 1e-13)
 
+    @pytest.mark.equation("4-5")
     def test_the_sine_alone_would_not_do(self) -> None:
         angles = np.radians([300, 40, 20])
         _, angle = axis_angle_from_euler_angles(*angles)
@@ -171,6 +174,7 @@ class TestSingleRotation:
         alpha, beta, gamma, _ = half_angle_sums(*angles)
         close(np.degrees(2 * np.arcsin(np.sqrt(alpha**2 + beta**2 + gamma**2))), 78.98, 0.005)
 
+    @pytest.mark.equation("4-3")
     @pytest.mark.parametrize(
         "angles",
         [
@@ -325,6 +329,7 @@ class TestTransforms:
         close(transform(perspective(1e300), POINTS), POINTS, 1e-15)
         assert perspective([1, 2]).shape == (2, 4, 4)
 
+    @pytest.mark.equation("4-7")
     def test_homogeneous(self) -> None:
         m = RNG.normal(size=(5, 3, 3))
         h = homogeneous(m)
@@ -371,6 +376,7 @@ class TestCompose:
         assert product.shape == (2, 5, 4, 4)
         close(product[1, 3], moves[1, 0] @ homogeneous(turns[3]))
 
+    @pytest.mark.equation("4-1")
     def test_three_principal_rotations(self) -> None:
         u, v, w = EULER[0]
         close(

@@ -80,12 +80,14 @@ class TestProofs:
     def matrix(self) -> sp.Matrix:
         return sp.Matrix(rotation_matrix(self.n, self.theta))
 
+    @pytest.mark.equation("3-3")
     def test_matrix_times_vector_is_rodrigues_formula(self) -> None:
         difference = self.matrix() * sp.Matrix(self.r) - sp.Matrix(
             rotate(self.r, self.n, self.theta)
         )
         assert difference.expand() == sp.zeros(3, 1)
 
+    @pytest.mark.equation("3-2")
     def test_transform_is_the_matrix_product(self) -> None:
         m = sp.Matrix(3, 3, sp.symbols("m:9"))
         product = sp.Matrix(transform(m, self.r))
@@ -109,6 +111,7 @@ class TestProofs:
         sin = sp.sin(self.theta)
         assert all(self.is_zero(x - 2 * sin * y) for x, y in zip(skew, self.n, strict=True))
 
+    @pytest.mark.equation("3-1")
     def test_the_first_line_of_3_1_is_the_second(self) -> None:
         r, n = sp.Matrix(self.r), sp.Matrix(self.n)
         along = r.dot(n) * n

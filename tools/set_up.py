@@ -19,8 +19,9 @@ PYTHON = VENV / "bin" / "python"
 
 # In a process of its own: without an OpenGL library VTK ends in a segmentation fault.
 TRIAL_RENDER = """
+import pyvista
 from rotedu import scenes
-scenes.pyvista.OFF_SCREEN = True
+pyvista.OFF_SCREEN = True
 plotter = scenes.figure_1()
 plotter.render()
 assert plotter.screenshot().std() > 1

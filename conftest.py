@@ -40,11 +40,13 @@ def needs_book(item: pytest.Item) -> bool:
 
 
 @pytest.hookimpl(tryfirst=True)
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """Mark the tests of the built book and put them last: it is built while others run."""
     items.sort(key=needs_book)
     for item in filter(needs_book, items):
         item.add_marker("book")
+        if item.get_closest_marker("chromium") and config.option.browser != "chromium":
+            item.add_marker(pytest.mark.skip(reason="needs Chromium"))
 
 
 def pytest_collection_finish(session: pytest.Session) -> None:
@@ -108,6 +110,8 @@ def browser(request: pytest.FixtureRequest) -> Iterator[Any]:
         try:
             browser = playwright[name].launch(**options)
         except Error:
-            pytest.skip(f"no {name} on this machine: the pages were not tested in it")
+            if name != "chromium":
+                raise
+            pytest.skip("no Chromium or Chrome on this machine: the pages were not tested in one")
         yield browser
         browser.close()

@@ -289,7 +289,8 @@ def axis_angle_from_euler_angles(u: Number, v: Number, w: Number) -> tuple[Vecto
     """
     ((delta, vector),) = parts(quaternion_from_euler_angles(u, v, w))
     # Because the angles are rounded, half the rotation may be off by as much.
-    rounded = rounding(delta) * (abs(u) + abs(v) + abs(w)) / 2
+    eps = rounding(delta)
+    rounded = eps and eps * (abs(u) + abs(v) + abs(w)) / 2
     axis, sine = axis_and_length(vector, negligible=rounded)
     return axis, 2 * np.arctan2(np.where(sine <= rounded, 0, sine), delta)
 

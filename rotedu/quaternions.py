@@ -283,12 +283,9 @@ class Quaternion:
         Quaternion(0., [-0. , -0.5, -0. ])
         """
         norm = self.norm()
-        if np.any(norm == 0):
-            zero = place(norm == 0)
-            found = f"; found{zero}" if zero else ""
-            raise DegenerateError(f"the zero quaternion has no inverse{found}")
-        # Divided twice: the square of the norm could overflow or underflow.
+        refuse_zero(norm)
         ((w, v),) = parts(self.conjugate())
+        # Divided twice: the square of the norm could overflow or underflow.
         return joined(w / norm / norm, v / norm / norm)
 
     def axis_angle(self) -> tuple[Array, Array]:
@@ -365,10 +362,7 @@ class Quaternion:
         >>> (-q).rotate([1, 0, 0]).round(15)
         array([0., 1., 0.])
         """
-        q, r = prepared(
-            {"quaternion": (self.components, UNIT), "points": (points, VECTOR3)}
-        ).values()
-        w, v = q[0], q[1:]
+        (w, v), r = unit_parts_and(self, points)
         twice = 2 * cross(v, r)
         return np.moveaxis(r + w * twice + cross(v, twice), 0, -1)
 
@@ -465,9 +459,24 @@ def joined(w: Array, v: Array) -> Quaternion:
     return _of(np.stack(np.broadcast_arrays(w, *v)))
 
 
+def refuse_zero(norm: Array) -> None:
+    """Refuse a norm of zero, by which nothing can be divided."""
+    if np.any(norm == 0):
+        zero = place(norm == 0)
+        found = f"; found{zero}" if zero else ""
+        raise DegenerateError(f"the zero quaternion has no inverse{found}")
+
+
 def unit_components(q: Quaternion) -> Array:
     """Components of the quaternion of norm 1, components first."""
     return prepared({"quaternion": (q.components, UNIT)})["quaternion"]
+
+
+def unit_parts_and(q: Quaternion, points: npt.ArrayLike) -> tuple[tuple[Array, Array], Array]:
+    """Parts of the quaternion of norm 1, and points, with axes enough to broadcast."""
+    given = {"quaternion": (q.components, UNIT), "points": (points, VECTOR3)}
+    unit, r = prepared(given).values()
+    return (unit[0], unit[1:]), r
 
 
 def _of(components: Array) -> Quaternion:

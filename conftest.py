@@ -24,8 +24,10 @@ LOG = ROOT / "_build" / "book.log"
 CHROMIUMS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
 SOFTWARE_WEBGL = ("--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader")
 
-# make test-slow: other random input at each run, and much of it.
+settings.register_profile("repeatable", derandomize=True, deadline=None, database=None)
+# For make test-slow: other input each time, and much of it.
 settings.register_profile("long", max_examples=5_000, deadline=None)
+settings.load_profile("repeatable")
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import assume, given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 from spheres import (
@@ -51,7 +51,6 @@ units = (
     .map(lambda v: v / np.linalg.norm(v))
 )
 parts = st.floats(0, 1)
-repeatable = settings(derandomize=True, deadline=None, database=None)
 
 
 class TestDeCasteljau:
@@ -256,7 +255,6 @@ class TestClosedCurve:
         position = gap * (1.5 * u * (1 - u) ** 2 + 1.5 * u**2 * (1 - u) + u**3)
         close(closed_curve(great_circle(at), 20), great_circle((at[:, None] + position).ravel()))
 
-    @repeatable
     @given(st.lists(units, min_size=3, max_size=6))
     def test_random_points(self, points: list[Array]) -> None:
         try:

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 import sympy as sp
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 from scipy.spatial.transform import Rotation
@@ -45,7 +45,6 @@ PRINCIPAL = {rotation_u: E1, rotation_v: E2, rotation_w: E3}
 
 angles = st.floats(-10, 10)
 vectors = arrays(float, 3, elements=st.floats(-10, 10))
-repeatable = settings(derandomize=True, deadline=None, database=None)
 
 
 def close(actual: Any, desired: Any, atol: float = 1e-14) -> None:
@@ -214,7 +213,6 @@ class TestSingleRotation:
         close(found, axis, 1e-15)
         close(angle, np.pi, 1e-15)
 
-    @repeatable
     @given(angles, angles, angles)
     def test_laws(self, u: float, v: float, w: float) -> None:
         axis, angle = axis_angle_from_euler_angles(u, v, w)
@@ -269,7 +267,6 @@ class TestEulerAngles:
 
 
 class TestTransforms:
-    @repeatable
     @given(vectors, vectors)
     def test_translation(self, v: Array, r: Array) -> None:
         close(transform(translation(v), r), r + v, 0)
@@ -298,7 +295,6 @@ class TestTransforms:
         close(both[1, 2] @ [1, 10, 100, 1], [31, 10, 101, 1], 0)
         close(shearing(), np.eye(4), 0)
 
-    @repeatable
     @given(vectors.filter(lambda n: bool(np.linalg.norm(n) > 1e-3)), vectors)
     def test_reflection(self, normal: Array, r: Array) -> None:
         mirror = reflection(normal)

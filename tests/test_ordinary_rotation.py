@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 import sympy as sp
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 from scipy.spatial.transform import Rotation
@@ -51,7 +51,6 @@ axes = (
 )
 angles = st.floats(-10, 10)
 points = arrays(float, 3, elements=st.floats(-100, 100))
-repeatable = settings(derandomize=True, deadline=None, database=None)
 
 
 class TestProofs:
@@ -148,43 +147,36 @@ class TestAgainstScipy:
 
 
 class TestLaws:
-    @repeatable
     @given(axes, angles)
     def test_orthogonal_with_determinant_one(self, n: Array, a: float) -> None:
         m = rotation_matrix(n, a)
         close(m.T @ m, np.eye(3))
         close(np.linalg.det(m), 1)
 
-    @repeatable
     @given(points, axes, angles)
     def test_formula_and_matrix_agree(self, r: Array, n: Array, a: float) -> None:
         close(rotate(r, n, a), transform(rotation_matrix(n, a), r), 1e-12)
 
-    @repeatable
     @given(points, axes, angles)
     def test_length_and_height_above_the_axis_stay(self, r: Array, n: Array, a: float) -> None:
         moved = rotate(r, n, a)
         close(np.linalg.norm(moved), np.linalg.norm(r), 1e-12)
         close(moved @ n, r @ n, 1e-12)
 
-    @repeatable
     @given(axes, angles)
     def test_the_axis_stays(self, n: Array, a: float) -> None:
         close(rotate(n, n, a), n)
 
-    @repeatable
     @given(points, axes, angles, angles)
     def test_turns_about_one_axis_add_up(self, r: Array, n: Array, a: float, b: float) -> None:
         close(rotation_matrix(n, a) @ rotation_matrix(n, b), rotation_matrix(n, a + b))
         close(rotate(rotate(r, n, a), n, b), rotate(r, n, a + b), 1e-12)
 
-    @repeatable
     @given(points, axes, angles)
     def test_turning_back(self, r: Array, n: Array, a: float) -> None:
         close(rotate(rotate(r, n, a), n, -a), r, 1e-12)
         close(rotation_matrix(-n, a), rotation_matrix(n, a).T)
 
-    @repeatable
     @given(points, axes, angles, st.floats(-300, 300))
     def test_length_of_the_axis_does_not_matter(
         self, r: Array, n: Array, a: float, exponent: float
@@ -193,7 +185,6 @@ class TestLaws:
         close(rotate(r, scaled, a), rotate(r, n, a), 1e-11)
         close(rotation_matrix(scaled, a), rotation_matrix(n, a), 1e-13)
 
-    @repeatable
     @given(axes, st.floats(0, np.pi, allow_subnormal=False))
     def test_axis_and_angle_come_back_as_the_same_matrix(self, n: Array, a: float) -> None:
         m = rotation_matrix(n, a)

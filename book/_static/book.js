@@ -1,0 +1,15 @@
+// What scrolls sideways can be scrolled with the keyboard.
+const boxes = "article :is(pre, .table-wrapper, .text_html, .chart, .katex-display)";
+
+const letReach = () => {
+  for (const box of document.querySelectorAll(boxes)) {
+    if (box.scrollWidth > box.clientWidth) box.tabIndex = 0;
+    else box.removeAttribute("tabindex");
+  }
+};
+
+for (const event of ["load", "resize"]) addEventListener(event, letReach);
+document.addEventListener("toggle", letReach, true);
+
+// MyST-NB names the buttons of hidden cells by other words than they show.
+for (const button of document.querySelectorAll(".cell summary")) button.removeAttribute("aria-label");

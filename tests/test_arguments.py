@@ -18,6 +18,7 @@ from spheres import (
     random_units,
 )
 
+from rotedu import _arguments as arguments
 from rotedu.arcs import angle_between, arc_axis, nlerp, slerp, slerp_by_rotation
 from rotedu.closed_curve import closed_curve, de_casteljau, de_casteljau_levels
 from rotedu.control_points import (
@@ -28,9 +29,11 @@ from rotedu.control_points import (
     double_by_rotation,
 )
 from rotedu.cost import OperationCount, count
+from rotedu.edition.notebook import source
 from rotedu.errors import DegenerateError
-from rotedu.ordinary_rotation import rotation_matrix
+from rotedu.ordinary_rotation import rotate, rotation_matrix
 from rotedu.orientations import closed_rotation_curve, nearest_rotation, slerp_rotations
+from rotedu.quaternions import Quaternion
 
 # Warnings of curves that are unstable are tested where they are due.
 pytestmark = pytest.mark.filterwarnings("ignore:.* are almost .*:UserWarning")
@@ -142,6 +145,15 @@ class TestCounts:
         close(found, closed_curve(UNEVEN, 3), 1e-15)
 
 
+MATHEMATICS = (
+    "quaternions",
+    "ordinary_rotation",
+    "general_rotation",
+    "arcs",
+    "control_points",
+    "closed_curve",
+    "orientations",
+)
 POINTS_OF = [
     (f, name)
     for f in [angle_between, arc_axis, double, double_by_rotation, bisect, bisect_by_rotation]
@@ -157,6 +169,47 @@ GOOD |= {nearest_rotation: {"matrix": np.eye(3)}}
 GOOD |= {closed_rotation_curve: {"rotations": np.stack([np.eye(3)] * 3), "fraction": 0.5}}
 ARGUMENTS = [(f, name) for f, arguments in GOOD.items() for name in arguments]
 VECTORS = [(f, name) for f, name in ARGUMENTS if name in ("p", "q", "points", "control")]
+
+
+class TestListings:
+    """What a page shows with `source` is the function that is called, and its body is short."""
+
+    @pytest.mark.parametrize("module", MATHEMATICS)
+    def test_every_public_function_is_checked_by_its_annotations(self, module: str) -> None:
+        names = import_module(f"rotedu.{module}").__all__
+        functions = [getattr(import_module(f"rotedu.{module}"), name) for name in names]
+        plain = {f.__name__ for f in functions if not hasattr(f, "__wrapped__")}
+        assert plain <= {"Quaternion", "compose"}
+
+    @pytest.mark.parametrize(
+        ("function", "equation"),
+        [
+            (double, "return 2 * dot(p, q) * q - p"),
+            (bisect, "return unit(p + q)"),
+            (nlerp, "return unit((1 - t) * p + t * q)"),
+            (rotate, "return cos * r + (1 - cos) * dot(r, n) * n + sin * cross(n, r)"),
+            (Quaternion.__mul__, "w1 * w2 - dot(v1, v2), w1 * v2 + w2 * v1 + cross(v1, v2)"),
+            (slerp_rotations, "return product(r1, rotation_matrix(axis, t * theta))"),
+        ],
+    )
+    def test_shows_the_equation(self, function: Any, equation: str) -> None:
+        assert equation in repr(source(function))
+
+    def test_what_was_checked_is_not_checked_again(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        seen = []
+        check = arguments.prepared
+        monkeypatch.setattr(
+            arguments, "prepared", lambda given: seen.append(list(given)) or check(given)
+        )
+        closed_curve(UNEVEN, 2)
+        slerp_by_rotation(E1, E2, 0.5)
+        assert seen == [["points", "fraction"], ["p", "q", "t"]]
+
+    def test_after_an_error_arguments_are_checked_again(self) -> None:
+        with pytest.raises(DegenerateError):
+            slerp(E1, -E1, 0.5)
+        with pytest.raises(ValueError, match=r"^p must not be the zero vector"):
+            slerp([0, 0, 0], E1, 0.5)
 
 
 class TestRefusals:

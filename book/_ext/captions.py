@@ -17,6 +17,7 @@ from sphinx.util.nodes import NodeMatcher
 from rotedu.figures.pages import scene
 
 BEGINNING = re.compile(r"(Figure [\w-]+)\.")
+TEXT_WIDTH = 39  # rem, the --measure of book.css
 SHAPE = re.compile(r'viewBox="0 0 ([\d.]+) ([\d.]+)"')
 
 
@@ -70,7 +71,9 @@ class BuildFigures(SphinxPostTransform):
         if not picture.get("alt"):
             raise ValueError(f"{self.env.docname}: a chart without alt text (mystnb: image: alt)")
         drawing = Path(self.env.srcdir, picture["uri"].lstrip("/")).read_text(encoding="utf-8")
-        picture["width"], picture["height"] = SHAPE.search(drawing).groups()
+        width, height = map(float, SHAPE.search(drawing).groups())
+        picture["width"] = f"{TEXT_WIDTH}rem"
+        picture["height"] = f"{TEXT_WIDTH * height / width:.2f}rem"
         return nodes.container("", picture, classes=["chart"])
 
 

@@ -2,8 +2,8 @@
 
 MyST-NB's cache compares the code of a notebook alone. A page would go on showing what an
 older `rotedu` computed, so the digest of the package names the cache. Sphinx compares the
-sources of pages alone. So a digest of their frame (styles, templates, extensions, viewer,
-glossary) is a setting: when it changes, all pages are written anew.
+sources and templates alone. So a digest of their frame (styles, extensions, viewer, glossary)
+is a setting: when it changes, all pages are written anew.
 """
 
 import hashlib
@@ -18,7 +18,6 @@ ROOT = Path(__file__).parents[2]
 FRAME = (
     "book/_ext/**/*",
     "book/_static/**/*",
-    "book/_templates/**/*",
     "viewer/**/*",
     # Every page links to it.
     "book/glossary.md",

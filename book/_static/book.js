@@ -13,3 +13,12 @@ document.addEventListener("toggle", letReach, true);
 
 // MyST-NB names the buttons of hidden cells by other words than they show.
 for (const button of document.querySelectorAll(".cell summary")) button.removeAttribute("aria-label");
+
+// A page that is opened from a file cannot preload its fonts: there they may come late.
+if (location.protocol === "file:") {
+  for (const style of ["normal", "italic"]) {
+    const url = new URL(`fonts/source-serif-4-latin-wght-${style}.woff2`, document.currentScript.src);
+    const font = new FontFace("Source Serif 4", `url(${url})`, { style, weight: "200 900" });
+    font.load().then(() => document.fonts.add(font));
+  }
+}

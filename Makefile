@@ -1,48 +1,57 @@
 # Every target sets up what it needs, once, inside this checkout.
 PYTHON ?= python3
 BIN := .venv/bin
+# Another Python makes another environment.
+READY := .venv/made-by-$(shell $(PYTHON) -c 'import sys; print("python%d.%d" % sys.version_info[:2])')
 
-.PHONY: book test audit bench lab notebooks lock clean help
+.PHONY: book test test-slow audit bench mutate lab notebooks lock clean help
 .DEFAULT_GOAL := help
 
 help: ## list the targets
-	@sed -n 's/^\([a-z]*\):.*## /  make \1\t/p' Makefile
+	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' Makefile | expand -t 20
 
-book: .venv/ready ## build the book into _build/html
+book: $(READY) ## build the book into _build/html
 	$(BIN)/jupyter-book build . -W --keep-going
 	@echo "The book is here: _build/html/index.html"
 
-test: .venv/ready .venv/browser ## check code, notebooks and the built book
+test: $(READY) .venv/browser ## check code, notebooks and the built book
 	$(BIN)/ruff check
 	$(BIN)/ruff format --check
 	$(BIN)/mypy
+	$(BIN)/lint-imports
 	$(BIN)/pytest
 	@echo "All checks passed."
+
+test-slow: $(READY) .venv/browser ## install the wheel by itself; random input for minutes
+	$(BIN)/pytest -m "slow or hypothesis" --hypothesis-profile=long
 
 audit: book .venv/browser ## weigh the pages; Lighthouse and axe judge them
 	$(BIN)/python tools/audit.py
 
-bench: .venv/ready ## measure speed beside other packages (one minute)
+bench: $(READY) ## measure speed beside other packages (one minute)
 	$(BIN)/python benchmarks/run.py
 
-lab: .venv/ready ## open the notebooks in JupyterLab, with live scenes
+mutate: $(READY) ## break the mathematics and see whether the tests notice (an hour)
+	$(BIN)/python tools/mutate.py
+
+lab: $(READY) ## open the notebooks in JupyterLab, with live scenes
 	$(BIN)/jupyter lab book
 
-notebooks: .venv/ready ## run the notebooks and store what they print
+notebooks: $(READY) ## run the notebooks and store what they print
 	$(BIN)/python tools/run_notebooks.py
 
-lock: .venv/ready ## write requirements.txt and package-lock.json anew
-	echo '-e .[bench,book,lab,lock,test]' | $(BIN)/uv pip compile - --universal \
+lock: $(READY) ## write requirements.txt and package-lock.json anew
+	echo '-e .[bench,book,lab,test]' | $(BIN)/uv pip compile - --universal \
 	    --python-version 3.11 --no-header --upgrade --output-file requirements.txt
 	$(BIN)/npm install --package-lock-only --no-audit --no-fund
 
 clean: ## remove everything that was made here
 	rm -rf .venv _build node_modules
 
-.venv/ready: requirements.txt pyproject.toml tools/set_up.py
+$(READY): requirements.txt pyproject.toml tools/set_up.py
 	@$(PYTHON) tools/set_up.py
 	@touch $@
 
-.venv/browser: .venv/ready
+.venv/browser: $(READY)
 	@$(PYTHON) tools/set_up.py --browser
 	@touch $@

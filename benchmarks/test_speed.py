@@ -71,7 +71,6 @@ def turning(points: np.ndarray) -> dict[str, Callable[[], object]]:
         ),
         "rotate, Rodrigues' formula": lambda: rotate(points, AXIS, ANGLE),
         "transform": lambda: transform(MATRIX, points),
-        "transform, out=": lambda: transform(MATRIX, points, out),
     }
 
 
@@ -248,7 +247,7 @@ def test_memory(benchmark: Any) -> None:
 
 def test_import(benchmark: Any) -> None:
     """Milliseconds that all of rotedu's mathematics adds to the import of numpy."""
-    modules = "rotedu.quaternions, rotedu.general_rotation, rotedu.interpolation, rotedu.cost"
+    modules = "rotedu.quaternions, rotedu.general_rotation, rotedu.orientations, rotedu.cost"
     command = [sys.executable, "-X", "importtime", "-c", f"import numpy; import {modules}"]
     added = []
     for _ in range(5):

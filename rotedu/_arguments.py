@@ -1,111 +1,107 @@
-"""The border: every argument of a public function passes through here, once.
+"""Argument checks for public functions.
+
+A public function says by its annotations what its arguments are, and its body is its equation::
+
+    @checked
+    def double(p: Unit, q: Unit) -> Vector:
+        return 2 * dot(p, q) * q - p
+
+`checked` refuses bad input, scales unit vectors to length 1, and puts components first, as
+`rotedu._vectors` wants them; results come back with their components last. A public function that
+another one calls takes the arguments as they are: they were checked where they came in.
 
 How dtypes are chosen and what happens to arrays of dtype object is stated in `rotedu`.
 """
 
 import math
+import operator
+from collections.abc import Callable
+from contextvars import ContextVar
+from dataclasses import dataclass, field
+from functools import wraps
+from inspect import signature
 from reprlib import repr as shortened
-from typing import Any
+from typing import Annotated, Any, TypeVar, get_args, get_origin, get_type_hints
 
 import numpy as np
 import numpy.typing as npt
 
 Array = npt.NDArray[Any]
-
-
 Shape = tuple[int | str, ...]
+Result = TypeVar("Result")
+
+_checked_already: ContextVar[bool] = ContextVar("checked already", default=False)
 
 
-def arrays(**arguments: tuple[Any, *tuple[Shape, ...]]) -> list[Array]:
-    """Turn arguments, given as for `shaped`, into finite arrays of one dtype."""
-    given = shaped(**arguments)
-    for name, array in zip(arguments, given, strict=True):
-        require_finite(name, array)
-    return given
+def _as_given(name: str, array: Array) -> Array:
+    return array
 
 
-def shaped(**arguments: tuple[Any, *tuple[Shape, ...]]) -> list[Array]:
-    """Turn arguments, given as ``name=(value, shape, ...)``, into arrays of one dtype.
+@dataclass(frozen=True)
+class Kind:
+    """What an argument or a result is.
 
-    Each `shape` is one that the trailing axes may have; the leading axes must broadcast. A letter
-    stands for any length, the same in all arguments.
+    Attributes
+    ----------
+    shapes : tuple of shapes
+        Shapes that the trailing axes may have. A letter stands for any length, the same in all
+        arguments of a call.
+    components : int
+        How many of these axes come first inside.
+    sequence : bool
+        Whether the axis before them comes before them inside, too.
+    prepare : callable
+        Checks and prepares an array, given with the name of its argument.
+    first : int
+        How many axes come first inside.
     """
-    values = {name: value for name, (value, *_) in arguments.items()}
-    given = {name: _numbers(name, value) for name, value in values.items()}
-    floating = {
-        array.dtype
-        for name, array in given.items()
-        if array.dtype == np.float32 or (array.dtype.kind == "f" and hasattr(values[name], "dtype"))
-    }
-    dtype = np.dtype(np.float32 if floating == {np.dtype(np.float32)} else np.float64)
 
-    leading = []
-    lengths: dict[int | str, int] = {}
-    for name, (_, *shapes) in arguments.items():
-        array = given[name] = _cast(given[name], dtype)
-        known = [tuple(lengths.get(axis, axis) for axis in shape) for shape in shapes]
-        split = array.ndim - len(shapes[0])
-        matches = [shape for shape in known if split >= 0 and _matches(array.shape[split:], shape)]
-        if not matches:
-            wanted = " or ".join(map(_shape, known))
-            raise ValueError(f"{name} must have shape {wanted}; got shape {array.shape}")
-        named = zip(matches[0], array.shape[split:], strict=True)
-        lengths |= {axis: length for axis, length in named if isinstance(axis, str)}
-        leading.append(array.shape[:split])
-    try:
-        np.broadcast_shapes(*leading)
-    except ValueError:
-        names = " and ".join(given)
-        got = " and ".join(str(array.shape) for array in given.values())
-        raise ValueError(f"{names} must broadcast over their leading axes; got {got}") from None
-    return list(given.values())
+    shapes: tuple[Shape, ...]
+    components: int = 0
+    sequence: bool = False
+    prepare: Callable[[str, Array], Array] = _as_given
+    first: int = field(init=False)
 
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "first", self.components + self.sequence)
 
-def require_finite(name: str, array: Array) -> None:
-    """Refuse infinities and NaN; objects are taken to have none."""
-    # The sum of the squares is found fastest. If it is finite, so is all; if not, it may be too
-    # large.
-    if array.dtype.char == "O" or math.isfinite(np.vdot(array, array)):
-        return
-    finite = np.isfinite(array)
-    if not finite.all():
-        raise ValueError(
-            f"{name} must be finite in {array.dtype}; got {array[~finite][0]}{place(~finite)}"
-        )
+    def inside(self, array: Array, axes: int) -> Array:
+        """Put components first, with axes enough after them to broadcast."""
+        split = array.ndim - self.first
+        if not self.first or not axes:
+            return array
+        if split < axes:
+            array = array.reshape((1,) * (axes - split) + array.shape)
+        return array.transpose(*range(axes, array.ndim), *range(axes))
+
+    def outside(self, result: Any) -> Array:
+        """Put components last again."""
+        array = np.asarray(result)
+        return array.transpose(*range(self.first, array.ndim), *range(self.first))
 
 
 def unit(name: str, vectors: Array) -> Array:
     """Scale vectors to length 1; those of dtype object are taken to have it."""
     if vectors.dtype == object:
         return vectors
-    zero = ~vectors.any(axis=-1)
+    largest = np.abs(vectors).max(axis=-1, keepdims=True, initial=0)
+    zero = largest[..., 0] == 0
     if zero.any():
         raise ValueError(f"{name} must not be the zero vector; got zeros{place(zero)}")
-    return normalised(vectors)
-
-
-def length(vectors: Array) -> Array:
-    """Lengths of vectors, whose squares may overflow or underflow."""
-    if vectors.dtype == object:
-        return np.asarray(np.sqrt((vectors * vectors).sum(axis=-1)))
-    largest = np.abs(vectors).max(axis=-1, keepdims=True)
-    scaled = vectors / np.where(largest == 0, 1, largest)
-    return np.asarray(largest[..., 0] * np.sqrt((scaled * scaled).sum(axis=-1)))
-
-
-def normalised(vectors: Array) -> Array:
-    """Divide nonzero vectors by their lengths, whose squares may overflow or underflow."""
-    scaled: Array = vectors / np.abs(vectors).max(axis=-1, keepdims=True)
+    # The squares of the vectors themselves may overflow or underflow.
+    scaled = vectors / largest
     return np.asarray(scaled / np.sqrt((scaled * scaled).sum(axis=-1, keepdims=True)))
 
 
-def require_rotation(name: str, matrices: Array) -> None:
-    """Refuse matrices that are not orthogonal to half of the digits, or that reflect."""
+def rotation(name: str, matrices: Array) -> Array:
+    """Take matrices that are rotations to half of their digits to the nearest rotations."""
     if matrices.dtype == object:
-        return
-    allowed = np.sqrt(np.finfo(matrices.dtype).eps)
+        return matrices
+    # Eight decimals of float64 are enough.
+    allowed = 2 * np.sqrt(np.finfo(matrices.dtype).eps)
     with np.errstate(over="ignore", invalid="ignore"):
-        error = np.abs(matrices.mT @ matrices - np.eye(3)).max(axis=(-2, -1))
+        square = matrices.mT @ matrices
+        error = np.abs(square - np.eye(3)).max(axis=(-2, -1), initial=0)
     skewed = ~(error <= allowed)
     if skewed.any():
         raise ValueError(
@@ -118,20 +114,263 @@ def require_rotation(name: str, matrices: Array) -> None:
             f"{name} must be a rotation: it is orthogonal, but its determinant is "
             f"{determinant.min():.6g}, so it reflects{place(determinant < 0)}"
         )
+    # One step of Newton's method for the polar decomposition: half of the digits become all.
+    nearest: Array = matrices @ (3 * np.eye(3, dtype=matrices.dtype) - square) / 2
+    return nearest
 
 
-def place(mask: Array | np.bool) -> str:
+def _three_at_least(name: str, number: int) -> None:
+    if number < 3:
+        raise ValueError(f"{name} must be at least 3 to make a closed curve; got {number}")
+
+
+def _points_of_a_closed_curve(name: str, points: Array) -> Array:
+    _three_at_least(name, points.shape[-2])
+    return unit(name, points)
+
+
+def _rotations_of_a_closed_curve(name: str, matrices: Array) -> Array:
+    _three_at_least(name, matrices.shape[-3])
+    return rotation(name, matrices)
+
+
+def _control_points(name: str, control: Array) -> Array:
+    if not control.shape[-2]:
+        raise ValueError(f"{name} must have one point at least; got none")
+    return unit(name, control)
+
+
+def _from_zero_to_one(name: str, number: Array) -> Array:
+    if number.ndim or not 0 <= number <= 1:
+        raise ValueError(f"{name} must be one number from 0 to 1; got {number}")
+    return number
+
+
+def _three_at_the_end(name: str, numbers: Array) -> Array:
+    if numbers.ndim and numbers.shape[-1] != 3:
+        raise ValueError(f"{name} must have shape () or (..., 3); got shape {numbers.shape}")
+    return numbers
+
+
+def _not_zero(name: str, numbers: Array) -> Array:
+    if numbers.dtype != object and (numbers == 0).any():
+        raise ValueError(f"{name} must not be zero; got 0{place(numbers == 0)}")
+    return numbers
+
+
+def _rotation_part(name: str, matrices: Array) -> Array:
+    if matrices.shape[-1] == 3:
+        return rotation(name, matrices)
+    rest = matrices - np.eye(4, dtype=matrices.dtype)
+    rest[..., :3, :3] = 0
+    if rest.any():
+        raise ValueError(
+            f"{name} must be a rotation: its fourth row and column must be those of the identity, "
+            f"but differ by {np.abs(rest).max():.1e}{place(rest.any(axis=(-2, -1)))}"
+        )
+    return rotation(name, matrices[..., :3, :3])
+
+
+NUMBER = Kind(((),))
+VECTOR = Kind((("d",),), 1)
+VECTOR3 = Kind(((3,),), 1)
+UNIT = Kind((("d",),), 1, prepare=unit)
+MATRIX = Kind(((3, 3), (4, 4)), 2)
+
+# What annotations of public functions say. `Unit` vectors are scaled to length 1.
+# Numbers have the type Any, since they can have defaults, which are no arrays.
+Number = Annotated[Any, NUMBER]
+Fraction = Annotated[Any, Kind(((),), prepare=_from_zero_to_one)]
+NotZero = Annotated[Array, Kind(((),), prepare=_not_zero)]
+OneOrThree = Annotated[Array, Kind(((),), prepare=_three_at_the_end)]
+Vector = Annotated[Array, VECTOR]
+Vector3 = Annotated[Array, VECTOR3]
+Unit = Annotated[Array, UNIT]
+Unit3 = Annotated[Array, Kind(((3,),), 1, prepare=unit)]
+Matrix = Annotated[Array, MATRIX]
+HomogeneousMatrix = Annotated[Array, Kind(((4, 4),), 2)]
+Matrix3 = Annotated[Array, Kind(((3, 3),), 2)]
+Rotation = Annotated[Array, Kind(((3, 3),), 2, prepare=rotation)]
+RotationOrPose = Annotated[Array, Kind(((3, 3), (4, 4)), 2, prepare=_rotation_part)]
+Control = Annotated[Array, Kind((("m", "d"),), 1, sequence=True, prepare=_control_points)]
+ClosedPoints = Annotated[Array, Kind((("n", "d"),), 1, prepare=_points_of_a_closed_curve)]
+ClosedRotations = Annotated[Array, Kind((("n", 3, 3),), 2, prepare=_rotations_of_a_closed_curve)]
+Count = Annotated[int, "a positive integer"]
+
+
+def checked(function: Callable[..., Result]) -> Callable[..., Result]:
+    """Check the arguments of a public function and put components where its body wants them.
+
+    Parameters
+    ----------
+    function : callable
+        Its annotations are those of this module.
+
+    Returns
+    -------
+    callable
+        Takes and returns arrays with their components last.
+    """
+    hints = get_type_hints(function, include_extras=True)
+    returned = hints.pop("return")
+    kinds = {name: kind for name, hint in hints.items() if (kind := _kind(hint))}
+    counts = [name for name, hint in hints.items() if hint == Count]
+    parameters = signature(function)
+    names = tuple(parameters.parameters)
+
+    @wraps(function)
+    def border(*args: Any, **kwargs: Any) -> Any:
+        if _checked_already.get():
+            return function(*args, **kwargs)
+        if len(args) == len(names) and not kwargs:
+            # Most calls: binding takes longer than all that follows.
+            values = dict(zip(names, args, strict=True))
+        else:
+            given = parameters.bind(*args, **kwargs)
+            given.apply_defaults()
+            values = given.arguments
+        values |= prepared({name: (values[name], kind) for name, kind in kinds.items()})
+        for name in counts:
+            values[name] = positive_integer(name, values[name])
+        inside = _checked_already.set(True)
+        try:
+            result = function(**values)
+        finally:
+            _checked_already.reset(inside)
+        return _outside(returned, result)
+
+    return border
+
+
+def prepared(arguments: dict[str, tuple[Any, Kind]]) -> dict[str, Array]:
+    """Turn arguments into finite arrays of one dtype, check them, and put components first."""
+    arrays = _of_one_dtype({name: value for name, (value, _) in arguments.items()})
+    lengths: dict[int | str, int] = {}
+    leading = {}
+    for name, (_, kind) in arguments.items():
+        array = arrays[name]
+        shape = _matching(name, array, kind.shapes, lengths)
+        leading[name] = array.shape[: array.ndim - len(shape)]
+        _require_finite(name, array)
+        arrays[name] = kind.prepare(name, array)
+    if any(leading.values()):
+        _require_broadcasting(leading, arguments)
+    axes = max(arrays[name].ndim - kind.first for name, (_, kind) in arguments.items())
+    return {name: kind.inside(arrays[name], axes) for name, (_, kind) in arguments.items()}
+
+
+def positive_integer(name: str, value: Any) -> int:
+    """Take a number of samples."""
+    try:
+        count = operator.index(value)
+    except TypeError:
+        count = 0
+    if count < 1:
+        raise ValueError(f"{name} must be a positive integer; got {value!r}")
+    return count
+
+
+def place(mask: Any) -> str:
     """Say where a mask is first true, if there is more than one place to look at."""
     if not np.ndim(mask):
         return ""
     return f" at index {tuple(int(i) for i in np.argwhere(mask)[0])}"
 
 
+def named(pair: str, mask: Any, sequence: str = "") -> str:
+    """Say which pair it is, by the first place where a mask is true.
+
+    In `pair`, {h}, {i} and {j} stand for three neighbours in the argument called `sequence`.
+    """
+    if not sequence:
+        return pair + place(mask)
+    *leading, i = (int(k) for k in np.argwhere(mask)[0])
+    n = mask.shape[-1]
+    places = [", ".join(map(str, [*leading, k % n])) for k in (i - 1, i, i + 1)]
+    names = (f"{sequence}[{at}]" for at in places)
+    return pair.format(**dict(zip("hij", names, strict=True)))
+
+
+def _kind(hint: Any) -> Kind | None:
+    return next((kind for kind in get_args(hint) if isinstance(kind, Kind)), None)
+
+
+def _outside(hint: Any, result: Any) -> Any:
+    """Put the components of a result last, or of each of several."""
+    if get_origin(hint) is tuple:
+        return tuple(map(_outside, get_args(hint), result))
+    if get_origin(hint) is list:
+        (kind_of_parts,) = get_args(hint)
+        return [_outside(kind_of_parts, part) for part in result]
+    kind = _kind(hint)
+    return kind.outside(result) if kind else result
+
+
+def _matching(
+    name: str, array: Array, shapes: tuple[Shape, ...], lengths: dict[int | str, int]
+) -> Shape:
+    """Find the shape that the trailing axes have, and note the lengths that its letters name."""
+    for shape in shapes:
+        trailing = array.shape[array.ndim - len(shape) :]
+        wanted = [lengths.get(axis, axis) for axis in shape]
+        if array.ndim >= len(shape) and all(
+            axis == length or isinstance(axis, str)
+            for axis, length in zip(wanted, trailing, strict=True)
+        ):
+            for axis, length in zip(shape, trailing, strict=True):
+                if isinstance(axis, str):
+                    lengths[axis] = length
+            return shape
+    known = (", ".join(["...", *(str(lengths.get(a, a)) for a in shape)]) for shape in shapes)
+    wanted_shapes = " or ".join(f"({axes})" for axes in known)
+    raise ValueError(f"{name} must have shape {wanted_shapes}; got shape {array.shape}")
+
+
+def _require_broadcasting(
+    leading: dict[str, tuple[int, ...]], arguments: dict[str, tuple[Any, Kind]]
+) -> None:
+    """Refuse leading axes that do not broadcast."""
+    try:
+        np.broadcast_shapes(*leading.values())
+    except ValueError:
+        names = " and ".join(arguments)
+        got = " and ".join(str(np.shape(value)) for value, _ in arguments.values())
+        raise ValueError(f"{names} must broadcast over their leading axes; got {got}") from None
+
+
+def _require_finite(name: str, array: Array) -> None:
+    """Refuse infinities and NaN; objects are taken to have none."""
+    # The sum of the squares is found fastest. If it is finite, so is all; else it may be too large.
+    if array.dtype.kind == "O" or math.isfinite(np.vdot(array, array)):
+        return
+    finite = np.isfinite(array)
+    if not finite.all():
+        raise ValueError(
+            f"{name} must be finite in {array.dtype}; got {array[~finite][0]}{place(~finite)}"
+        )
+
+
+def _of_one_dtype(values: dict[str, Any]) -> dict[str, Array]:
+    """Make arrays of one dtype.
+
+    It is float32 if an argument is of it and no array is of another floating type.
+    """
+    arrays = {name: _numbers(name, value) for name, value in values.items()}
+    single = double = False
+    for name, array in arrays.items():
+        if array.dtype == np.float32:
+            single = True
+        elif array.dtype.kind == "f" and hasattr(values[name], "dtype"):
+            double = True
+    dtype = np.dtype(np.float32 if single and not double else np.float64)
+    return {name: _cast(array, dtype) for name, array in arrays.items()}
+
+
 def _numbers(name: str, value: Any) -> Array:
     """Make an array of real numbers, or of objects that calculate but are not numbers."""
     try:
         array = np.asarray(value)
-        if array.dtype == object:
+        if array.dtype.kind == "O":
             array = _floats_if_numbers(array)
     except (ValueError, OverflowError):
         array = np.empty(0, str)
@@ -153,18 +392,7 @@ def _floats_if_numbers(objects: Array) -> Array:
 
 
 def _cast(array: Array, dtype: np.dtype[Any]) -> Array:
-    if array.dtype in (dtype, object):
+    if array.dtype is dtype or array.dtype.kind == "O":
         return array
     with np.errstate(over="ignore"):
-        return array.astype(dtype)
-
-
-def _matches(trailing: tuple[int, ...], shape: Shape) -> bool:
-    return len(trailing) == len(shape) and all(
-        isinstance(axis, str) or axis == length
-        for axis, length in zip(shape, trailing, strict=True)
-    )
-
-
-def _shape(trailing: Shape) -> str:
-    return f"({', '.join(['...', *map(str, trailing)])})"
+        return array.astype(dtype, copy=False)

@@ -1,9 +1,191 @@
-"""Section 5, in parts."""
+"""Section 5, third part: de Casteljau's arcs of arcs, and the closed curve made of them."""
 
-from rotedu.interpolation import closed_curve, de_casteljau, de_casteljau_levels
+from collections.abc import Callable
+from itertools import pairwise
 
-__all__ = [
-    "closed_curve",
-    "de_casteljau",
-    "de_casteljau_levels",
-]
+import numpy as np
+
+from rotedu._arguments import ClosedPoints, Control, Count, Fraction, Number, Vector, checked
+from rotedu._vectors import Array
+from rotedu.arcs import angle_between, refuse_antipodal, slerp, warn_of_two_ways
+from rotedu.control_points import control_points
+
+__all__ = ["closed_curve", "de_casteljau", "de_casteljau_levels"]
+
+# Samples computed together: few enough for the cache, enough to keep NumPy busy.
+BLOCK = 8000
+
+
+@checked
+def de_casteljau(control: Control, u: Number) -> Vector:
+    """Point of a Bezier curve on the unit sphere, by arcs of arcs.
+
+    Parameters
+    ----------
+    control : array_like, shape (..., m + 1, d)
+        Control points of a curve of degree m, unit vectors of any dimension.
+    u : array_like, shape (...)
+        Parameter: 0 is the first control point, 1 the last; outside, the curve goes on.
+
+    Returns
+    -------
+    ndarray, shape (..., d)
+        Unit vectors.
+
+    Raises
+    ------
+    ValueError
+        If an argument is not finite or has the wrong shape, or if a control point is zero.
+    rotedu.errors.DegenerateError
+        If an arc has antipodal ends (to half of the digits). For u from 0 to 1 it can only be an
+        arc between control points: the arcs between points on them are no longer than the longest.
+
+    See Also
+    --------
+    de_casteljau_levels : all points of the construction.
+
+    References
+    ----------
+    Cheng et al. (2023), Section 5, pseudocode
+
+    Examples
+    --------
+    >>> de_casteljau([[1, 0, 0], [0, 1, 0], [0, 0, 1]], 1 / 2).round(3)
+    array([0.408, 0.816, 0.408])
+    """
+    (point,) = de_casteljau_levels(control, u)[-1]
+    return point
+
+
+@checked
+def de_casteljau_levels(control: Control, u: Number) -> list[Control]:
+    """All points of de Casteljau's construction, level by level.
+
+    Parameters
+    ----------
+    control : array_like, shape (..., m + 1, d)
+        Control points of a curve of degree m, unit vectors of any dimension.
+    u : array_like, shape (...)
+        Parameter.
+
+    Returns
+    -------
+    list of ndarray, shapes (..., m + 1, d), (..., m, d) ... (..., 1, d)
+        The control points, then the points on the arcs between those, and so on to the point of
+        the curve.
+
+    Raises
+    ------
+    ValueError, rotedu.errors.DegenerateError
+        As `de_casteljau`.
+
+    Notes
+    -----
+    The pseudocode of the paper computes each level from itself, which is not there yet, instead of
+    from the one before (erratum E4), gives the sine of an angle beyond 90 degrees a minus sign
+    (E4b), and never computes the angle (E4c).
+
+    References
+    ----------
+    Cheng et al. (2023), Section 5, pseudocode: Q[j][k]
+
+    Examples
+    --------
+    >>> for level in de_casteljau_levels([[1, 0], [1, 1], [0, 1]], 1 / 2):
+    ...     print(np.degrees(np.arctan2(level[:, 1], level[:, 0])).round(3))
+    [ 0. 45. 90.]
+    [22.5 67.5]
+    [45.]
+    """
+    levels = [list(np.broadcast_arrays(*control, u)[:-1])]
+    while len(level := levels[-1]) > 1:
+        name = f"points of level {len(levels) - 1}" if len(levels) > 1 else "control"
+        for j, (p, q) in enumerate(pairwise(level)):
+            refuse_antipodal(angle_between(p, q), f"{name}[{j}] and {name}[{j + 1}]")
+        levels.append([slerp(p, q, u) for p, q in pairwise(level)])
+    return [np.stack(level) for level in levels]
+
+
+@checked
+def closed_curve(points: ClosedPoints, samples: Count = 100, fraction: Fraction = 1 / 2) -> Vector:
+    """Draw a closed composite cubic Bezier curve through points of the unit sphere.
+
+    Parameters
+    ----------
+    points : array_like, shape (..., n, d)
+        Unit vectors P_0 ... P_{n-1} of any dimension, at least 3, the first not repeated at the
+        end (erratum E12).
+    samples : int
+        Points for each segment, at u = 0, 1/samples, 2/samples ...
+    fraction : float
+        As for `rotedu.control_points.control_points`.
+
+    Returns
+    -------
+    ndarray, shape (..., n * samples, d)
+        Unit vectors, from P_0 = C_1(0) on. Each ``samples``-th is one of the given points, to
+        within rounding; the next would be the first again.
+
+    Raises
+    ------
+    ValueError, rotedu.errors.DegenerateError
+        As `rotedu.control_points.control_points`; also if the two inner control points of a
+        segment are antipodal.
+
+    Warns
+    -----
+    UserWarning
+        If they are within a degree of that: then the curve changes sides when the data move a
+        little.
+
+    Notes
+    -----
+    Segment C_i has the control points P_{i-1}, a_{i-1}, b_i, P_i. The curve is C1, and C'(P_i) is
+    3 times the tangent vector from P_i to a_i; it is neither C2 nor, in general, G2.
+
+    References
+    ----------
+    Cheng et al. (2023), Section 5, Fig. 8
+
+    Examples
+    --------
+    >>> curve = closed_curve([[1, 0, 0], [0, 1, 0], [-1, 0, 0], [0, -1, 0]], samples=2)
+    >>> print(np.degrees(np.arctan2(curve[:, 1], curve[:, 0])).round(9) % 360)
+    [  0.  45.  90. 135. 180. 225. 270. 315.]
+    """
+    a, b = control_points(points, fraction)
+    next_point, next_b = np.roll(points, -1, axis=-1), np.roll(b, -1, axis=-1)
+    handles = "control points a and b between {i} and {j}"
+    refuse_antipodal(angle_between(a, next_b), handles, "points")
+    warn_of_two_ways(angle_between(a, next_b), handles, "points", "antipodal")
+    return arcs_of_arcs(slerp, [points, a, next_b, next_point], samples)
+
+
+def arcs_of_arcs(
+    arc: Callable[[Array, Array, Array], Array], control: list[Array], samples: int
+) -> Array:
+    """Sample the segments of a curve by de Casteljau's construction, with any kind of arcs.
+
+    Parameters
+    ----------
+    arc : callable
+        Joins two arrays of points, or of matrices: `rotedu.arcs.slerp`, for example.
+    control : list of ndarray, shape (..., n)
+        The first control points of n segments, their second ones, and so on; components first.
+    samples : int
+        Points for each segment, at u = 0, 1/samples, 2/samples ...
+
+    Returns
+    -------
+    ndarray, shape (..., n * samples)
+    """
+    u = np.arange(samples, dtype=control[0].dtype) / samples
+    curve = np.empty((*control[0].shape, samples), u.dtype)
+    at_once = max(1, BLOCK // samples)
+    for start in range(0, curve.shape[-2], at_once):
+        segments = slice(start, start + at_once)
+        level = [points[..., segments, np.newaxis] for points in control]
+        while len(level) > 1:
+            level = [arc(p, q, u) for p, q in pairwise(level)]
+        (curve[..., segments, :],) = level
+    return curve.reshape(*control[0].shape[:-1], control[0].shape[-1] * samples)

@@ -1,17 +1,232 @@
-"""Section 5, in parts."""
+"""Section 5, second part: Double, Bisect and the control points, (5-4) to (5-15).
 
-from rotedu.interpolation import (
-    bisect,
-    bisect_by_rotation,
-    control_points,
-    double,
-    double_by_rotation,
-)
+Each step has two forms: a sum of vectors, in any dimension, and a rotation, in three.
+"""
 
-__all__ = [
-    "bisect",
-    "bisect_by_rotation",
-    "control_points",
-    "double",
-    "double_by_rotation",
-]
+import numpy as np
+
+from rotedu._arguments import ClosedPoints, Fraction, Unit, Unit3, Vector, checked
+from rotedu._vectors import dot, unit
+from rotedu.arcs import angle_between, refuse_antipodal, slerp, turn_between
+from rotedu.ordinary_rotation import rotation_matrix, transform
+
+__all__ = ["bisect", "bisect_by_rotation", "control_points", "double", "double_by_rotation"]
+
+
+@checked
+def double(p: Unit, q: Unit) -> Vector:
+    """Reflect p in q: go on from q for as long as from p to q (5-4), (5-13).
+
+    Parameters
+    ----------
+    p, q : array_like, shape (..., d)
+        Unit vectors of any dimension.
+
+    Returns
+    -------
+    ndarray, shape (..., d)
+        Unit vectors: 2 cos(theta) q - p. There is no case without an answer.
+
+    Raises
+    ------
+    ValueError
+        If an argument is not finite, has the wrong shape, or is zero.
+
+    Notes
+    -----
+    In (5-13) the paper has the operands exchanged, and so computes Double(P_i, a_i), which is the
+    point it started from (erratum E3). Its text, and (5-14), have Double(a_i, P_i), as here.
+
+    From p to its reflection it is 2 theta along the great circle; beyond 90 degrees that is not
+    the angle between the two (erratum E11).
+
+    References
+    ----------
+    Cheng et al. (2023), Eqs. (5-4), (5-13)
+
+    Examples
+    --------
+    >>> double([1, 0, 0], [0.6, 0.8, 0])
+    array([-0.28,  0.96,  0.  ])
+    """
+    return 2 * dot(p, q) * q - p
+
+
+@checked
+def double_by_rotation(p: Unit3, q: Unit3) -> Vector:
+    """Reflect p in q: rotate it by 2 theta about the axis from p to q (5-5), (5-14).
+
+    Parameters
+    ----------
+    p, q : array_like, shape (..., 3)
+        Unit vectors.
+
+    Returns
+    -------
+    ndarray, shape (..., 3)
+        Unit vectors; p, where q is p or -p, though there is no axis (5-6).
+
+    Raises
+    ------
+    ValueError
+        If an argument is not finite, has the wrong shape, or is zero.
+
+    See Also
+    --------
+    double : the same in the other form, in any dimension.
+
+    References
+    ----------
+    Cheng et al. (2023), Eqs. (5-5) with (5-6), (5-14) with (5-15)
+
+    Examples
+    --------
+    >>> double_by_rotation([1, 0, 0], [0.6, 0.8, 0]).round(15)
+    array([-0.28,  0.96,  0.  ])
+    """
+    axis, theta = turn_between(p, q)
+    return transform(rotation_matrix(axis, 2 * theta), p)
+
+
+@checked
+def bisect(p: Unit, q: Unit) -> Vector:
+    """Midpoint of the shortest arc from p to q (5-7), (5-10).
+
+    Parameters
+    ----------
+    p, q : array_like, shape (..., d)
+        Unit vectors of any dimension.
+
+    Returns
+    -------
+    ndarray, shape (..., d)
+        Unit vectors: (p + q) / abs(p + q).
+
+    Raises
+    ------
+    ValueError
+        If an argument is not finite, has the wrong shape, or is zero.
+    rotedu.errors.DegenerateError
+        If p and q are antipodal (to half of the digits).
+
+    Notes
+    -----
+    The factor of the paper, sin(theta / 2) / sin(theta), is 1 / abs(p + q), and is 0/0 where
+    p = q: for equally spaced points of a great circle, always. (As extracted from the paper the
+    denominators lack the bar that makes the angle the one between these two points.)
+
+    References
+    ----------
+    Cheng et al. (2023), Eqs. (5-7), (5-10)
+
+    Examples
+    --------
+    >>> bisect([1, 0, 0], [0, 1, 0]).round(3)
+    array([0.707, 0.707, 0.   ])
+    """
+    refuse_antipodal(angle_between(p, q))
+    return unit(p + q)
+
+
+@checked
+def bisect_by_rotation(p: Unit3, q: Unit3) -> Vector:
+    """Midpoint of the shortest arc: p, rotated by theta / 2 about the axis (5-8), (5-11).
+
+    Parameters
+    ----------
+    p, q : array_like, shape (..., 3)
+        Unit vectors.
+
+    Returns
+    -------
+    ndarray, shape (..., 3)
+        Unit vectors; p, where p = q, though there is no axis (5-9).
+
+    Raises
+    ------
+    ValueError
+        If an argument is not finite, has the wrong shape, or is zero.
+    rotedu.errors.DegenerateError
+        If p and q are antipodal (to half of the digits).
+
+    See Also
+    --------
+    bisect : the same in the other form, in any dimension.
+
+    Notes
+    -----
+    With the axis of (5-9) as the paper has it, (5-8) turns away from P_{i+1} (erratum E2): see
+    `rotedu.arcs.arc_axis`.
+
+    References
+    ----------
+    Cheng et al. (2023), Eqs. (5-8) with (5-9), (5-11) with (5-12)
+
+    Examples
+    --------
+    >>> bisect_by_rotation([1, 0, 0], [0, 1, 0]).round(3)
+    array([0.707, 0.707, 0.   ])
+    """
+    axis, theta = turn_between(p, q)
+    refuse_antipodal(theta)
+    return transform(rotation_matrix(axis, theta / 2), p)
+
+
+@checked
+def control_points(points: ClosedPoints, fraction: Fraction = 1 / 2) -> tuple[Vector, Vector]:
+    """Control points a_i after, and b_i before, each point of a closed curve.
+
+    Parameters
+    ----------
+    points : array_like, shape (..., n, d)
+        Unit vectors P_0 ... P_{n-1} of any dimension, at least 3, the first not repeated at the
+        end (erratum E12): P_n is P_0.
+    fraction : float
+        How far a_i goes, from 0 to 1, from P_i towards the midpoint: 1/2 is the paper's, which
+        bisects; 1/3 is Shoemake's, as quoted by Geier (2021).
+
+    Returns
+    -------
+    a, b : ndarray, shape (..., n, d)
+        a_i = Bisect(P_i, Bisect(Double(P_{i-1}, P_i), P_{i+1})) if the fraction is 1/2, and
+        b_i = Double(a_i, P_i).
+
+    Raises
+    ------
+    ValueError
+        If an argument is not finite, has the wrong shape or is out of range, or if a point is
+        zero.
+    rotedu.errors.DegenerateError
+        If two points to be bisected are antipodal (to half of the digits): if P_{i+1} is opposite
+        to Double(P_{i-1}, P_i), or if the points go out and back, P_{i+1} = P_{i-1}, and are 90
+        degrees or more apart. The message names them.
+
+    Notes
+    -----
+    Points equally spaced on a great circle, where the printed formulas are 0/0, repeated points,
+    and gaps beyond 90 degrees are no exceptions. Where the points go out and back by less than 90
+    degrees, a_i = b_i = P_i: the curve stops there.
+
+    Bisect goes the shorter way. On a great circle, with the gaps g_1 and g_2 before and after P_i,
+    a_i is at (g_1 + g_2) / 4 from P_i unless abs(g_1 - g_2) > 180 degrees; there it jumps to the
+    other side. Near such a jump, data that move a little move a_i a lot.
+
+    References
+    ----------
+    Cheng et al. (2023), Eqs. (5-4) to (5-15); Geier (2021) for 1/3
+
+    Examples
+    --------
+    >>> a, b = control_points([[1, 0, 0], [0, 1, 0], [-1, 0, 0], [0, -1, 0]])
+    >>> print(a[0].round(3), b[0].round(3))
+    [0.707 0.707 0.   ] [ 0.707 -0.707  0.   ]
+    """
+    before, after = np.roll(points, 1, axis=-1), np.roll(points, -1, axis=-1)
+    reflected = double(before, points)
+    refuse_antipodal(angle_between(reflected, after), "Double({h}, {i}) and {j}", "points")
+    middle = bisect(reflected, after)
+    refuse_antipodal(
+        angle_between(points, middle), "{i} and Bisect(Double({h}, {i}), {j})", "points"
+    )
+    a = slerp(points, middle, fraction)
+    return a, double(a, points)

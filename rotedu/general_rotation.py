@@ -10,11 +10,27 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from rotedu._arguments import Array, arrays, length, place, unit
+from rotedu._arguments import (
+    MATRIX,
+    HomogeneousMatrix,
+    Matrix3,
+    NotZero,
+    Number,
+    OneOrThree,
+    RotationOrPose,
+    Unit3,
+    Vector,
+    Vector3,
+    checked,
+    prepared,
+)
+from rotedu._vectors import Array, axis_and_length, product, rounding
+from rotedu.quaternions import Quaternion, joined, parts
 
 __all__ = [
     "axis_angle_from_euler_angles",
     "compose",
+    "euler_angles",
     "homogeneous",
     "matrix_from_euler_angles",
     "perspective",
@@ -29,7 +45,8 @@ __all__ = [
 ]
 
 
-def rotation_u(angle: npt.ArrayLike) -> Array:
+@checked
+def rotation_u(angle: Number) -> HomogeneousMatrix:
     """Principal rotation about the U axis, which turns V towards W.
 
     Parameters
@@ -58,12 +75,12 @@ def rotation_u(angle: npt.ArrayLike) -> Array:
      [ 0.  1.  0.  0.]
      [ 0.  0.  0.  1.]]
     """
-    (theta,) = arrays(angle=(angle, ()))
-    cos, sin = np.cos(theta), np.sin(theta)
-    return _matrix([1, 0, 0, 0], [0, cos, -sin, 0], [0, sin, cos, 0])
+    cos, sin = np.cos(angle), np.sin(angle)
+    return from_rows([1, 0, 0, 0], [0, cos, -sin, 0], [0, sin, cos, 0])
 
 
-def rotation_v(angle: npt.ArrayLike) -> Array:
+@checked
+def rotation_v(angle: Number) -> HomogeneousMatrix:
     """Principal rotation about the V axis, which turns W towards U.
 
     Parameters
@@ -92,12 +109,12 @@ def rotation_v(angle: npt.ArrayLike) -> Array:
      [-1.  0.  0.  0.]
      [ 0.  0.  0.  1.]]
     """
-    (theta,) = arrays(angle=(angle, ()))
-    cos, sin = np.cos(theta), np.sin(theta)
-    return _matrix([cos, 0, sin, 0], [0, 1, 0, 0], [-sin, 0, cos, 0])
+    cos, sin = np.cos(angle), np.sin(angle)
+    return from_rows([cos, 0, sin, 0], [0, 1, 0, 0], [-sin, 0, cos, 0])
 
 
-def rotation_w(angle: npt.ArrayLike) -> Array:
+@checked
+def rotation_w(angle: Number) -> HomogeneousMatrix:
     """Principal rotation about the W axis, which turns U towards V.
 
     Parameters
@@ -126,25 +143,23 @@ def rotation_w(angle: npt.ArrayLike) -> Array:
      [ 0.  0.  1.  0.]
      [ 0.  0.  0.  1.]]
     """
-    (theta,) = arrays(angle=(angle, ()))
-    cos, sin = np.cos(theta), np.sin(theta)
-    return _matrix([cos, -sin, 0, 0], [sin, cos, 0, 0], [0, 0, 1, 0])
+    cos, sin = np.cos(angle), np.sin(angle)
+    return from_rows([cos, -sin, 0, 0], [sin, cos, 0, 0], [0, 0, 1, 0])
 
 
-def matrix_from_euler_angles(
-    theta_u: npt.ArrayLike, theta_v: npt.ArrayLike, theta_w: npt.ArrayLike
-) -> Array:
+@checked
+def matrix_from_euler_angles(u: Number, v: Number, w: Number) -> HomogeneousMatrix:
     """Rotate about U first, then about V, then about W, all fixed: (4-1), multiplied out (4-2).
 
     Parameters
     ----------
-    theta_u, theta_v, theta_w : array_like, shape (...)
+    u, v, w : array_like, shape (...)
         Angles in radians about the three axes, which stay where they are.
 
     Returns
     -------
     ndarray, shape (..., 4, 4)
-        ``rotation_w(theta_w) @ rotation_v(theta_v) @ rotation_u(theta_u)``.
+        ``rotation_w(w) @ rotation_v(v) @ rotation_u(u)``.
 
     Raises
     ------
@@ -153,7 +168,7 @@ def matrix_from_euler_angles(
 
     Notes
     -----
-    Other orders are other rotations. Where cos(theta_v) = 0 only the sum or the difference of the
+    Other orders are other rotations. Where cos(v) = 0 only the sum or the difference of the
     other two angles matters: one degree of freedom is lost (gimbal lock).
 
     References
@@ -174,37 +189,37 @@ def matrix_from_euler_angles(
     >>> np.allclose(a, b, rtol=0, atol=1e-15)
     True
     """
-    angles = arrays(theta_u=(theta_u, ()), theta_v=(theta_v, ()), theta_w=(theta_w, ()))
-    (cu, su), (cv, sv), (cw, sw) = ((np.cos(theta), np.sin(theta)) for theta in angles)
-    return _matrix(
+    cu, su, cv, sv, cw, sw = np.cos(u), np.sin(u), np.cos(v), np.sin(v), np.cos(w), np.sin(w)
+    return from_rows(
         [cv * cw, su * sv * cw - cu * sw, cu * sv * cw + su * sw, 0],
         [cv * sw, su * sv * sw + cu * cw, cu * sv * sw - su * cw, 0],
         [-sv, su * cv, cu * cv, 0],
     )
 
 
-def quaternion_from_euler_angles(
-    theta_u: npt.ArrayLike, theta_v: npt.ArrayLike, theta_w: npt.ArrayLike
-) -> tuple[Array, Array, Array, Array]:
-    """Evaluate alpha, beta, gamma (4-4) and the cosine of half the angle (4-6).
-
-    They are the quaternion of the rotation: with q_u, q_v, q_w the quaternions of the principal
-    rotations, q_w q_v q_u = [delta, (alpha, beta, gamma)].
+@checked
+def quaternion_from_euler_angles(u: Number, v: Number, w: Number) -> Quaternion:
+    """Quaternion of three principal rotations: alpha, beta, gamma (4-4) and delta (4-6).
 
     Parameters
     ----------
-    theta_u, theta_v, theta_w : array_like, shape (...)
+    u, v, w : array_like, shape (...)
         Angles in radians, as for `matrix_from_euler_angles`.
 
     Returns
     -------
-    alpha, beta, gamma, delta : ndarray, shape (...)
-        The squares of the four add up to 1.
+    Quaternion, shape (...)
+        [delta, (alpha, beta, gamma)], of norm 1.
 
     Raises
     ------
     ValueError
         If an angle is not finite, or if the three do not broadcast.
+
+    Notes
+    -----
+    The paper introduces these four numbers without the word quaternion. With q_u, q_v and q_w the
+    quaternions of the principal rotations, they are the product q_w q_v q_u.
 
     References
     ----------
@@ -212,27 +227,25 @@ def quaternion_from_euler_angles(
 
     Examples
     --------
-    >>> print(np.array(quaternion_from_euler_angles(0, 0, 2 * np.pi / 3)).round(3))
-    [0.    0.    0.866 0.5  ]
+    >>> print(quaternion_from_euler_angles(0, 0, 2 * np.pi / 3).components.round(3))
+    [0.5   0.    0.    0.866]
     """
-    angles = arrays(theta_u=(theta_u, ()), theta_v=(theta_v, ()), theta_w=(theta_w, ()))
-    halves = [theta / 2 for theta in angles]
-    (cu, su), (cv, sv), (cw, sw) = ((np.cos(half), np.sin(half)) for half in halves)
+    u, v, w = u / 2, v / 2, w / 2
+    cu, su, cv, sv, cw, sw = np.cos(u), np.sin(u), np.cos(v), np.sin(v), np.cos(w), np.sin(w)
     alpha = su * cv * cw - cu * sv * sw
     beta = cu * sv * cw + su * cv * sw
     gamma = cu * cv * sw - su * sv * cw
     delta = cu * cv * cw + su * sv * sw
-    return alpha, beta, gamma, delta
+    return joined(delta, np.stack([alpha, beta, gamma]))
 
 
-def axis_angle_from_euler_angles(
-    theta_u: npt.ArrayLike, theta_v: npt.ArrayLike, theta_w: npt.ArrayLike
-) -> tuple[Array, Array]:
+@checked
+def axis_angle_from_euler_angles(u: Number, v: Number, w: Number) -> tuple[Vector, Number]:
     """Axis and angle of the one rotation that three principal rotations come to, (4-3) to (4-6).
 
     Parameters
     ----------
-    theta_u, theta_v, theta_w : array_like, shape (...)
+    u, v, w : array_like, shape (...)
         Angles in radians, as for `matrix_from_euler_angles`.
 
     Returns
@@ -274,17 +287,72 @@ def axis_angle_from_euler_angles(
     >>> print(axis, angle)
     [1. 0. 0.] 0.0
     """
-    angles = arrays(theta_u=(theta_u, ()), theta_v=(theta_v, ()), theta_w=(theta_w, ()))
-    *vector, cosine = quaternion_from_euler_angles(*angles)
-    a = np.stack(vector, axis=-1)
-    sine = length(a)
-    unturned = sine <= _rounding(angles)
-    a = a / np.where(unturned, 1, sine)[..., np.newaxis]
-    a[unturned] = 1, 0, 0
-    return a, np.asarray(2 * np.arctan2(np.where(unturned, 0, sine), cosine))
+    ((delta, vector),) = parts(quaternion_from_euler_angles(u, v, w))
+    # Because the angles are rounded, half the rotation may be off by as much.
+    eps = rounding(delta)
+    rounded = eps and eps * (abs(u) + abs(v) + abs(w)) / 2
+    axis, sine = axis_and_length(vector, negligible=rounded)
+    return axis, 2 * np.arctan2(np.where(sine <= rounded, 0, sine), delta)
 
 
-def homogeneous(matrix: npt.ArrayLike) -> Array:
+@checked
+def euler_angles(matrix: RotationOrPose) -> tuple[Number, Number, Number]:
+    """Angles about U, V and W of a rotation: the way back from `matrix_from_euler_angles`.
+
+    Parameters
+    ----------
+    matrix : array_like, shape (..., 3, 3) or (..., 4, 4)
+        Rotation matrices; those with four rows neither move points nor put them in perspective.
+
+    Returns
+    -------
+    u, v, w : ndarray, shape (...)
+        Angles in radians; v from -pi/2 to pi/2, the others from -pi to pi. At gimbal lock, where v
+        is -pi/2 or pi/2 and only one combination of the other two matters, w is 0.
+
+    Raises
+    ------
+    ValueError
+        If the matrix is not finite, has the wrong shape, is not orthogonal (to half of the digits
+        of its dtype), or is orthogonal but reflects; the message says how far off it is.
+
+    See Also
+    --------
+    matrix_from_euler_angles : the way there.
+    rotedu.ordinary_rotation.axis_angle : one axis and one angle.
+
+    Notes
+    -----
+    The first column of (4-2) gives v and w. The angle u is read off after the turn about W has
+    been undone, so that it keeps its digits near gimbal lock, where w is lost in rounding.
+
+    References
+    ----------
+    Cheng et al. (2023), Eq. (4-2), solved for the angles; the paper has no such formula.
+
+    Examples
+    --------
+    >>> u, v, w = euler_angles(matrix_from_euler_angles(0.1, 0.2, 0.3))
+    >>> print(u.round(12), v.round(12), w.round(12))
+    0.1 0.2 0.3
+
+    Gimbal lock: turns by 0.3 and 0.1, or by 0.7 and 0.5, or by 0.2 and 0 are the same.
+
+    >>> u, v, w = euler_angles(matrix_from_euler_angles(0.3, np.pi / 2, 0.1))
+    >>> print(u.round(12), v.round(12), w.round(12))
+    0.2 1.570796326795 0.0
+    """
+    (m11, m12, m13), (m21, m22, m23), (m31, _, _) = matrix
+    cv = np.hypot(m11, m21)
+    locked = cv <= 4 * rounding(matrix)
+    w = np.where(locked, 0, np.arctan2(m21, m11))
+    cw, sw = np.cos(w), np.sin(w)
+    u = np.arctan2(sw * m13 - cw * m23, cw * m22 - sw * m12)
+    return u, np.arctan2(-m31, cv), w
+
+
+@checked
+def homogeneous(matrix: Matrix3) -> HomogeneousMatrix:
     """Write a 3x3 matrix as a 4x4 matrix; of a rotation matrix (3-3) it makes (4-7).
 
     Parameters
@@ -319,11 +387,11 @@ def homogeneous(matrix: npt.ArrayLike) -> Array:
      [ 0.  0.  1.  0.]
      [ 0.  0.  0.  1.]]
     """
-    (m,) = arrays(matrix=(matrix, (3, 3)))
-    return _matrix(*([*row, 0] for row in np.moveaxis(m, (-2, -1), (0, 1))))
+    return embedded(matrix)
 
 
-def translation(v: npt.ArrayLike) -> Array:
+@checked
+def translation(v: Vector3) -> HomogeneousMatrix:
     """Move points by a vector.
 
     Parameters
@@ -347,12 +415,12 @@ def translation(v: npt.ArrayLike) -> Array:
     >>> print(translation([5, 0, 0]) @ [0, 0, 1, 1], translation([5, 0, 0]) @ [0, 0, 1, 0])
     [5. 0. 1. 1.] [0. 0. 1. 0.]
     """
-    (vector,) = arrays(v=(v, (3,)))
-    u, v, w = np.moveaxis(vector, -1, 0)
-    return _matrix([1, 0, 0, u], [0, 1, 0, v], [0, 0, 1, w])
+    u, v, w = v
+    return from_rows([1, 0, 0, u], [0, 1, 0, v], [0, 0, 1, w])
 
 
-def scaling(s: npt.ArrayLike) -> Array:
+@checked
+def scaling(s: OneOrThree) -> HomogeneousMatrix:
     """Stretch or shrink along the axes, leaving the origin in place.
 
     Parameters
@@ -374,24 +442,20 @@ def scaling(s: npt.ArrayLike) -> Array:
     >>> print(scaling([1, 2, 3]) @ [1, 1, 1, 1], scaling(2) @ [1, 1, 1, 1])
     [1. 2. 3. 1.] [2. 2. 2. 1.]
     """
-    if np.ndim(s) == 0:
-        (factor,) = arrays(s=(s, ()))
-        factors = np.broadcast_to(factor, 3)
-    else:
-        (factors,) = arrays(s=(s, (3,)))
-    u, v, w = np.moveaxis(factors, -1, 0)
-    return _matrix([u, 0, 0, 0], [0, v, 0, 0], [0, 0, w, 0])
+    u, v, w = (s, s, s) if s.ndim == 0 else np.moveaxis(s, -1, 0)
+    return from_rows([u, 0, 0, 0], [0, v, 0, 0], [0, 0, w, 0])
 
 
+@checked
 def shearing(
     *,
-    uv: npt.ArrayLike = 0,
-    uw: npt.ArrayLike = 0,
-    vu: npt.ArrayLike = 0,
-    vw: npt.ArrayLike = 0,
-    wu: npt.ArrayLike = 0,
-    wv: npt.ArrayLike = 0,
-) -> Array:
+    uv: Number = 0,
+    uw: Number = 0,
+    vu: Number = 0,
+    vw: Number = 0,
+    wu: Number = 0,
+    wv: Number = 0,
+) -> HomogeneousMatrix:
     """Add to each coordinate multiples of the other two.
 
     Parameters
@@ -416,12 +480,11 @@ def shearing(
     >>> print(shearing(uw=0.5) @ [0, 0, 10, 1])
     [ 5.  0. 10.  1.]
     """
-    given = {"uv": uv, "uw": uw, "vu": vu, "vw": vw, "wu": wu, "wv": wv}
-    uv, uw, vu, vw, wu, wv = arrays(**{name: (value, ()) for name, value in given.items()})
-    return _matrix([1, uv, uw, 0], [vu, 1, vw, 0], [wu, wv, 1, 0])
+    return from_rows([1, uv, uw, 0], [vu, 1, vw, 0], [wu, wv, 1, 0])
 
 
-def reflection(normal: npt.ArrayLike) -> Array:
+@checked
+def reflection(normal: Unit3) -> HomogeneousMatrix:
     """Reflect points in a plane through the origin.
 
     Parameters
@@ -444,16 +507,16 @@ def reflection(normal: npt.ArrayLike) -> Array:
     >>> print(reflection([0, 0, 1]) @ [1, 2, 3, 1])
     [ 1.  2. -3.  1.]
     """
-    (n,) = arrays(normal=(normal, (3,)))
-    nu, nv, nw = np.moveaxis(unit("normal", n), -1, 0)
-    return _matrix(
-        [1 - 2 * nu * nu, -2 * nu * nv, -2 * nu * nw, 0],
-        [-2 * nv * nu, 1 - 2 * nv * nv, -2 * nv * nw, 0],
-        [-2 * nw * nu, -2 * nw * nv, 1 - 2 * nw * nw, 0],
+    u, v, w = normal
+    return from_rows(
+        [1 - 2 * u * u, -2 * u * v, -2 * u * w, 0],
+        [-2 * v * u, 1 - 2 * v * v, -2 * v * w, 0],
+        [-2 * w * u, -2 * w * v, 1 - 2 * w * w, 0],
     )
 
 
-def perspective(distance: npt.ArrayLike) -> Array:
+@checked
+def perspective(distance: NotZero) -> HomogeneousMatrix:
     """Show points as an eye on the W axis sees them in the plane w = 0.
 
     Parameters
@@ -488,10 +551,7 @@ def perspective(distance: npt.ArrayLike) -> Array:
     >>> print(perspective(4) @ [1, 1, -4, 1])
     [ 1.  1. -4.  2.]
     """
-    (d,) = arrays(distance=(distance, ()))
-    if d.dtype != object and (d == 0).any():
-        raise ValueError(f"distance must not be zero; got 0{place(d == 0)}")
-    return _matrix([1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, -1 / d, 1])
+    return from_rows([1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, -1 / distance, 1])
 
 
 def compose(*matrices: npt.ArrayLike) -> Array:
@@ -528,25 +588,19 @@ def compose(*matrices: npt.ArrayLike) -> Array:
     """
     if not matrices:
         return np.eye(4)
-    given = {f"matrices[{i}]": (matrix, (3, 3), (4, 4)) for i, matrix in enumerate(matrices)}
-    factors = [m if m.shape[-1] == 4 else homogeneous(m) for m in arrays(**given)]
-    product: Array = reduce(np.matmul, factors)
-    return product.copy() if len(matrices) == 1 else product
+    given = {f"matrices[{i}]": (matrix, MATRIX) for i, matrix in enumerate(matrices)}
+    factors = [m if len(m) == 4 else embedded(m) for m in prepared(given).values()]
+    return np.moveaxis(reduce(product, factors), (0, 1), (-2, -1)).copy()
 
 
-def _matrix(*rows: list[Any]) -> Array:
+def from_rows(*rows: list[Any]) -> Array:
     """Make 4x4 matrices of entries that broadcast; a fourth row not given is (0, 0, 0, 1)."""
     entries = [entry for row in (*rows, [0, 0, 0, 1])[:4] for entry in row]
-    varying = [np.asarray(entry) for entry in entries if not isinstance(entry, int)]
-    leading = np.broadcast_shapes(*(entry.shape for entry in varying))
-    matrix = np.empty((*leading, 16), np.result_type(*varying))
-    for i, entry in enumerate(entries):
-        matrix[..., i] = entry
-    return matrix.reshape(*leading, 4, 4)
+    dtype = np.result_type(*(np.asarray(e) for e in entries if not isinstance(e, int)))
+    matrix = np.stack(np.broadcast_arrays(*entries), dtype=dtype)
+    return matrix.reshape(4, 4, *matrix.shape[1:])
 
 
-def _rounding(angles: list[Array]) -> Any:
-    """How far half the rotation may be off because the angles are rounded."""
-    if any(theta.dtype == object for theta in angles):
-        return 0
-    return sum(np.abs(theta) / 2 * np.finfo(theta.dtype).eps for theta in angles)
+def embedded(matrix: Array) -> Array:
+    """Write a 3x3 matrix as a 4x4 matrix, components first."""
+    return from_rows(*([*row, 0] for row in matrix))

@@ -14,7 +14,20 @@ import numpy as np
 import numpy.typing as npt
 
 from rotedu import ordinary_rotation
-from rotedu._arguments import Array, arrays, length, normalised, place, unit
+from rotedu._arguments import (
+    NUMBER,
+    UNIT,
+    VECTOR,
+    VECTOR3,
+    Number,
+    Unit3,
+    Vector,
+    Vector3,
+    checked,
+    place,
+    prepared,
+)
+from rotedu._vectors import Array, axis_and_length, cross, dot, safe_length
 from rotedu.errors import DegenerateError
 
 __all__ = ["Quaternion", "rotate_about_u"]
@@ -22,7 +35,7 @@ __all__ = ["Quaternion", "rotate_about_u"]
 Result = TypeVar("Result")
 
 
-def _with_scalars(
+def of_quaternions(
     operation: Callable[["Quaternion", "Quaternion"], Result],
 ) -> Callable[["Quaternion", Any], Result]:
     """Let an operation take a real number w for the quaternion [w, 0], as the paper does."""
@@ -30,13 +43,15 @@ def _with_scalars(
     @wraps(operation)
     def widened(self: "Quaternion", other: Any) -> Result:
         if isinstance(other, Quaternion):
-            left, right = arrays(left=(self.components, (4,)), right=(other.components, (4,)))
+            given = {"left": (self.components, VECTOR), "right": (other.components, VECTOR)}
+            left, right = prepared(given).values()
         elif hasattr(other, "__truediv__"):
-            left, w = arrays(quaternion=(self.components, (4,)), scalar=(other, ()))
-            right = _joined(w, np.zeros(3, w.dtype))
+            given = {"quaternion": (self.components, VECTOR), "scalar": (other, NUMBER)}
+            left, w = prepared(given).values()
+            right = np.stack(np.broadcast_arrays(w, 0, 0, 0), dtype=left.dtype)
         else:
             return cast(Result, NotImplemented)
-        return operation(Quaternion._of(left), Quaternion._of(right))
+        return operation(_of(left), _of(right))
 
     return widened
 
@@ -92,18 +107,12 @@ class Quaternion:
     __array_ufunc__: ClassVar[None] = None
 
     def __init__(self, w: npt.ArrayLike, v: npt.ArrayLike) -> None:
-        scalar, vector = arrays(w=(w, ()), v=(v, (3,)))
-        object.__setattr__(self, "components", _read_only(_joined(scalar, vector)))
+        scalar, vector = prepared({"w": (w, NUMBER), "v": (v, VECTOR3)}).values()
+        object.__setattr__(self, "components", joined(scalar, vector).components)
 
     @classmethod
-    def _of(cls, components: Array) -> "Quaternion":
-        """Wrap the result of a computation."""
-        self = object.__new__(cls)
-        object.__setattr__(self, "components", _read_only(components))
-        return self
-
-    @classmethod
-    def from_axis_angle(cls, axis: npt.ArrayLike, angle: npt.ArrayLike) -> "Quaternion":
+    @checked
+    def from_axis_angle(cls, axis: Unit3, angle: Number) -> Any:
         """Make the unit quaternion [cos(angle / 2), sin(angle / 2) axis] of a rotation.
 
         Parameters
@@ -133,9 +142,7 @@ class Quaternion:
         >>> Quaternion.from_axis_angle([0, 0, 1], [0, 2 * np.pi, 4 * np.pi]).w
         array([ 1., -1.,  1.])
         """
-        n, theta = arrays(axis=(axis, (3,)), angle=(angle, ()))
-        half = theta[..., np.newaxis] / 2
-        return cls._of(_joined(np.cos(half)[..., 0], np.sin(half) * unit("axis", n)))
+        return joined(np.cos(angle / 2), np.sin(angle / 2) * axis)
 
     @classmethod
     def from_matrix(cls, matrix: npt.ArrayLike) -> "Quaternion":
@@ -172,36 +179,32 @@ class Quaternion:
         """Vector parts, shape (..., 3)."""
         return np.asarray(self.components[..., 1:])
 
-    @_with_scalars
+    @of_quaternions
     def __add__(self, other: "Quaternion") -> "Quaternion":
         """Sum, component by component (2-2)."""
-        return Quaternion._of(self.components + other.components)
+        (w1, v1), (w2, v2) = parts(self, other)
+        return joined(w1 + w2, v1 + v2)
 
-    @_with_scalars
+    @of_quaternions
     def __sub__(self, other: "Quaternion") -> "Quaternion":
         """Difference, component by component (2-2)."""
-        return Quaternion._of(self.components - other.components)
+        (w1, v1), (w2, v2) = parts(self, other)
+        return joined(w1 - w2, v1 - v2)
 
-    @_with_scalars
+    @of_quaternions
     def __mul__(self, other: "Quaternion") -> "Quaternion":
         """Hamilton's product (2-3)."""
-        (w1, v1), (w2, v2) = _parts(self), _parts(other)
-        scalar = w1 * w2 - _dot(v1, v2)
-        vector = w1 * v2 + w2 * v1 + np.cross(v1, v2)
-        return Quaternion._of(_joined(scalar[..., 0], vector))
+        (w1, v1), (w2, v2) = parts(self, other)
+        return joined(w1 * w2 - dot(v1, v2), w1 * v2 + w2 * v1 + cross(v1, v2))
 
-    def __truediv__(self, other: Any) -> "Quaternion":
+    @of_quaternions
+    def __truediv__(self, other: "Quaternion") -> "Quaternion":
         """Division from the right, q1 q2^-1 (2-5)."""
-        if isinstance(other, Quaternion):
-            return self * other.inverse()
-        if not hasattr(other, "__truediv__"):
-            return NotImplemented
-        q, w = arrays(quaternion=(self.components, (4,)), scalar=(other, ()))
-        _refuse_zero(w == 0)
-        return Quaternion._of(q / w[..., np.newaxis])
+        return self * other.inverse()
 
     def __neg__(self) -> "Quaternion":
-        return Quaternion._of(-self.components)
+        ((w, v),) = parts(self)
+        return joined(-w, -v)
 
     # The only left operand that comes here is a real number, which commutes with everything.
     __radd__ = __add__
@@ -213,12 +216,12 @@ class Quaternion:
     def __rtruediv__(self, other: object) -> "Quaternion":
         return self.inverse() * other
 
-    @_with_scalars
+    @of_quaternions
     def __eq__(self, other: "Quaternion") -> Any:
         """Whether all four components are equal, quaternion by quaternion."""
         return (self.components == other.components).astype(bool).all(axis=-1)
 
-    @_with_scalars
+    @of_quaternions
     def __ne__(self, other: "Quaternion") -> Any:
         """Whether any component differs, quaternion by quaternion."""
         return ~(self == other)
@@ -241,7 +244,8 @@ class Quaternion:
         >>> Quaternion(1, [2, 3, 4]).conjugate()
         Quaternion(1., [-2., -3., -4.])
         """
-        return Quaternion._of(_joined(self.w, -self.v))
+        ((w, v),) = parts(self)
+        return joined(w, -v)
 
     def norm(self) -> Array:
         """Norm abs(q), the root of q q*.
@@ -255,7 +259,7 @@ class Quaternion:
         >>> print(Quaternion(1, [1, 1, 1]).norm())
         2.0
         """
-        return length(self.components)
+        return np.asarray(safe_length(np.moveaxis(self.components, -1, 0)))
 
     def inverse(self) -> "Quaternion":
         """Inverse q* / abs(q)^2 (2-4).
@@ -278,14 +282,11 @@ class Quaternion:
         >>> Quaternion(0, [0, 2, 0]).inverse()
         Quaternion(0., [-0. , -0.5, -0. ])
         """
-        q = self.components
-        if q.dtype == object:
-            return Quaternion._of(self.conjugate().components / _dot(q, q))
-        _refuse_zero((q == 0).all(axis=-1))
-        # The square of the norm could overflow or underflow.
-        size = np.abs(q).max(axis=-1, keepdims=True)
-        q = q / size
-        return Quaternion._of(Quaternion._of(q).conjugate().components / _dot(q, q) / size)
+        norm = self.norm()
+        refuse_zero(norm)
+        ((w, v),) = parts(self.conjugate())
+        # Divided twice: the square of the norm could overflow or underflow.
+        return joined(w / norm / norm, v / norm / norm)
 
     def axis_angle(self) -> tuple[Array, Array]:
         """Axis and angle of the rotation: the inverse of `from_axis_angle`.
@@ -296,7 +297,7 @@ class Quaternion:
             Unit vectors; (1, 0, 0) where q is 1 or -1 times a positive number, since any axis
             would do.
         angle : ndarray, shape (...)
-            Angles in radians, from 0 to 2 pi. Each quaternion is taken at its word: q turns about
+            Angles in radians, from 0 to 2 pi. The sign matters: q turns about
             n by an angle, -q about -n by the rest of a full turn, and both come to the same.
 
         Raises
@@ -317,10 +318,9 @@ class Quaternion:
         [0. 0. 1.] 90.0
         [-0. -0. -1.] 270.0
         """
-        w, v = self._unit_parts()
-        unturned = (v == 0).all(axis=-1, keepdims=True)
-        axis = normalised(np.where(unturned, np.eye(3, dtype=int)[0], v).astype(v.dtype))
-        return axis, np.asarray(2 * np.arctan2(_dot(axis, v), w)[..., 0])
+        w, x, y, z = unit_components(self)
+        axis, sine = axis_and_length(np.stack([x, y, z]))
+        return np.moveaxis(axis, 0, -1), np.asarray(2 * np.arctan2(sine, w))
 
     def rotate(self, points: npt.ArrayLike) -> Array:
         """Rotate points: the vector part of q [0, r] q*, for any axis (2-6).
@@ -362,11 +362,9 @@ class Quaternion:
         >>> (-q).rotate([1, 0, 0]).round(15)
         array([0., 1., 0.])
         """
-        _, r = arrays(quaternion=(self.components, (4,)), points=(points, (3,)))
-        w, v = self._unit_parts()
-        twice = 2 * np.cross(v, r)
-        rotated: Array = r + w * twice + np.cross(v, twice)
-        return rotated
+        (w, v), r = unit_parts_and(self, points)
+        twice = 2 * cross(v, r)
+        return np.moveaxis(r + w * twice + cross(v, twice), 0, -1)
 
     def matrix(self) -> Array:
         """Matrix of the rotation, the same as (3-3).
@@ -395,9 +393,8 @@ class Quaternion:
                [1., 0., 0.],
                [0., 1., 0.]])
         """
-        w, v = self._unit_parts()
-        (x, y, z), (x2, y2, z2) = (np.moveaxis(part, -1, 0) for part in (v, v + v))
-        w = w[..., 0]
+        w, x, y, z = unit_components(self)
+        x2, y2, z2 = x + x, y + y, z + z
         xx, yy, zz, xy, xz, yz = x * x2, y * y2, z * z2, x * y2, x * z2, y * z2
         wx, wy, wz = w * x2, w * y2, w * z2
         matrix = np.array(
@@ -409,11 +406,9 @@ class Quaternion:
         )
         return np.moveaxis(matrix, (0, 1), (-2, -1))
 
-    def _unit_parts(self) -> tuple[Array, Array]:
-        return _parts(Quaternion._of(unit("quaternion", self.components)))
 
-
-def rotate_about_u(points: npt.ArrayLike, angle: npt.ArrayLike) -> Array:
+@checked
+def rotate_about_u(points: Vector3, angle: Number) -> Vector:
     """Rotate points about the U axis: what q [0, r] q* comes to (2-6), last line.
 
     Parameters
@@ -446,41 +441,48 @@ def rotate_about_u(points: npt.ArrayLike, angle: npt.ArrayLike) -> Array:
     >>> rotate_about_u([5, 0, 1], np.pi / 2).round(15)
     array([ 5., -1.,  0.])
     """
-    r, theta = arrays(points=(points, (3,)), angle=(angle, ()))
-    ru, rv, rw = np.moveaxis(r, -1, 0)
-    cos, sin = np.cos(theta), np.sin(theta)
-    along, *across = np.broadcast_arrays(ru, cos * rv - sin * rw, cos * rw + sin * rv)
-    return np.stack([along, *across], axis=-1)
+    ru, rv, rw = points
+    cos, sin = np.cos(angle), np.sin(angle)
+    rotated = np.broadcast_arrays(ru, cos * rv - sin * rw, cos * rw + sin * rv)
+    return np.stack(rotated)
 
 
-def _joined(w: Array, v: Array) -> Array:
-    """Make components from parts whose leading axes broadcast."""
-    leading = np.broadcast_shapes(np.shape(w), v.shape[:-1])
-    components = np.empty((*leading, 4), np.result_type(w, v))
-    components[..., 0], components[..., 1:] = w, v
-    return components
+def parts(*quaternions: Quaternion) -> list[tuple[Array, Array]]:
+    """Scalar and vector parts, components first, with axes enough to broadcast."""
+    axes = max(q.w.ndim for q in quaternions)
+    components = [VECTOR.inside(q.components, axes) for q in quaternions]
+    return [(q[0], q[1:]) for q in components]
 
 
-def _parts(q: Quaternion) -> tuple[Array, Array]:
-    """Scalar and vector parts as arrays that broadcast against each other."""
-    return q.components[..., :1], q.components[..., 1:]
+def joined(w: Array, v: Array) -> Quaternion:
+    """Make a quaternion of its parts, components first."""
+    return _of(np.stack(np.broadcast_arrays(w, *v)))
 
 
-def _read_only(array: Array) -> Array:
-    array.flags.writeable = False
-    return array
+def refuse_zero(norm: Array) -> None:
+    """Refuse a norm of zero, by which nothing can be divided."""
+    if np.any(norm == 0):
+        zero = place(norm == 0)
+        found = f"; found{zero}" if zero else ""
+        raise DegenerateError(f"the zero quaternion has no inverse{found}")
 
 
-def _refuse_zero(zero: Array) -> None:
-    if np.any(zero):
-        raise DegenerateError(f"the zero quaternion has no inverse{_at(zero)}")
+def unit_components(q: Quaternion) -> Array:
+    """Components of the quaternion of norm 1, components first."""
+    return prepared({"quaternion": (q.components, UNIT)})["quaternion"]
 
 
-def _at(mask: Array) -> str:
-    where = place(mask)
-    return f"; found{where}" if where else ""
+def unit_parts_and(q: Quaternion, points: npt.ArrayLike) -> tuple[tuple[Array, Array], Array]:
+    """Parts of the quaternion of norm 1, and points, with axes enough to broadcast."""
+    given = {"quaternion": (q.components, UNIT), "points": (points, VECTOR3)}
+    unit, r = prepared(given).values()
+    return (unit[0], unit[1:]), r
 
 
-def _dot(a: Array, b: Array) -> Array:
-    """Dot products, as an array that broadcasts against the vectors."""
-    return np.asarray((a * b).sum(axis=-1, keepdims=True))
+def _of(components: Array) -> Quaternion:
+    """Wrap the result of a computation, components first."""
+    q = object.__new__(Quaternion)
+    last = np.moveaxis(np.asarray(components), 0, -1)
+    last.flags.writeable = False
+    object.__setattr__(q, "components", last)
+    return q

@@ -3,7 +3,7 @@
 import numpy as np
 import pyvista
 
-from rotedu.figures.backend import describe
+from rotedu.figures import describe
 
 SIZE = (720, 540)
 EYE, TARGET, UP = (4.0, -2.0, 2.2), (0.0, 0.0, 0.1), (0.0, 0.0, 1.0)

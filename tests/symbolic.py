@@ -47,6 +47,9 @@ class Symbolic:
     def sin(self) -> "Symbolic":
         return Symbolic(sp.sin(self.value))
 
+    def tan(self) -> "Symbolic":
+        return Symbolic(sp.tan(self.value))
+
     def sqrt(self) -> "Symbolic":
         return Symbolic(sp.sqrt(self.value))
 

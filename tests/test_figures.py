@@ -4,23 +4,21 @@ import base64
 import io
 import json
 import struct
-import sys
-from pathlib import Path
 from typing import Any
 
 import nbformat
 import numpy as np
 import pytest
 import pyvista
+from demanding import EYE, SIZE, TARGET, UP, VIEW_ANGLE, add_label, demanding_scene, new_plotter
 from nbclient import NotebookClient
 from PIL import Image
 
-sys.path.insert(0, str(Path(__file__).parent))
-from demanding import EYE, SIZE, TARGET, UP, VIEW_ANGLE, add_label, demanding_scene, new_plotter
-
 from rotedu import scenes
-from rotedu.figures.backend import MIME_TYPE, POSTER_SCALE, book_figure, describe, scene_labels
+from rotedu.figures import describe
+from rotedu.figures.backend import MIME_TYPE, POSTER_SCALE, book_figure, scene_labels
 from rotedu.figures.gltf import scene_gltf
+from rotedu.scenes import parts
 
 TYPES = {5120: np.int8, 5123: np.uint16, 5125: np.uint32, 5126: np.float32}
 COMPONENTS = {"SCALAR": 1, "VEC3": 3, "VEC4": 4}
@@ -338,7 +336,7 @@ class TestStillPicture:
         NotebookClient(notebook).execute()
         _, shown, after = notebook.cells
         picture = Image.open(io.BytesIO(base64.b64decode(shown.outputs[0].data["image/png"])))
-        assert picture.size == scenes.SIZE
+        assert picture.size == parts.SIZE
         assert np.asarray(picture).std() > 1
         # As conftest.py sets PYVISTA_JUPYTER_BACKEND, other backends were not loaded.
         assert after.outputs[0].text == "None False\n"

@@ -19,6 +19,7 @@ from rotedu.errors import DegenerateError
 from rotedu.general_rotation import (
     axis_angle_from_euler_angles,
     compose,
+    euler_angles,
     homogeneous,
     matrix_from_euler_angles,
     perspective,
@@ -51,10 +52,16 @@ def close(actual: Any, desired: Any, atol: float = 1e-14) -> None:
     np.testing.assert_allclose(actual, desired, rtol=0, atol=atol)
 
 
+def half_angle_sums(*angles: Any) -> list[Array]:
+    """Alpha, beta, gamma (4-4) and delta (4-6)."""
+    delta, *vector = np.moveaxis(quaternion_from_euler_angles(*angles).components, -1, 0)
+    return [*vector, delta]
+
+
 class TestProofs:
     """The code itself, run on symbols."""
 
-    angles = sp.symbols("theta_u theta_v theta_w", real=True)
+    angles = sp.symbols("u v w", real=True)
 
     def test_principal_matrices_are_3_3_about_the_axes(self) -> None:
         theta = symbolic(self.angles[0])
@@ -62,6 +69,7 @@ class TestProofs:
             ordinary = homogeneous(rotation_matrix(symbolic(*map(int, axis)), theta))
             assert matrix(principal(theta)) == matrix(ordinary)
 
+    @pytest.mark.equation("4-2")
     def test_4_2_is_4_1_multiplied_out(self) -> None:
         u, v, w = map(symbolic, self.angles)
         product = matrix(rotation_w(w)) * matrix(rotation_v(v)) * matrix(rotation_u(u))
@@ -75,24 +83,25 @@ class TestProofs:
         first, *others = (reduce(sp.Matrix.multiply, order) for order in permutations(factors))
         assert all((first - other).expand() != sp.zeros(4, 4) for other in others)
 
+    @pytest.mark.equation("4-4", "4-6")
     def test_4_4_and_4_6_are_the_product_of_three_quaternions(self) -> None:
         u, v, w = map(symbolic, self.angles)
         qu, qv, qw = (
             Quaternion.from_axis_angle(symbolic(*map(int, axis)), theta)
             for axis, theta in zip(np.eye(3), (u, v, w), strict=True)
         )
-        alpha, beta, gamma, delta = quaternion_from_euler_angles(u, v, w)
+        alpha, beta, gamma, delta = half_angle_sums(u, v, w)
         sums = matrix([delta, alpha, beta, gamma])
         assert (matrix((qw * qv * qu).components) - sums).expand() == sp.zeros(4, 1)
         assert (matrix((qu * qv * qw).components) - sums).expand() != sp.zeros(4, 1)
 
     def test_the_squares_add_up_to_one(self) -> None:
-        sums = matrix(quaternion_from_euler_angles(*map(symbolic, self.angles)))
+        sums = matrix(half_angle_sums(*map(symbolic, self.angles)))
         assert vanishes(sum(x**2 for x in sums) - 1)
 
     def test_the_single_rotation_has_the_matrix_4_2(self) -> None:
         u, v, w = map(symbolic, self.angles)
-        *vector, delta = quaternion_from_euler_angles(u, v, w)
+        *vector, delta = half_angle_sums(u, v, w)
         q = Quaternion(np.array(delta), np.array(vector))
         difference = matrix(q.matrix()) - matrix(matrix_from_euler_angles(u, v, w)[:3, :3])
         tangents = sp.symbols("t_u t_v t_w")
@@ -135,7 +144,7 @@ class TestPrincipal:
         assert matrix_from_euler_angles(1, [1, 2], np.ones((3, 1))).shape == (3, 2, 4, 4)
         assert rotation_u(np.ones((2, 3))).shape == (2, 3, 4, 4)
         assert rotation_v(np.ones(0)).shape == (0, 4, 4)
-        assert [np.shape(x) for x in quaternion_from_euler_angles(1, [1, 2], 3)] == [(2,)] * 4
+        assert [np.shape(x) for x in half_angle_sums(1, [1, 2], 3)] == [(2,)] * 4
         axis, angle = axis_angle_from_euler_angles(1, [1, 2], np.ones((3, 1)))
         assert axis.shape == (3, 2, 3)
         assert angle.shape == (3, 2)
@@ -157,13 +166,15 @@ class TestSingleRotation:
         close(np.where(beyond, 2 * np.pi - angle, angle), other_angle, 1e-13)
         close(np.where(beyond[:, None], -axis, axis), other_axis, 1e-13)
 
+    @pytest.mark.equation("4-5")
     def test_the_sine_alone_would_not_do(self) -> None:
         angles = np.radians([300, 40, 20])
         _, angle = axis_angle_from_euler_angles(*angles)
         close(np.degrees(angle), 281.02, 0.005)
-        alpha, beta, gamma, _ = quaternion_from_euler_angles(*angles)
+        alpha, beta, gamma, _ = half_angle_sums(*angles)
         close(np.degrees(2 * np.arcsin(np.sqrt(alpha**2 + beta**2 + gamma**2))), 78.98, 0.005)
 
+    @pytest.mark.equation("4-3")
     @pytest.mark.parametrize(
         "angles",
         [
@@ -210,7 +221,51 @@ class TestSingleRotation:
         product = matrix_from_euler_angles(u, v, w)
         close(homogeneous(rotation_matrix(axis, angle)), product, 4e-15)
         close(transform(product, axis), axis, 4e-15)
-        close(sum(x * x for x in quaternion_from_euler_angles(u, v, w)), 1)
+        close(sum(x * x for x in half_angle_sums(u, v, w)), 1)
+
+
+class TestEulerAngles:
+    def test_come_back(self) -> None:
+        angles = RNG.uniform(-1, 1, (2000, 3)) * [np.pi, np.pi / 2, np.pi]
+        close(np.stack(euler_angles(matrix_from_euler_angles(*angles.T)), axis=-1), angles, 1e-12)
+
+    def test_any_rotation_comes_back(self) -> None:
+        turned = matrix_from_euler_angles(*EULER.T)
+        u, v, w = euler_angles(turned)
+        close(matrix_from_euler_angles(u, v, w), turned, 3e-15)
+        assert (np.abs(v) <= np.pi / 2).all()
+        close(euler_angles(turned[:, :3, :3]), (u, v, w), 0)
+
+    def test_against_scipy(self) -> None:
+        rotations = Rotation.random(500, rng=np.random.default_rng(7))
+        oracle = rotations.as_euler("xyz")
+        close(np.stack(euler_angles(rotations.as_matrix()), axis=-1), oracle, 1e-12)
+
+    @pytest.mark.parametrize("sign", [1, -1])
+    @pytest.mark.parametrize("rest", [0, 1e-17, 1e-16])
+    def test_gimbal_lock(self, sign: int, rest: float) -> None:
+        locked = matrix_from_euler_angles(0.7, sign * (np.pi / 2 - rest), 0.4)
+        u, v, w = euler_angles(locked)
+        assert w == 0
+        close([u, v], [0.7 - sign * 0.4, sign * np.pi / 2], 1e-15)
+        close(matrix_from_euler_angles(u, v, w), locked, 1e-15)
+
+    @pytest.mark.parametrize("rest", [1e-15, 1e-14, 1e-12, 1e-8, 1e-4])
+    def test_near_gimbal_lock_the_rotation_comes_back(self, rest: float) -> None:
+        for w in np.linspace(-3, 3, 13):
+            turned = matrix_from_euler_angles(0.7, np.pi / 2 - rest, w)
+            close(matrix_from_euler_angles(*euler_angles(turned)), turned, 3e-15)
+
+    def test_one_that_is_locked_among_others(self) -> None:
+        u, v, w = euler_angles(matrix_from_euler_angles([0.1, 0.3], [0.2, np.pi / 2], [0.3, 0.1]))
+        close([u, v, w], [[0.1, 0.2], [0.2, np.pi / 2], [0.3, 0]], 1e-15)
+
+    def test_not_rotations(self) -> None:
+        with pytest.raises(ValueError, match=r"^matrix must be a rotation: .* it reflects$"):
+            euler_angles(-np.eye(3))
+        for pose in [translation([1, 0, 0]), perspective(2)]:
+            with pytest.raises(ValueError, match=r"^matrix must be a rotation: its fourth row and"):
+                euler_angles(pose)
 
 
 class TestTransforms:
@@ -274,6 +329,7 @@ class TestTransforms:
         close(transform(perspective(1e300), POINTS), POINTS, 1e-15)
         assert perspective([1, 2]).shape == (2, 4, 4)
 
+    @pytest.mark.equation("4-7")
     def test_homogeneous(self) -> None:
         m = RNG.normal(size=(5, 3, 3))
         h = homogeneous(m)
@@ -320,6 +376,7 @@ class TestCompose:
         assert product.shape == (2, 5, 4, 4)
         close(product[1, 3], moves[1, 0] @ homogeneous(turns[3]))
 
+    @pytest.mark.equation("4-1")
     def test_three_principal_rotations(self) -> None:
         u, v, w = EULER[0]
         close(
@@ -353,7 +410,7 @@ class TestSinglePrecision:
             rotation_v(one),
             rotation_w(one),
             matrix_from_euler_angles(one, 2, 3),
-            *quaternion_from_euler_angles(one, 2, 3),
+            *half_angle_sums(one, 2, 3),
             *axis_angle_from_euler_angles(one, 2, 3),
             *axis_angle_from_euler_angles(0 * one, 0, 0),
             homogeneous(np.eye(3, dtype=np.float32)),
@@ -382,9 +439,10 @@ GOOD: dict[Any, dict[str, Any]] = {
     rotation_u: {"angle": 1},
     rotation_v: {"angle": 1},
     rotation_w: {"angle": 1},
-    matrix_from_euler_angles: {"theta_u": 1, "theta_v": 1, "theta_w": 1},
-    quaternion_from_euler_angles: {"theta_u": 1, "theta_v": 1, "theta_w": 1},
-    axis_angle_from_euler_angles: {"theta_u": 1, "theta_v": 1, "theta_w": 1},
+    matrix_from_euler_angles: {"u": 1, "v": 1, "w": 1},
+    quaternion_from_euler_angles: {"u": 1, "v": 1, "w": 1},
+    axis_angle_from_euler_angles: {"u": 1, "v": 1, "w": 1},
+    euler_angles: {"matrix": np.eye(3)},
     homogeneous: {"matrix": np.eye(3)},
     translation: {"v": [1, 2, 3]},
     scaling: {"s": [1, 2, 3]},
@@ -407,12 +465,17 @@ class TestRefusals:
             with pytest.raises(ValueError, match=f"^{name} must be an array of real numbers"):
                 f(**GOOD[f] | {name: text})
 
-    @pytest.mark.parametrize("f", [translation, scaling, reflection])
-    def test_not_vectors(self, f: Any) -> None:
+    @pytest.mark.parametrize(
+        ("f", "shape"),
+        [
+            (translation, r"\(..., 3\)"),
+            (scaling, r"\(\) or \(..., 3\)"),
+            (reflection, r"\(..., 3\)"),
+        ],
+    )
+    def test_not_vectors(self, f: Any, shape: str) -> None:
         (name,) = GOOD[f]
-        with pytest.raises(
-            ValueError, match=rf"^{name} must have shape \(..., 3\); got .*\(2, 4\)"
-        ):
+        with pytest.raises(ValueError, match=rf"^{name} must have shape {shape}; got .*\(2, 4\)"):
             f(np.ones((2, 4)))
 
     def test_not_matrices(self) -> None:
@@ -423,7 +486,7 @@ class TestRefusals:
             compose(np.eye(4), np.eye(2))
         with pytest.raises(ValueError, match=r"^matrices\[0\] and matrices\[1\] must broadcast"):
             compose(np.ones((2, 4, 4)), np.ones((3, 3, 3)))
-        with pytest.raises(ValueError, match=r"^theta_u and theta_v and theta_w must broadcast"):
+        with pytest.raises(ValueError, match=r"^u and v and w must broadcast"):
             matrix_from_euler_angles([1, 2], [1, 2, 3], 0)
 
     def test_zeros(self) -> None:

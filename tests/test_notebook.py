@@ -7,9 +7,9 @@ from rotedu.ordinary_rotation import rotate
 
 def test_source_is_the_code_without_its_docstring() -> None:
     code = repr(source(rotate))
-    assert code.startswith("def rotate(")
+    assert "def rotate(" in code
     assert '"""' not in code
-    assert "np.cross(n, r)" in code
+    assert "cross(n, r)" in code
     compile(code, "rotate", "exec")
 
 

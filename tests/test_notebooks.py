@@ -1,11 +1,15 @@
 """The committed notebooks, so that nbval compares what a reader sees."""
 
+import json
+import re
 from pathlib import Path
 from typing import Any
 
 import nbformat
 import pytest
 
+SHOWN = re.compile(r"\bsource\((?:\w+\.)*(\w+)\)")
+PRIVATE = re.compile(r"_(?!_)")
 NOTEBOOKS = sorted((Path(__file__).parents[1] / "book").glob("*.ipynb"))
 
 
@@ -30,6 +34,13 @@ class TestNotebook:
                 assert output.output_type != "error"
                 assert output.get("name") != "stderr"
                 assert not [mime for mime in output.get("data", {}) if mime.startswith("image/")]
+
+    def test_shows_no_private_function(self, file: Path) -> None:
+        """A listing is a public function; operators are methods with two underscores."""
+        shown = [name for cell in code_cells(file) for name in SHOWN.findall(cell.source)]
+        assert [name for name in shown if PRIVATE.match(name)] == []
+        printed = json.dumps([cell.outputs for cell in code_cells(file)])
+        assert not re.search(r"\bdef _[a-z]", printed)
 
     def test_names_no_backend_and_no_path(self, file: Path) -> None:
         for cell in code_cells(file):

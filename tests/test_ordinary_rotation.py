@@ -80,12 +80,14 @@ class TestProofs:
     def matrix(self) -> sp.Matrix:
         return sp.Matrix(rotation_matrix(self.n, self.theta))
 
+    @pytest.mark.equation("3-3")
     def test_matrix_times_vector_is_rodrigues_formula(self) -> None:
         difference = self.matrix() * sp.Matrix(self.r) - sp.Matrix(
             rotate(self.r, self.n, self.theta)
         )
         assert difference.expand() == sp.zeros(3, 1)
 
+    @pytest.mark.equation("3-2")
     def test_transform_is_the_matrix_product(self) -> None:
         m = sp.Matrix(3, 3, sp.symbols("m:9"))
         product = sp.Matrix(transform(m, self.r))
@@ -109,6 +111,7 @@ class TestProofs:
         sin = sp.sin(self.theta)
         assert all(self.is_zero(x - 2 * sin * y) for x, y in zip(skew, self.n, strict=True))
 
+    @pytest.mark.equation("3-1")
     def test_the_first_line_of_3_1_is_the_second(self) -> None:
         r, n = sp.Matrix(self.r), sp.Matrix(self.n)
         along = r.dot(n) * n
@@ -191,7 +194,7 @@ class TestLaws:
         close(rotation_matrix(scaled, a), rotation_matrix(n, a), 1e-13)
 
     @repeatable
-    @given(axes, st.floats(0, np.pi))
+    @given(axes, st.floats(0, np.pi, allow_subnormal=False))
     def test_axis_and_angle_come_back_as_the_same_matrix(self, n: Array, a: float) -> None:
         m = rotation_matrix(n, a)
         axis, angle = axis_angle(m)
@@ -330,8 +333,6 @@ class TestTransform:
 
 
 class TestManyPoints:
-    """So many that they are multiplied in another way, and in more than one block."""
-
     points = RNG.normal(size=(220_001, 2, 3))
     matrices = (
         TestTransform.matrix,
@@ -359,23 +360,6 @@ class TestManyPoints:
             close(single, few, 2e-5)
 
     @pytest.mark.parametrize("matrix", matrices)
-    def test_out(self, matrix: Array) -> None:
-        for points in self.laid_out(self.points):
-            expected = transform(matrix, points)
-            strided = np.full((*points.shape, 2), np.nan)[..., 1]
-            for out in (np.empty(points.shape), np.empty(points.shape, order="F"), strided):
-                assert transform(matrix, points, out) is out
-                close(out, expected, 1e-15)
-
-    @pytest.mark.parametrize("matrix", matrices)
-    @pytest.mark.parametrize("n", [5, 220_000])
-    def test_out_may_be_the_points(self, matrix: Array, n: int) -> None:
-        for points in self.laid_out(self.points[:n]):
-            here = points.copy(order="A")
-            transform(matrix, here, out=here)
-            close(here, transform(matrix, points), 1e-15)
-
-    @pytest.mark.parametrize("matrix", matrices)
     @pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf])
     @pytest.mark.parametrize("coordinate", [0, 1, 2])
     def test_one_that_is_not_finite_is_found(
@@ -386,33 +370,8 @@ class TestManyPoints:
         wrong = (
             rf"points must be finite in float64; got {value} at index \(100000, 1, {coordinate}\)"
         )
-        for out in (None, np.empty_like(points), points):
-            with pytest.raises(ValueError, match=wrong):
-                transform(matrix, points, out)
-
-    @pytest.mark.parametrize("coordinate", [0, 1, 2])
-    def test_one_that_is_not_finite_is_found_where_zeros_are_skipped(
-        self, coordinate: int, monkeypatch: pytest.MonkeyPatch
-    ) -> None:
-        def product(a: Array, b: Array, out: Array | None = None) -> Array:
-            """Some libraries do not multiply by 0, so that 0 times NaN is 0."""
-            a, b = a.T[:, :, None], b[:, None]
-            found = np.where((a == 0) | (b == 0), 0, a * b).sum(axis=0)
-            if out is None:
-                return np.asarray(found)
-            out[...] = found
-            return out
-
-        monkeypatch.setattr(np, "matmul", product)
-        points = self.points[:5000].copy()
-        turn = rotation_matrix([0, 0, 1], 1.0)
-        close(transform(turn, points), points @ turn.T)
-        points[4_999, 1, coordinate] = np.nan
-        some = np.array([[1.0, 1, 1], [0, 1, 0], [0, 0, 1]])
-        for matrix in (turn, turn[::-1], some, some[[1, 0, 2]], some[::-1]):
-            for out in (None, np.empty_like(points)):
-                with pytest.raises(ValueError, match=rf"at index \(4999, 1, {coordinate}\)$"):
-                    transform(matrix, points, out)
+        with pytest.raises(ValueError, match=wrong):
+            transform(matrix, points)
 
     def test_one_that_is_sent_to_infinity_is_found(self) -> None:
         points = self.points.copy()
@@ -422,57 +381,29 @@ class TestManyPoints:
 
     def test_large_numbers_are_no_infinities(self) -> None:
         close(transform(np.eye(3), 1e200 * self.points), 1e200 * self.points, 0)
-        # Nor if their images are.
-        points = np.full((2001, 3), 1e308)
-        for out in (None, np.empty((2001, 3)), points):
-            assert (transform(2 * np.ones((3, 3)), points, out) == np.inf).all()
 
-    def test_neighbours_in_memory_are_not_mixed_up(self) -> None:
-        numbers = np.random.default_rng(120).normal(size=(440_001, 3))
-        expected = transform(TestTransform.affine, numbers[:-1].copy())
-        for points, out in [(slice(-1), slice(1, None)), (slice(1, None), slice(-1))]:
-            shared = numbers.copy()
-            shared[points] = numbers[:-1]
-            transform(TestTransform.affine, shared[points], shared[out])
-            close(shared[out], expected, 1e-15)
+    def test_images_beyond_all_numbers_are_warned_of(self) -> None:
+        points = np.full((2001, 3), 1e308)
+        with pytest.warns(RuntimeWarning, match="overflow"):
+            assert (transform(2 * np.ones((3, 3)), points) == np.inf).all()
 
     def test_a_stack_of_matrices(self) -> None:
         matrices = rotation_matrix(AXES[8:11], 1.0)[:, None]
         points = np.ascontiguousarray(self.points[:5000, 0])
         expected = np.stack([points @ m[0].T for m in matrices])
         close(transform(matrices, points), expected)
-        out = np.empty((3, 5000, 3))
-        assert transform(matrices, points, out) is out
-        close(out, expected)
 
     def test_objects(self) -> None:
         points, matrix = self.points[:1001, 0], TestTransform.matrix
-        out = np.empty((1001, 3), object)
         expected = OperationCount(9 * 1001, 6 * 1001)
         assert count(lambda r: transform(matrix, r), points) == expected
         assert count(lambda m: transform(m, points), matrix) == expected
-        assert count(lambda m: transform(m, points, out), matrix) == expected
-        found = np.vectorize(lambda scalar: scalar.value, otypes=[float])(out)
-        close(found, transform(matrix, points), 1e-15)
 
     def test_other_numbers(self) -> None:
         for dtype in (">f8", "f2", "i4"):
             points = (100 * self.points[:2001, 0]).astype(dtype)
-            out = np.empty((2001, 3))
-            close(
-                transform(TestTransform.matrix, points, out), points @ TestTransform.matrix.T, 1e-12
-            )
+            close(transform(TestTransform.matrix, points), points @ TestTransform.matrix.T, 1e-12)
             assert transform(np.eye(3, dtype=dtype), points).dtype == np.float64
-
-    @pytest.mark.parametrize(
-        "out",
-        [np.empty((4, 3)), np.empty((5, 3), "f4"), np.empty((5, 4)), [[0.0] * 3] * 5],
-    )
-    def test_out_must_fit(self, out: Any) -> None:
-        with pytest.raises(
-            ValueError, match=r"^out must be an array of float64 and shape \(5, 3\)"
-        ):
-            transform(np.eye(3), np.zeros((5, 3)), out)
 
 
 class TestShapes:
@@ -688,7 +619,7 @@ class TestRefusals:
     def test_a_rotation_to_half_of_its_digits(self) -> None:
         axis_angle(rotation_matrix([0, 0, 1], 1) * (1 + 5e-9))
         axis_angle((rotation_matrix([0, 0, 1], 1) * (1 + 1e-4)).astype(np.float32))
-        with pytest.raises(ValueError, match=r"may differ from the identity by 1\.5e-08"):
-            axis_angle(rotation_matrix([0, 0, 1], 1) * (1 + 1e-8))
-        with pytest.raises(ValueError, match=r"may differ from the identity by 3\.5e-04"):
+        with pytest.raises(ValueError, match=r"may differ from the identity by 3\.0e-08"):
+            axis_angle(rotation_matrix([0, 0, 1], 1) * (1 + 2e-8))
+        with pytest.raises(ValueError, match=r"may differ from the identity by 6\.9e-04"):
             axis_angle((rotation_matrix([0, 0, 1], 1) * (1 + 1e-3)).astype(np.float32))

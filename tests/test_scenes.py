@@ -4,17 +4,18 @@ import numpy as np
 import pytest
 import pyvista
 
-from rotedu import scenes
+from rotedu import colors, scenes
 from rotedu.arcs import angle_between
 from rotedu.control_points import bisect, control_points, double
 from rotedu.figures.backend import scene_labels
 from rotedu.ordinary_rotation import rotate
+from rotedu.scenes import control_points as construction
 
 SCENES = [
     function
-    for name, function in vars(scenes).items()
+    for function in vars(scenes).values()
     if getattr(function, "__annotations__", {}).get("return") is pyvista.Plotter
-    and name not in ("new_scene", "two_curves")
+    and function is not scenes.two_curves
 ]
 
 
@@ -71,7 +72,7 @@ def meshes(plotter: pyvista.Plotter, color: str) -> list[pyvista.PolyData]:
 @pytest.mark.parametrize("between", [0.3, np.deg2rad(50), 1.2])
 def test_two_mirrors_turn_the_letter_by_twice_their_angle(between: float) -> None:
     plotter = scenes.two_mirrors(between)
-    (before,), (after,) = (meshes(plotter, color) for color in (scenes.VECTOR, scenes.RESULT))
+    (before,), (after,) = (meshes(plotter, color) for color in (colors.VECTOR, colors.RESULT))
     turned = rotate(before.points, [0, 0, 1], 2 * between)
     np.testing.assert_allclose(after.points, turned, rtol=0, atol=1e-6)
     np.testing.assert_allclose(after.volume, before.volume, rtol=1e-5)
@@ -88,18 +89,18 @@ def test_no_turn_maps_the_letter_f_to_its_mirror_image() -> None:
 
 def test_construction_of_figures_3_to_7_is_that_of_control_points() -> None:
     points = np.random.default_rng(3).normal(size=(3, 3))
-    found = scenes.neighbours(points)
+    found = construction.neighbours(points)
     a, b = control_points(points)
-    np.testing.assert_allclose(found[scenes.A], a[1], atol=1e-14)
-    np.testing.assert_allclose(found[scenes.B], b[1], atol=1e-14)
+    np.testing.assert_allclose(found[construction.A], a[1], atol=1e-14)
+    np.testing.assert_allclose(found[construction.B], b[1], atol=1e-14)
 
 
 def test_their_points_hide_no_lost_bar() -> None:
     """Each bisected angle differs from the one named without the bar."""
-    p = scenes.neighbours(scenes.NEIGHBOURS)
+    p = construction.neighbours(construction.NEIGHBOURS)
     pairs = (
-        ((scenes.REFLECTED, scenes.AFTER), (scenes.BEFORE, scenes.HERE)),
-        ((scenes.MIDDLE, scenes.HERE), (scenes.HERE, scenes.AFTER)),
+        ((construction.REFLECTED, construction.AFTER), (construction.BEFORE, construction.HERE)),
+        ((construction.MIDDLE, construction.HERE), (construction.HERE, construction.AFTER)),
     )
     for with_bar, without in pairs:
         angles = [angle_between(p[start], p[end]) for start, end in (with_bar, without)]
@@ -107,10 +108,10 @@ def test_their_points_hide_no_lost_bar() -> None:
 
 
 def test_reversed_axis_is_that_of_5_9_as_printed() -> None:
-    p = np.asarray(scenes.LOOP) / np.linalg.norm(scenes.LOOP, axis=1, keepdims=True)
+    p = np.asarray(construction.LOOP) / np.linalg.norm(construction.LOOP, axis=1, keepdims=True)
     reflected, after = double(np.roll(p, 1, axis=0), p), np.roll(p, -1, axis=0)
     printed = np.cross(after, reflected)
     middle = rotate(reflected, printed, angle_between(reflected, after) / 2)
-    a, b = scenes.astray(p)
+    a, b = construction.astray(p)
     np.testing.assert_allclose(a, bisect(p, middle), atol=1e-14)
     np.testing.assert_allclose(b, double(a, p), atol=1e-14)

@@ -16,11 +16,13 @@ from pathlib import Path
 ROOT = Path(__file__).parents[1]
 VENV = ROOT / ".venv"
 PYTHON = VENV / "bin" / "python"
+OLDEST, NEWEST = (3, 11), (3, 13)
 
 # In a process of its own: without an OpenGL library VTK ends in a segmentation fault.
 TRIAL_RENDER = """
+import pyvista
 from rotedu import scenes
-scenes.pyvista.OFF_SCREEN = True
+pyvista.OFF_SCREEN = True
 plotter = scenes.figure_1()
 plotter.render()
 assert plotter.screenshot().std() > 1
@@ -52,14 +54,37 @@ def apt_install(package: str) -> bool:
     return subprocess.run(install, **quiet).returncode == 0
 
 
+def refuse_other_pythons() -> None:
+    """Stop at a Python that the locked packages are not for."""
+    if not OLDEST <= sys.version_info[:2] <= NEWEST:
+        here, oldest, newest = ("{}.{}".format(*v) for v in (sys.version_info, OLDEST, NEWEST))
+        sys.exit(
+            f"rotedu needs Python {oldest} to {newest}, not {here} ({sys.executable}): "
+            f"call make with, for example, PYTHON=python{newest}"
+        )
+
+
+def made_by_this_python() -> bool:
+    """Tell whether .venv is there and whole, and has the version of the Python that runs this."""
+    show = [PYTHON, "-c", "import pip, sys; print(*sys.version_info[:2])"]
+    try:
+        version = subprocess.run(show, capture_output=True, text=True, check=True).stdout
+    except (OSError, subprocess.CalledProcessError):
+        return False
+    return version.split() == [str(part) for part in sys.version_info[:2]]
+
+
 def make_environment() -> None:
     """Create .venv and install the locked packages and rotedu itself."""
-    say("installing the packages of requirements.txt into .venv (about two minutes)")
-    if not PYTHON.exists():
-        venv.create(VENV, with_pip=True)
-    pip = [PYTHON, "-m", "pip", "install", "--quiet", "--disable-pip-version-check"]
+    if not made_by_this_python():
+        say("making .venv")
+        venv.create(VENV, with_pip=True, clear=True)
+    say("installing the packages of requirements.txt into .venv")
+    pip = [PYTHON, "-m", "pip", "install", "-qq", "--disable-pip-version-check"]
+    subprocess.run([*pip, "uv"], check=True)
     # The list names rotedu relative to the checkout.
-    subprocess.run([*pip, "-r", "requirements.txt"], cwd=ROOT, check=True)
+    uv = [PYTHON, "-m", "uv", "pip", "install", "--quiet", "--python", PYTHON]
+    subprocess.run([*uv, "-r", "requirements.txt"], cwd=ROOT, check=True)
 
 
 def can_draw() -> bool:
@@ -91,6 +116,7 @@ def find_browser() -> None:
 
 
 if __name__ == "__main__":
+    refuse_other_pythons()
     if "--browser" in sys.argv:
         find_browser()
     else:

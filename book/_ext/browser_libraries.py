@@ -13,6 +13,8 @@ from sphinx.errors import ExtensionError
 from sphinx.util import logging
 from sphinxcontrib import katex
 
+from rotedu import colors
+
 ROOT = Path(__file__).parents[2]
 LOCK = ROOT / "package-lock.json"
 LIBRARIES = ROOT / "node_modules"
@@ -70,11 +72,10 @@ def typeset(app: Sphinx, config: Config) -> None:
     katex.KATEX_DEFAULT_OPTIONS.update(
         throwOnError=True,
         strict="error",
+        # \vector{...} for what has the colour VECTOR; in a macro, ## stands for #.
         macros={
-            "\\vector": "\\textcolor{0072b2}{#1}",
-            "\\axis": "\\textcolor{d55e00}{#1}",
-            "\\result": "\\textcolor{009e73}{#1}",
-            "\\cross": "\\textcolor{b65f92}{#1}",
+            f"\\{name.lower()}": rf"\textcolor{{#{getattr(colors, name)}}}{{#1}}"
+            for name in colors.__all__
         },
     )
 

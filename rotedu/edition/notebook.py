@@ -3,6 +3,7 @@
 import ast
 import inspect
 import json
+import re
 import textwrap
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
@@ -52,6 +53,12 @@ class Table:
 
     def _repr_markdown_(self) -> str:
         return self.markdown
+
+
+def linked(text: str) -> str:
+    """Link the numbers of equations and errata in a text."""
+    text = re.sub(r"\((\d-\d+)\)", r"[(\1)](#eq-\1)", text)
+    return re.sub(r"\bE\d+[bc]?\b", lambda n: f"[{n[0]}](#erratum-{n[0].lower()})", text)
 
 
 def source(function: Callable[..., Any]) -> Source:

@@ -1,36 +1,8 @@
-"""Figures for a book out of pyvista scenes.
+"""The pyvista backends ``book`` and ``still``: what ``Plotter.show()`` leaves in a notebook.
 
-A page that is read in a browser has no Python behind it. This module turns what
-``Plotter.show()`` would open in a window into something such a page can carry: a
-poster (a picture with a see-through background, at twice the size it is shown at), an
-alternative text, the labels of the scene as text over the poster, typeset like the formulas
-of the page, and the scene itself as binary glTF, which the viewer in the folder ``viewer``
-draws in place of the poster for the reader to turn. Nothing here knows what the scenes are
-about.
-
-How another book would use it
------------------------------
-1. Install the package next to `pyvista` and `myst_nb`. Two entry points announce it:
-   the group ``pyvista.jupyter_backends`` brings the backend ``book`` (`book_figure`),
-   the group ``myst_nb.mime_renderers`` brings `rotedu.figures.pages.SceneRenderer`.
-2. Bundle the viewer once, with Node: ``npm install three esbuild``, then ``node
-   viewer/build.js <folder>``; the folder is one of Sphinx's ``html_static_path``. All files
-   come from the book's own host, and no script is inline.
-3. Add ``rotedu.figures.pages`` to the Sphinx extensions (in Jupyter Book:
-   ``sphinx: extra_extensions``). While Sphinx runs, notebooks then use the backend
-   ``book``; anywhere else they keep the one they would have had. Pages with scenes load
-   ``scene/scene.css`` and ``scene/loader.js``; the viewer follows when a scene comes near.
-4. Say in words what a scene shows, then show it as always::
-
-       plotter = pyvista.Plotter()
-       plotter.add_mesh(pyvista.Sphere())
-       plotter.add_point_labels([[0, 0, 1]], ["$P_0$"], show_points=False)
-       describe(plotter, "A ball with its north pole marked P0.")
-       plotter.show()
-
-A label may hold a formula between dollar signs. Meshes added with ``pickable=False``
-never hide a label that stands behind them. What the viewer could not show as the poster does
-(textures, several views, lights that stay in place) is refused with a `ValueError`.
+``book`` makes a poster (a picture with a see-through background, at twice the size it is shown
+at), an alternative text, the labels of the scene as text over the poster, typeset like the
+formulas of the page, and the scene itself as binary glTF. ``still`` makes a picture.
 """
 
 import base64
@@ -136,7 +108,7 @@ def book_figure(plotter: pyvista.Plotter, **_: object) -> BookFigure:
     if alt is None:
         raise ValueError(
             "plotter: expected a scene with an alternative text, got one without;"
-            " call rotedu.figures.backend.describe(plotter, ...) before show()"
+            " call rotedu.figures.describe(plotter, ...) before show()"
         )
     width, height = plotter.window_size
     labels = scene_labels(plotter)

@@ -1,0 +1,177 @@
+"""The errors of the paper: the one source of their table."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+from rotedu.edition.notebook import Table, linked
+
+__all__ = ["ERRATA", "Erratum", "errata_table"]
+
+
+@dataclass(frozen=True, slots=True)
+class Erratum:
+    """An error of the paper.
+
+    Attributes
+    ----------
+    number : str
+        As in ``E4b``.
+    title : str
+        The heading of its section on the errata page.
+    place : str
+        Where in the paper it is.
+    printed, correct : str
+        What is there, and what should be, in Markdown.
+    kind : str
+        What is wrong: a "result" that is computed, a "fact" that is stated, or only the "wording".
+    """
+
+    number: str
+    title: str
+    place: str
+    printed: str
+    correct: str
+    kind: Literal["result", "fact", "wording"]
+
+    @property
+    def label(self) -> str:
+        """What the errata page calls it."""
+        return f"erratum-{self.number.lower()}"
+
+
+ERRATA = (
+    Erratum(
+        "E1",
+        "Quaternions are not a sphere, and their unit sphere is not S²",
+        "Section 2.1",
+        "all quaternions are $S^3$, the unit ones $S^2$",
+        "all are $\\mathbb R^4$, the unit ones $S^3$",
+        "wording",
+    ),
+    Erratum(
+        "E2",
+        "The axis (5-9) turns the wrong way",
+        "(5-9)",
+        "$P_{i+1}\\times\\bar P_{i-1}$",
+        "$\\bar P_{i-1}\\times P_{i+1}$",
+        "result",
+    ),
+    Erratum(
+        "E3",
+        "(5-13) goes back instead of on",
+        "(5-13)",
+        "$2\\cos\\tilde\\theta_i\\,a_i-P_i$",
+        "$2\\cos\\tilde\\theta_i\\,P_i-a_i$",
+        "result",
+    ),
+    Erratum(
+        "E4",
+        "The pseudocode reads what it has not written yet",
+        "Section 5, pseudocode",
+        "`Q[j][k-1]`, `Q[j][k]`",
+        "`Q[j-1][k-1]`, `Q[j-1][k]`",
+        "result",
+    ),
+    Erratum(
+        "E4b",
+        "The sine is not negative",
+        "Section 5, pseudocode",
+        "the comment: $\\sin\\theta<0$ if $\\cos\\theta<0$",
+        "no comment: $\\sin\\theta\\ge0$",
+        "result",
+    ),
+    Erratum(
+        "E4c",
+        "The angle is used and never computed",
+        "Section 5, pseudocode",
+        "$\\cos\\theta$ and $\\sin\\theta$, no $\\theta$",
+        "$\\theta$ from an arctangent",
+        "result",
+    ),
+    Erratum(
+        "E5",
+        "No quaternion formula takes 19 multiplications and 7 additions",
+        "Sections 1 and 3",
+        "19 + 7 to compose, and to turn a point",
+        "16 + 12 to compose, 18 + 12 to turn",
+        "fact",
+    ),
+    Erratum(
+        "E6",
+        "Three entries of a rotation matrix are independent, not four",
+        "Section 1",
+        "four of nine",
+        "three of nine",
+        "fact",
+    ),
+    Erratum(
+        "E7",
+        "Slerp does have a matrix",
+        "after (5-3)",
+        "slerp cannot be a matrix times a vector",
+        "it can: a 4 × 4 rotation matrix",
+        "fact",
+    ),
+    Erratum(
+        "E8",
+        "An axis is a direction, not a point",
+        "after (4-7)",
+        "$(a_u,a_v,a_w,1)$",
+        "$(a_u,a_v,a_w,0)$",
+        "wording",
+    ),
+    Erratum(
+        "E9",
+        "The 4 × 4 matrix is that of (4-7), not (3-3)",
+        "at (5-3), (5-5), (5-8), (5-11), (5-14)",
+        "the 4 × 4 matrix of (3-3)",
+        "the 4 × 4 matrix of (4-7)",
+        "wording",
+    ),
+    Erratum(
+        "E10",
+        "Section 2 does not interpolate",
+        "Section 1, last paragraph",
+        "Section 2 reviews interpolation",
+        "it ends with (2-6)",
+        "wording",
+    ),
+    Erratum(
+        "E11",
+        "Twice the angle is not always the angle between",
+        "before (5-4)",
+        "$P_{i-1}$, $\\bar P_{i-1}$ are $2\\theta_{i-1}$ apart",
+        "along the arc, or if $\\theta_{i-1}\\le90^\\circ$",
+        "wording",
+    ),
+    Erratum(
+        "E12",
+        "Modulo n needs n different points",
+        "Section 5",
+        "$P_0,\\dots,P_n$, indices modulo $n$",
+        "the same, with $P_n=P_0$",
+        "wording",
+    ),
+)
+
+
+def errata_table() -> Table:
+    """Make the table of the errata, with links, for a page of the book.
+
+    Returns
+    -------
+    Table
+    """
+    return Table(
+        ("Number", "Where", "As printed", "What it should be", "What is wrong"),
+        [
+            (
+                f"[{row.number}](#{row.label})",
+                linked(row.place),
+                linked(row.printed),
+                linked(row.correct),
+                row.kind,
+            )
+            for row in ERRATA
+        ],
+    )

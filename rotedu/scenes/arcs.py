@@ -1,0 +1,73 @@
+"""Scene of Chapter 5, arcs: two points, their arc and its axis."""
+
+import numpy as np
+import pyvista
+from numpy.typing import ArrayLike
+
+from rotedu.arcs import angle_between, arc_axis, slerp
+from rotedu.colors import NEUTRAL, RESULT, VECTOR
+from rotedu.figures import describe
+from rotedu.scenes.parts import (
+    ORIGIN,
+    add_angle,
+    add_arc,
+    add_arrow,
+    add_axis,
+    add_label,
+    add_line,
+    add_point,
+    add_sphere,
+    new_scene,
+    turning,
+)
+
+
+def add_right_angle(
+    plotter: pyvista.Plotter, first: ArrayLike, second: ArrayLike, size: float = 0.13
+) -> None:
+    """Mark that two directions at the origin are perpendicular."""
+    side, other = size * np.asarray(first, float), size * np.asarray(second, float)
+    add_line(plotter, [side, side + other, other], NEUTRAL, radius=0.005)
+
+
+def figure_2(
+    v1: ArrayLike = (0.85, -0.45, -0.2), v2: ArrayLike = (0.15, 0.98, -0.1), t: float = 0.3
+) -> pyvista.Plotter:
+    """Draw Fig. 2: two unit vectors, the axis perpendicular to both, and the arc between them.
+
+    Parameters
+    ----------
+    v1, v2 : array_like, shape (3,)
+        The ends of the arc; they are normalised.
+    t : float
+        Part of the way at which a point of the arc is shown.
+
+    Returns
+    -------
+    pyvista.Plotter
+        The scene.
+    """
+    first, second = (np.asarray(v, float) / np.linalg.norm(v) for v in (v1, v2))
+    n, point = arc_axis(first, second), slerp(first, second, t)
+    angle = float(np.degrees(angle_between(first, second)))
+
+    plotter = new_scene(eye=(4.5, 2.3, 2.9), target=(0, 0, 0.16))
+    add_sphere(plotter)
+    add_line(plotter, turning(first, n, 2 * np.pi, 96), NEUTRAL, radius=0.004)
+    add_angle(plotter, first, second, r"$\theta$", size=0.4)
+    add_axis(plotter, n, r"$\hat v$")
+    for end, text in ((first, r"$\hat v_1$"), (second, r"$\hat v_2$")):
+        add_right_angle(plotter, n, end)
+        add_arrow(plotter, ORIGIN, end, VECTOR)
+        add_label(plotter, 1.13 * end, text, VECTOR)
+    add_arc(plotter, first, second, RESULT, radius=0.014)
+    add_line(plotter, [ORIGIN, point], RESULT, radius=0.006)
+    add_point(plotter, point, RESULT, radius=0.035)
+    add_label(plotter, 1.16 * point, r"$\hat v(t)$", RESULT)
+    describe(
+        plotter,
+        f"A see-through unit sphere. Two arrows v1 and v2, {angle:.0f} degrees apart, lead from its"
+        " centre to its surface, a third, the axis v, stands at right angles to both. An arc of the"
+        f" great circle joins v1 and v2; a point v(t) on it has gone {t:.0%} of the way.",
+    )
+    return plotter

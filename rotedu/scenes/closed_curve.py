@@ -1,0 +1,106 @@
+"""Scenes of Chapter 5, closed curve: de Casteljau's arcs, and the curve of Figure 8."""
+
+from itertools import pairwise
+
+import numpy as np
+import pyvista
+from numpy.typing import ArrayLike
+
+from rotedu.closed_curve import closed_curve, de_casteljau, de_casteljau_levels
+from rotedu.colors import CROSS, NEUTRAL, RESULT, VECTOR
+from rotedu.control_points import control_points
+from rotedu.figures import describe
+from rotedu.scenes.parts import add_arc, add_label, add_line, add_point, add_sphere, new_scene
+
+# Uneven gaps, one of them beyond 90 degrees, and on the side of the camera.
+FIGURE_8 = ((0.8, -0.4, 0.4), (0.5, 0.8, -0.4), (0.6, 0.7, 0.4), (0.1, 0.4, 0.9))
+
+
+def figure_8(points: ArrayLike = FIGURE_8, fraction: float = 1 / 2) -> pyvista.Plotter:
+    """Draw Fig. 8: a closed curve on the sphere, its points and its control points.
+
+    Parameters
+    ----------
+    points : array_like, shape (n, 3)
+        The points P_0 ... P_{n-1}, at least 3; they are normalised.
+    fraction : float
+        How far ``a_i`` goes from ``P_i`` towards the midpoint; 1/2 is the paper's.
+
+    Returns
+    -------
+    pyvista.Plotter
+        The scene.
+    """
+    p = np.asarray(points, float)
+    p = p / np.linalg.norm(p, axis=1, keepdims=True)
+    a, b = control_points(p, fraction)
+    curve = closed_curve(p, 30, fraction)
+
+    plotter = new_scene(eye=(4.28, 2.42, 2.51), target=(0, 0, 0))
+    add_sphere(plotter)
+    add_line(plotter, [*curve, curve[0]], RESULT, radius=0.013)
+    polygon = np.stack([b, p, a], axis=1).reshape(-1, 3)
+    before, after = np.roll(polygon, 1, axis=0), np.roll(polygon, -1, axis=0)
+    for start, end in zip(polygon, after, strict=True):
+        add_arc(plotter, start, end, CROSS)
+
+    # Labels stand on the outer side of the corners; the polygon has none at P_i.
+    outwards = 0.35 * (polygon - polygon.mean(axis=0)) + polygon - (before + after) / 2
+    outwards /= np.linalg.norm(outwards, axis=1, keepdims=True)
+    corners = (("b", RESULT, 0.024), ("P", VECTOR, 0.036), ("a", RESULT, 0.024))
+    for i, (point, outward) in enumerate(zip(polygon, outwards, strict=True)):
+        letter, color, radius = corners[i % 3]
+        add_point(plotter, point, color, radius)
+        add_label(plotter, point + 0.15 * outward, f"${letter}_{i // 3}$", color)
+    describe(
+        plotter,
+        f"A see-through sphere with a smooth closed green curve through {len(p)} blue points P."
+        " Next to each point stand two small green control points, a after it and b before it."
+        " Thin purple arcs join them all in the order P0, a0, b1, P1, a1 and so on; they follow the"
+        " curve and touch it at the points P.",
+    )
+    return plotter
+
+
+# Far apart, so that the arcs of all levels can be told from each other.
+ARCS = ((1.0, 0.0, -0.2), (0.6, -0.2, 0.7), (0.1, 0.6, 0.8), (0.4, 0.9, -0.2))
+
+
+def arcs_of_arcs(control: ArrayLike = ARCS, u: float = 0.4) -> pyvista.Plotter:
+    """Draw de Casteljau's construction on the sphere: the arcs of all levels for one u.
+
+    Parameters
+    ----------
+    control : array_like, shape (4, 3)
+        Control points; they are normalised.
+    u : float
+        The parameter, from 0 to 1.
+
+    Returns
+    -------
+    pyvista.Plotter
+        The scene.
+    """
+    levels = de_casteljau_levels(control, u)
+    plotter = new_scene(eye=(4.28, 2.42, 2.51), target=(0, 0, 0))
+    add_sphere(plotter)
+    add_line(plotter, de_casteljau(control, np.linspace(0, 1, 41)), RESULT, radius=0.012)
+    middle = levels[0].mean(axis=0)
+    colors = (VECTOR, CROSS, NEUTRAL, RESULT)
+    for j, (level, color) in enumerate(zip(levels, colors, strict=True)):
+        for start, end in pairwise(level):
+            add_arc(plotter, start, end, color, radius=0.008)
+        for k, point in enumerate(level):
+            add_point(plotter, point, color, radius=0.035 if color == RESULT else 0.024)
+            outwards = (point - middle) / np.linalg.norm(point - middle)
+            place = point + (-0.13 if color == RESULT else 0.13) * outwards
+            ink = "black" if color == NEUTRAL else color
+            add_label(plotter, place, f"$Q_{{{j},{j + k}}}$", ink)
+    describe(
+        plotter,
+        f"A see-through sphere with a green curve and the construction of its point for u = {u:g}."
+        " Four blue points, Q00 to Q03, are joined by three blue arcs. On each of these sits a"
+        " purple point, Q11 to Q13; two purple arcs join them. On each of those sits a grey point,"
+        " Q22 and Q23. The grey arc between them meets the curve at the green point Q33.",
+    )
+    return plotter

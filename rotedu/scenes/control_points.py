@@ -1,0 +1,302 @@
+"""Scenes of Chapter 5, control points: their construction, and what the misprint in (5-9) does."""
+
+import numpy as np
+import pyvista
+from numpy.typing import ArrayLike, NDArray
+
+from rotedu.arcs import arc_axis, slerp
+from rotedu.closed_curve import closed_curve, de_casteljau
+from rotedu.colors import CROSS, RESULT, VECTOR, WRONG
+from rotedu.control_points import bisect, double
+from rotedu.figures import describe
+from rotedu.scenes.parts import (
+    ORIGIN,
+    add_angle,
+    add_arc,
+    add_axis,
+    add_label,
+    add_line,
+    add_point,
+    add_sphere,
+    new_scene,
+)
+
+# The points of figures 3 to 7: 60 degrees apart, then 90, so that no angle that is bisected
+# equals the one that its name without the bar stands for.
+NEIGHBOURS = ((1.0, 0.0, 0.0), (0.5, 0.75**0.5, 0.0), (0.0, 0.0, 1.0))
+
+
+BEFORE, HERE, AFTER = "$P_{i-1}$", "$P_i$", "$P_{i+1}$"
+REFLECTED, MIDDLE = r"$\bar P_{i-1}$", r"$\bar P_i$"
+A, B = "$a_i$", "$b_i$"
+NAMES = (BEFORE, HERE, AFTER, REFLECTED, MIDDLE, A, B)
+# The plane of P_i, a_i and b_i would be seen edge on from where the others are drawn.
+SIDE = (-1.35, 5.5, 0.9)
+COLORS = dict(zip(NAMES, (VECTOR, VECTOR, VECTOR, CROSS, CROSS, RESULT, RESULT), strict=True))
+
+
+def neighbours(points: ArrayLike) -> dict[str, NDArray[np.float64]]:
+    """Construct the control points of a point and its two neighbours, by name.
+
+    Parameters
+    ----------
+    points : array_like, shape (3, 3)
+        P_{i-1}, P_i and P_{i+1}; they are normalised.
+
+    Returns
+    -------
+    dict
+        The three points, the two auxiliary points and the two control points; the names are the
+        labels of figures 3 to 7.
+    """
+    before, here, after = np.asarray(points, float) / np.linalg.norm(points, axis=1, keepdims=True)
+    reflected = double(before, here)
+    middle = bisect(reflected, after)
+    a = bisect(here, middle)
+    found = (before, here, after, reflected, middle, a, double(a, here))
+    return dict(zip(NAMES, found, strict=True))
+
+
+def add_named_point(
+    plotter: pyvista.Plotter,
+    point: ArrayLike,
+    text: str,
+    color: str,
+    shift: tuple[float, float] = (0.0, 0.12),
+) -> None:
+    """Add a point and its name, shifted to the right and up as the camera sees it."""
+    camera = plotter.camera
+    back = np.subtract(camera.position, camera.focal_point)
+    right = np.cross((0, 0, 1), back)
+    right /= np.linalg.norm(right)
+    up = np.cross(back, right) / np.linalg.norm(back)
+    place = 1.03 * np.asarray(point, float) + shift[0] * right + shift[1] * up
+    add_point(plotter, point, color)
+    add_label(plotter, place, text, color)
+
+
+def open_neighbours(
+    points: ArrayLike,
+    shown: dict[str, tuple[float, float]],
+    eye: ArrayLike = (1.5, 4.75, 2.9),
+    target: ArrayLike = (0, 0, 0.06),
+) -> tuple[pyvista.Plotter, dict[str, NDArray[np.float64]]]:
+    """Open a scene of the construction with some of its points, their names shifted."""
+    found = neighbours(points)
+    plotter = new_scene(eye, target)
+    add_sphere(plotter)
+    for name, shift in shown.items():
+        add_named_point(plotter, found[name], name, COLORS[name], shift)
+    return plotter, found
+
+
+def figure_3(points: ArrayLike = NEIGHBOURS) -> pyvista.Plotter:
+    """Draw Fig. 3: from three points to the two control points of the middle one.
+
+    Parameters
+    ----------
+    points : array_like, shape (3, 3)
+        P_{i-1}, P_i and P_{i+1}; they are normalised.
+
+    Returns
+    -------
+    pyvista.Plotter
+        The scene.
+    """
+    shifts = (
+        (-0.13, 0.05),
+        (0.0, -0.13),
+        (0, 0.13),
+        (0.15, 0.02),
+        (0.12, 0.06),
+        (0.13, 0),
+        (0, -0.13),
+    )
+    plotter, p = open_neighbours(points, dict(zip(NAMES, shifts, strict=True)))
+    for start, end in ((BEFORE, HERE), (HERE, AFTER)):
+        add_arc(plotter, p[start], p[end], VECTOR)
+    for start, end in ((HERE, REFLECTED), (REFLECTED, AFTER), (A, MIDDLE)):
+        add_arc(plotter, p[start], p[end], CROSS)
+    for start, end in ((B, HERE), (HERE, A)):
+        add_arc(plotter, p[start], p[end], RESULT, radius=0.014)
+    describe(
+        plotter,
+        "A unit sphere with three given points P_{i-1}, P_i and P_{i+1}. The arc from P_{i-1} to"
+        " P_i goes on, as long again, to an auxiliary point. Midway from there to P_{i+1} lies a"
+        " second one, and midway from P_i to that the control point a_i. The arc from a_i to P_i"
+        " goes on, as long again, to the control point b_i.",
+    )
+    return plotter
+
+
+def figure_4(points: ArrayLike = NEIGHBOURS) -> pyvista.Plotter:
+    """Draw Fig. 4: the axis of (5-6), and the arc doubled by (5-4) or (5-5).
+
+    Parameters
+    ----------
+    points : array_like, shape (3, 3)
+        P_{i-1}, P_i and P_{i+1}; they are normalised.
+
+    Returns
+    -------
+    pyvista.Plotter
+        The scene.
+    """
+    plotter, p = open_neighbours(
+        points,
+        {BEFORE: (-0.13, 0.05), HERE: (0, -0.13), REFLECTED: (0.15, 0.02)},
+        target=(0, 0, 0.23),
+    )
+    for start, end in ((BEFORE, HERE), (HERE, REFLECTED)):
+        add_arc(plotter, p[start], p[end], CROSS, radius=0.012)
+        add_angle(plotter, p[start], p[end], r"$\theta_{i-1}$", place=1.22)
+    add_axis(plotter, arc_axis(p[BEFORE], p[HERE]), r"$\hat v_{i-1}$")
+    describe(
+        plotter,
+        "A unit sphere. An arc from P_{i-1} to P_i goes on, as long again, to P_{i-1} with a bar."
+        " Both halves span the same angle theta_{i-1} at the centre. An axis stands at right angles"
+        " to the plane of the arc.",
+    )
+    return plotter
+
+
+def figure_5(points: ArrayLike = NEIGHBOURS) -> pyvista.Plotter:
+    """Draw Fig. 5: the axis of (5-9), corrected, and the arc bisected by (5-7) or (5-8).
+
+    Parameters
+    ----------
+    points : array_like, shape (3, 3)
+        P_{i-1}, P_i and P_{i+1}; they are normalised.
+
+    Returns
+    -------
+    pyvista.Plotter
+        The scene.
+    """
+    plotter, p = open_neighbours(
+        points, {AFTER: (0, 0.13), REFLECTED: (0.15, 0.02), MIDDLE: (0.12, 0.06)}
+    )
+    add_arc(plotter, p[REFLECTED], p[AFTER], CROSS, radius=0.012)
+    add_angle(plotter, p[REFLECTED], p[AFTER], r"$\bar\theta_{i-1}$")
+    add_axis(plotter, arc_axis(p[REFLECTED], p[AFTER]), r"$\hat{\bar v}_{i-1}$")
+    describe(
+        plotter,
+        "A unit sphere. An arc leads from P_{i-1} with a bar up to P_{i+1}; its midpoint is P_i"
+        " with a bar. The angle of the arc at the centre is theta_{i-1} with a bar. An axis stands"
+        " at right angles to its plane.",
+    )
+    return plotter
+
+
+def figure_6(points: ArrayLike = NEIGHBOURS) -> pyvista.Plotter:
+    """Draw Fig. 6: the axis of (5-12), and the arc bisected by (5-10) or (5-11).
+
+    Parameters
+    ----------
+    points : array_like, shape (3, 3)
+        P_{i-1}, P_i and P_{i+1}; they are normalised.
+
+    Returns
+    -------
+    pyvista.Plotter
+        The scene.
+    """
+    plotter, p = open_neighbours(
+        points,
+        {HERE: (-0.12, 0.0), MIDDLE: (0.12, 0.06), A: (-0.08, 0.09)},
+        eye=SIDE,
+        target=(0.0, 0.0, -0.14),
+    )
+    add_arc(plotter, p[MIDDLE], p[HERE], RESULT, radius=0.012)
+    add_angle(plotter, p[MIDDLE], p[HERE], r"$\bar\theta_i$")
+    add_axis(plotter, arc_axis(p[MIDDLE], p[HERE]), r"$\hat{\bar v}_i$")
+    describe(
+        plotter,
+        "A unit sphere. An arc leads from P_i with a bar to P_i; its midpoint is the control point"
+        " a_i. The angle of the arc at the centre is theta_i with a bar. An axis stands at right"
+        " angles to its plane.",
+    )
+    return plotter
+
+
+def figure_7(points: ArrayLike = NEIGHBOURS) -> pyvista.Plotter:
+    """Draw Fig. 7: the axis of (5-15), and the arc doubled by (5-13) or (5-14).
+
+    Parameters
+    ----------
+    points : array_like, shape (3, 3)
+        P_{i-1}, P_i and P_{i+1}; they are normalised.
+
+    Returns
+    -------
+    pyvista.Plotter
+        The scene.
+    """
+    plotter, p = open_neighbours(
+        points,
+        {HERE: (-0.12, 0.0), A: (0.1, 0.08), B: (-0.06, -0.12)},
+        eye=SIDE,
+        target=(0.0, 0.0, -0.14),
+    )
+    for start, end in ((A, HERE), (HERE, B)):
+        add_arc(plotter, p[start], p[end], RESULT, radius=0.012)
+        add_angle(plotter, p[start], p[end], r"$\tilde\theta_i$", place=1.22)
+    add_axis(plotter, arc_axis(p[A], p[HERE]), r"$\hat{\tilde v}_i$")
+    describe(
+        plotter,
+        "A unit sphere. An arc from a_i to P_i goes on, as long again, to b_i. Both halves span the"
+        " same angle theta_i with a tilde at the centre. An axis stands at right angles to their"
+        " plane.",
+    )
+    return plotter
+
+
+# Four points with four different gaps, all of them seen from one side.
+LOOP = ((1.0, -0.45, 0.0), (0.7, 0.6, -0.35), (0.1, 0.8, 0.5), (0.6, -0.05, 0.95))
+
+
+def astray(points: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Compute all a_i and b_i of unit vectors with the axis of (5-9) as printed."""
+    reflected = double(np.roll(points, 1, axis=0), points)
+    # About the reversed axis, half of the angle leads away from the next point.
+    a = bisect(points, slerp(reflected, np.roll(points, -1, axis=0), -0.5))
+    return a, double(a, points)
+
+
+def reversed_axis(points: ArrayLike = LOOP, samples: int = 24) -> pyvista.Plotter:
+    """Draw what the axis of (5-9) as printed does to a closed curve.
+
+    Parameters
+    ----------
+    points : array_like, shape (n, 3)
+        The points P_0 ... P_{n-1}; they are normalised.
+    samples : int
+        Points drawn for each segment.
+
+    Returns
+    -------
+    pyvista.Plotter
+        The scene.
+    """
+    p = np.asarray(points, float) / np.linalg.norm(points, axis=1, keepdims=True)
+    a, b = astray(p)
+    after = np.roll(p, -1, axis=0)
+    control = np.stack([p, a, np.roll(b, -1, axis=0), after], axis=1)
+    printed = de_casteljau(control[:, np.newaxis], np.arange(samples) / samples)
+
+    plotter = new_scene(eye=(4.6, 2.25, 2.05), target=ORIGIN, view_angle=25.5)
+    add_sphere(plotter)
+    for curve, color in ((closed_curve(p, samples), RESULT), (printed, WRONG)):
+        closed = curve.reshape(-1, 3)
+        add_line(plotter, [*closed, closed[0]], color, radius=0.01)
+    outward = p - p.mean(axis=0)
+    for k, (point, direction) in enumerate(zip(p, outward, strict=True)):
+        add_point(plotter, point, VECTOR)
+        place = point + 0.17 * direction / np.linalg.norm(direction)
+        add_label(plotter, place, f"$P_{k}$", VECTOR)
+    describe(
+        plotter,
+        f"A unit sphere with {len(p)} points and two closed curves through all of them. Both look"
+        " smooth. The red one leaves the points in other directions and makes detours.",
+    )
+    return plotter

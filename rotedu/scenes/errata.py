@@ -1,0 +1,47 @@
+"""Scene of the errata: a right curve, and a wrong one."""
+
+import numpy as np
+import pyvista
+from numpy.typing import ArrayLike
+
+from rotedu.colors import RESULT, VECTOR, WRONG
+from rotedu.figures import describe
+from rotedu.scenes.parts import add_label, add_line, add_point, add_sphere, new_scene
+
+
+def two_curves(
+    points: ArrayLike, right: ArrayLike, wrong: ArrayLike, difference: str
+) -> pyvista.Plotter:
+    """Draw the right curve through points of the sphere, and one that an error makes of it.
+
+    Parameters
+    ----------
+    points : array_like, shape (n, 3)
+        Points of the unit sphere that both curves pass through.
+    right, wrong : array_like, shape (m, 3)
+        Points of the closed curves, in their order.
+    difference : str
+        A sentence for those who cannot see it: what the wrong curve does.
+
+    Returns
+    -------
+    pyvista.Plotter
+        The scene.
+    """
+    p, right, wrong = (np.asarray(x, float) for x in (points, right, wrong))
+    centre = p.mean(axis=0)
+    plotter = new_scene(eye=5.2 * centre / np.linalg.norm(centre), target=(0, 0, 0))
+    add_sphere(plotter)
+    for curve, color, radius in ((right, RESULT, 0.014), (wrong, WRONG, 0.012)):
+        add_line(plotter, [*curve, curve[0]], color, radius)
+    for i, point in enumerate(p):
+        add_point(plotter, point, VECTOR, 0.036)
+        away = point - centre
+        place = 1.02 * point + 0.14 * away / np.linalg.norm(away)
+        add_label(plotter, place, f"$P_{i}$", VECTOR)
+    describe(
+        plotter,
+        f"A see-through sphere with {len(p)} blue points and two closed curves through all of"
+        f" them. The green one is smooth and even. {difference}",
+    )
+    return plotter

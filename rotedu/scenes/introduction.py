@@ -1,0 +1,118 @@
+"""Scenes of the title page and of Chapter 1."""
+
+import numpy as np
+import pyvista
+from numpy.typing import ArrayLike
+
+from rotedu.colors import AXIS, CROSS, RESULT, VECTOR
+from rotedu.figures import describe
+from rotedu.ordinary_rotation import rotation_matrix, transform
+from rotedu.scenes.parts import (
+    ORIGIN,
+    add_arrow,
+    add_coordinate_axes,
+    add_label,
+    add_line,
+    new_scene,
+    shade,
+    teaspoon,
+    turning,
+)
+
+
+def turning_spoon(steps: int = 5, angle: float = np.deg2rad(288)) -> pyvista.Plotter:
+    """Draw a teaspoon on its way around an axis: the picture of the title page.
+
+    Parameters
+    ----------
+    steps : int
+        Number of spoons, at least 2.
+    angle : float
+        Angle in radians between the first and the last.
+
+    Returns
+    -------
+    pyvista.Plotter
+        The scene.
+    """
+    n = np.array([0.1, 0.3, 1.0]) / np.linalg.norm([0.1, 0.3, 1.0])
+    plotter = new_scene(eye=(2.35, -3.02, 2.46), target=(0.02, 0.0, 0.2))
+    spoon = teaspoon(stations=61, around=24)
+    for t in np.linspace(0, 1, steps):
+        turned = spoon.copy()
+        turned.points = transform(rotation_matrix(n, t * angle), spoon.points)
+        plotter.add_mesh(turned, color=shade(t), smooth_shading=True)
+    add_arrow(plotter, -0.75 * n, 1.0 * n, AXIS)
+    add_label(plotter, 1.1 * n, r"$\hat n$", AXIS)
+    describe(
+        plotter,
+        f"A teaspoon in {steps} positions, fanned out around an axis n, the first blue,"
+        " the last green.",
+    )
+    return plotter
+
+
+def pointing_spoon(stations: int = 81, around: int = 28) -> pyvista.PolyData:
+    """Model a teaspoon that points from the origin along U, 1 unit long, its bowl open upwards."""
+    spoon = teaspoon(stations, around)
+    spoon.points = (spoon.points + np.array([1, 0, -0.08])) / 2
+    return spoon
+
+
+def four_descriptions(
+    axis: ArrayLike = (-1 / 3, -2 / 3, 2 / 3), angle: float = 2 * np.arctan2(3, 4)
+) -> pyvista.Plotter:
+    """Draw a turned teaspoon with its axis and angle, its three angles, and its own axes.
+
+    Parameters
+    ----------
+    axis : array_like, shape (3,)
+        The rotation axis n; it is normalised.
+    angle : float
+        The rotation angle in radians.
+
+    Returns
+    -------
+    pyvista.Plotter
+        The scene.
+    """
+    n = np.asarray(axis, float) / np.linalg.norm(axis)
+    matrix = rotation_matrix(n, angle)
+    theta_u = np.arctan2(matrix[2, 1], matrix[2, 2])
+    theta_v = -np.arcsin(matrix[2, 0])
+    theta_w = np.arctan2(matrix[1, 0], matrix[0, 0])
+    before = pointing_spoon()
+    after = before.copy()
+    after.points = transform(matrix, before.points)
+
+    plotter = new_scene(eye=(4.28, -1.84, 2.6), target=(0.06, 0.0, 0.31), view_angle=20.5)
+    plotter.add_mesh(before, color=VECTOR, smooth_shading=True)
+    plotter.add_mesh(after, color=RESULT, smooth_shading=True)
+    add_coordinate_axes(plotter, 1.1)
+    for column, name in zip(matrix.T, "UVW", strict=True):
+        add_arrow(plotter, ORIGIN, 1.1 * column, RESULT, radius=0.006)
+        add_label(plotter, 1.2 * column, f"${name}'$", RESULT)
+    add_arrow(plotter, ORIGIN, 1.1 * n, AXIS)
+    add_label(plotter, 1.2 * n, r"$\hat n$", AXIS)
+
+    tip = np.array([1.0, 0, 0])
+    path = turning(tip, n, angle)
+    add_line(plotter, path, AXIS, radius=0.011)
+    add_label(plotter, 1.1 * path[len(path) // 2], r"$\theta$", AXIS)
+    # The first of the three turns the spoon about itself: drawn on a small circle ahead of it.
+    roll = turning((1.08, 0, 0.16), (1, 0, 0), theta_u)
+    raised = turning(tip, (0, 1, 0), theta_v)
+    swung = turning(raised[-1], (0, 0, 1), theta_w)
+    add_label(plotter, (1.08, 0.23, 0.15), r"$\theta_u$", CROSS)
+    add_label(plotter, raised[len(raised) // 2] + (0, 0.09, 0.02), r"$\theta_v$", CROSS)
+    add_label(plotter, swung[len(swung) // 3] - (0, 0, 0.09), r"$\theta_w$", CROSS)
+    for part in (roll, raised, swung):
+        add_line(plotter, part, CROSS, radius=0.011)
+    describe(
+        plotter,
+        "A blue teaspoon points along the U axis; turned by"
+        f" {np.rad2deg(angle):.0f} degrees about an axis n it becomes a green one. An arc around n"
+        " leads from tip to tip, and so do three arcs around U, V and W. Three thin green arrows"
+        " show where the axes U, V and W have gone.",
+    )
+    return plotter

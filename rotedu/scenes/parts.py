@@ -1,0 +1,207 @@
+"""What the scenes share: a scene to begin with, and the parts that they are made of."""
+
+import numpy as np
+import pyvista
+from numpy.typing import ArrayLike, NDArray
+
+from rotedu.arcs import slerp
+from rotedu.colors import AXIS, NEUTRAL, RESULT, VECTOR
+from rotedu.ordinary_rotation import rotate
+
+SIZE = (720, 480)
+ORIGIN = np.zeros(3)
+
+
+def new_scene(eye: ArrayLike, target: ArrayLike, view_angle: float = 24.0) -> pyvista.Plotter:
+    """Open an empty scene, the W axis pointing up.
+
+    Parameters
+    ----------
+    eye, target : array_like, shape (3,)
+        Where the camera stands and what it looks at.
+    view_angle : float
+        Height of the field of view in degrees.
+
+    Returns
+    -------
+    pyvista.Plotter
+        The scene.
+    """
+    plotter = pyvista.Plotter(window_size=list(SIZE))
+    plotter.enable_anti_aliasing("ssaa")
+    plotter.camera_position = (tuple(np.asarray(eye)), tuple(np.asarray(target)), (0, 0, 1))
+    plotter.camera.view_angle = view_angle
+    return plotter
+
+
+def add_line(
+    plotter: pyvista.Plotter, points: ArrayLike, color: str, radius: float = 0.008
+) -> None:
+    """Add a round line through points, shape (n, 3)."""
+    line = pyvista.MultipleLines(np.asarray(points, float))
+    add_thin(plotter, line.tube(radius=radius, n_sides=8), color)
+
+
+def add_arrow(
+    plotter: pyvista.Plotter, start: ArrayLike, end: ArrayLike, color: str, radius: float = 0.016
+) -> None:
+    """Add an arrow; its head has the same size whatever its length."""
+    start, end = np.asarray(start, float), np.asarray(end, float)
+    length = float(np.linalg.norm(end - start))
+    arrow = pyvista.Arrow(
+        start=tuple(start),
+        direction=tuple(end - start),
+        scale=length,
+        shaft_radius=radius / length,
+        tip_radius=3 * radius / length,
+        tip_length=min(9 * radius / length, 0.8),
+        tip_resolution=20,
+        shaft_resolution=12,
+    )
+    add_thin(plotter, arrow, color)
+
+
+def add_point(plotter: pyvista.Plotter, point: ArrayLike, color: str, radius: float = 0.03) -> None:
+    """Add a point, drawn as a small ball."""
+    ball = pyvista.Sphere(
+        radius=radius, center=tuple(np.asarray(point)), theta_resolution=16, phi_resolution=12
+    )
+    add_thin(plotter, ball, color)
+
+
+def add_thin(plotter: pyvista.Plotter, mesh: pyvista.PolyData, color: str) -> None:
+    """Add a part so thin that it must not hide the labels behind it."""
+    plotter.add_mesh(mesh, color=color, smooth_shading=True, split_sharp_edges=True, pickable=False)
+
+
+def add_label(plotter: pyvista.Plotter, point: ArrayLike, text: str, color: str = "black") -> None:
+    """Write a text, or a formula between dollar signs, centred at a point."""
+    plotter.add_point_labels(
+        np.reshape(np.asarray(point, float), (1, 3)),
+        [text],
+        # pyvista would name it by a memory address, which the next label may get again.
+        name=f"label {len(plotter.actors)}",
+        text_color=color,
+        font_size=20,
+        shape=None,
+        show_points=False,
+        always_visible=True,
+        justification_horizontal="center",
+        justification_vertical="center",
+    )
+
+
+def add_coordinate_axes(plotter: pyvista.Plotter, length: float) -> None:
+    """Add the right-handed axes U, V, W and their origin O."""
+    for direction, name in zip(np.eye(3), "UVW", strict=True):
+        add_arrow(plotter, ORIGIN, length * direction, NEUTRAL, radius=0.006)
+        add_label(plotter, (length + 0.07) * direction, f"${name}$")
+
+
+def add_axis(plotter: pyvista.Plotter, axis: ArrayLike, text: str, length: float = 1.3) -> None:
+    """Add the arrow of a rotation axis and its name."""
+    axis = np.asarray(axis, float)
+    add_arrow(plotter, ORIGIN, length * axis, AXIS)
+    add_label(plotter, (length + 0.1) * axis, text, AXIS)
+
+
+def add_sphere(plotter: pyvista.Plotter, opacity: float = 0.18) -> None:
+    """Add the unit sphere, see-through; it hides the labels behind it."""
+    ball = pyvista.Sphere(radius=1.0, theta_resolution=48, phi_resolution=32)
+    plotter.add_mesh(ball, color=NEUTRAL, opacity=opacity, smooth_shading=True)
+
+
+def add_arc(
+    plotter: pyvista.Plotter, start: ArrayLike, end: ArrayLike, color: str, radius: float = 0.006
+) -> None:
+    """Add the shortest arc of the unit sphere from one point to another."""
+    add_line(plotter, slerp(start, end, np.linspace(0, 1, 17)), color, radius)
+
+
+def add_angle(
+    plotter: pyvista.Plotter,
+    start: ArrayLike,
+    end: ArrayLike,
+    text: str,
+    size: float = 0.45,
+    place: float = 0.64,
+) -> None:
+    """Mark and name the angle at the origin between two directions."""
+    rim = size * slerp(start, end, np.linspace(0, 1, 25))
+    plotter.add_mesh(fan(ORIGIN, rim), color=NEUTRAL, opacity=0.35, lighting=False, pickable=False)
+    for direction in (start, end):
+        add_line(plotter, [ORIGIN, np.asarray(direction, float)], NEUTRAL, radius=0.004)
+    add_label(plotter, place * rim[len(rim) // 2], text)
+
+
+def turning(
+    point: ArrayLike, axis: ArrayLike, angle: float, steps: int = 48
+) -> NDArray[np.float64]:
+    """Sample the path of a point that is turned, shape (steps + 1, 3)."""
+    return rotate(point, axis, np.linspace(0, angle, steps + 1))
+
+
+def fan(center: ArrayLike, rim: ArrayLike) -> pyvista.PolyData:
+    """Fill the region between a point, shape (3,), and a rim, shape (n, 3), by triangles."""
+    points = np.vstack([center, rim])
+    second = np.arange(1, len(points) - 1)
+    triangles = np.column_stack([np.zeros_like(second), second, second + 1])
+    return triangle_mesh(points, triangles)
+
+
+def triangle_mesh(points: ArrayLike, triangles: ArrayLike) -> pyvista.PolyData:
+    """Make a mesh of points, shape (n, 3), and of triples of their indices, shape (m, 3)."""
+    corners = np.asarray(triangles)
+    faces = np.insert(corners, 0, 3, axis=1).ravel()
+    return pyvista.PolyData(np.asarray(points), faces=faces)
+
+
+def teaspoon(stations: int = 121, around: int = 40) -> pyvista.PolyData:
+    """Model a teaspoon as a closed surface of ``stations * around`` vertices.
+
+    Every cross-section is a flat closed ring: as wide as the outline of the spoon, sunk in
+    the middle by the depth of the bowl, as thick as the metal.
+
+    Parameters
+    ----------
+    stations : int
+        Number of cross-sections from the end of the handle to the tip of the bowl.
+    around : int
+        Vertices in each of them.
+
+    Returns
+    -------
+    pyvista.PolyData
+        A triangle mesh, about 2 units long, along the U axis, the bowl open upwards.
+    """
+    # Close together at both ends, where the outline turns.
+    s = (1 - np.cos(np.linspace(0, np.pi, stations)))[:, np.newaxis] / 2
+    bowl = np.clip((s - 0.62) / 0.38, 0, 1)
+    ends = np.clip(np.minimum(s / 0.03, (1 - s) / 0.004), 0, 1)
+    rounding = np.sqrt(ends * (2 - ends))
+    handle = (0.035 + 0.055 * np.exp(-((s / 0.14) ** 2))) * (1 - bowl)
+    egg = np.sqrt(bowl * (1 - bowl)) * (0.55 - 0.175 * bowl)
+    width = rounding * (handle + egg)
+    depth = 0.62 * width * np.sin(np.pi * np.sqrt(bowl))
+    lift = 0.16 * np.sin(np.pi * np.clip(s / 0.62, 0, 1)) + 0.05 * (1 - s)
+
+    phi = np.linspace(0, 2 * np.pi, around, endpoint=False)
+    u = np.broadcast_to(2 * s - 1, (stations, around))
+    v = width * np.cos(phi)
+    w = lift - depth * np.sin(phi) ** 2 + 0.022 * rounding * np.sin(phi)
+    points = np.stack([u, v, w], axis=-1).reshape(-1, 3)
+
+    ring = np.arange(stations * around).reshape(stations, around)
+    after = np.roll(ring, -1, axis=1)
+    corners = (
+        (ring[:-1], ring[1:], after[1:]),
+        (ring[:-1], after[1:], after[:-1]),
+    )
+    triangles = np.vstack([np.stack(three, axis=-1).reshape(-1, 3) for three in corners])
+    return triangle_mesh(points, triangles)
+
+
+def shade(t: float) -> NDArray[np.float64]:
+    """Mix a colour on the way from `VECTOR` (0) to `RESULT` (1)."""
+    first, last = (np.array(pyvista.Color(color).float_rgb) for color in (VECTOR, RESULT))
+    return np.asarray((1 - t) * first + t * last)

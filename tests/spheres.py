@@ -1,0 +1,124 @@
+"""Points of the unit sphere for the tests of Section 5, and checks of them."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+import sympy as sp
+from symbolic import matrix, symbolic
+
+from rotedu.control_points import control_points
+from rotedu.ordinary_rotation import rotation_matrix
+
+Array = np.ndarray[Any, Any]
+
+RNG = np.random.default_rng(515)
+E1, E2, E3 = np.eye(3)
+# At 60 and 90 degrees, where a bar lost from a theta is noticed; the octant would hide it.
+BEFORE, HERE, AFTER = E1, np.array([0.5, 0.75**0.5, 0]), E3
+FRACTIONS = [1 / 2, 1 / 3]
+
+
+def random_units(*shape: int, rng: np.random.Generator = RNG) -> Array:
+    vectors = rng.normal(size=shape)
+    return np.asarray(vectors / np.linalg.norm(vectors, axis=-1, keepdims=True))
+
+
+def great_circle(degrees: Any) -> Array:
+    """Points at these angles in a plane that is not one of the axes'."""
+    angle = np.radians(degrees)[..., None]
+    m = rotation_matrix([1, 2, 3], 0.8)
+    return np.asarray(np.cos(angle) * m[0] + np.sin(angle) * m[1])
+
+
+def where(points: Array) -> Array:
+    """Tell the angles of such points, in degrees, from -180 to 180."""
+    m = rotation_matrix([1, 2, 3], 0.8)
+    close(points @ m[2], 0, 1e-12)
+    return np.asarray(np.degrees(np.arctan2(points @ m[1], points @ m[0])))
+
+
+def close(actual: Any, desired: Any, atol: float = 1e-14) -> None:
+    np.testing.assert_allclose(actual, desired, rtol=0, atol=atol)
+
+
+def on_the_sphere(points: Array, atol: float = 1e-15) -> None:
+    close(np.linalg.norm(points, axis=-1), 1, atol)
+
+
+PAIRS = random_units(2, 500, 3)
+# Gaps from 12.8 to 164 degrees in many directions.
+UNEVEN = great_circle(np.array([0, 12.8, 90, 210, 260])) + 0.4 * np.outer([0, 1, 0, -1, 2], E3)
+UNEVEN /= np.linalg.norm(UNEVEN, axis=-1, keepdims=True)
+DATA = {
+    "octahedron square": great_circle(np.arange(4) * 90),
+    "hexagon": great_circle(np.arange(6) * 60),
+    "uneven": UNEVEN,
+    "obtuse": np.array([[1, 0, 0], [-0.8, 0.6, 0], [0.1, -0.7, 0.7], [-0.5, -0.5, -0.7]]),
+    "three": np.eye(3),
+    "random": random_units(40, 3),
+    "on the circle": random_units(6, 2),
+    "in four dimensions": random_units(30, 4),
+    "in seven dimensions": random_units(12, 7),
+}
+CURVES = [
+    pytest.param(
+        points / np.linalg.norm(points, axis=-1, keepdims=True), fraction, id=f"{name}-{k}"
+    )
+    for name, points in DATA.items()
+    for k, fraction in zip("23", FRACTIONS, strict=True)
+]
+
+# Lengths of arcs: where a sine or cosine loses digits, and on both sides of `NEAR_PI`, 2.4981.
+LENGTHS = [1e-16, 1e-9, 1e-8, 3e-8, 1e-7, 1e-4, 0.1, 1, 2, 2.498, 2.4982, 2.6, 3, np.pi - 1e-2]
+LENGTHS_AND_DTYPES = [
+    *((length, np.float64) for length in [*LENGTHS, np.pi - 1e-4, np.pi - 1e-7]),
+    *((length, np.float32) for length in LENGTHS),
+]
+# Gaps between three points of a circle.
+UNEQUAL_GAPS = [(*gaps, 2 * np.pi - sum(gaps)) for gaps in [(1, 2.5), (2.6, 2.6), (2.4, 3)]]
+
+
+def segments(points: Array, fraction: float) -> list[Array]:
+    """Control points of each segment, put together by hand."""
+    a, b = control_points(points, fraction)
+    n = len(points)
+    return [np.array([points[i - 1], a[i - 1], b[i % n], points[i % n]]) for i in range(1, n + 1)]
+
+
+def bezier(points: Array, fraction: float, u: Array) -> Array:
+    """Do the same with straight lines: points of the segments, of shape (n, samples, d)."""
+    before, after = np.roll(points, 1, axis=0), np.roll(points, -1, axis=0)
+    handle = fraction * (after - before) / 2
+    control = points, points + handle, after - np.roll(handle, -1, axis=0), after
+    weights = (1 - u) ** 3, 3 * u * (1 - u) ** 2, 3 * u**2 * (1 - u), u**3
+    return np.asarray(sum(np.multiply.outer(w, c) for w, c in zip(weights, control, strict=True)))
+
+
+def turning(gaps: tuple[float, ...], fraction: float, u: Array) -> Array:
+    """Angles along the curve through three points of a circle with these gaps between them."""
+    at = np.cumsum([0.0, *gaps])
+    # The last is the first again.
+    handle = fraction * (np.roll(gaps, 1) + gaps)[[0, 1, 2, 0]] / 2
+    control = np.array([at[:-1], (at + handle)[:-1], (at - handle)[1:], at[1:]])
+    weights = np.array([(1 - u) ** 3, 3 * u * (1 - u) ** 2, 3 * u**2 * (1 - u), u**3])
+    return (control.T @ weights).ravel()
+
+
+class TwoPoints:
+    """Two points h to either side of the first axis, as symbols."""
+
+    h, t = sp.symbols("h t", positive=True)
+    c, s = sp.symbols("c s", positive=True)
+    p, q = symbolic(c, -s, 0), symbolic(c, s, 0)
+
+    def back(self, result: Any) -> sp.Matrix:
+        """In terms of h; atan2 of its sine and cosine is h itself."""
+        angle = {sp.atan2(2 * self.s, 2 * self.c): self.h, sp.atan2(self.s, self.c): self.h}
+        found = matrix(result).subs(angle).applyfunc(sp.simplify).subs(self.c**2 + self.s**2, 1)
+        return found.subs({self.c: sp.cos(self.h), self.s: sp.sin(self.h)})
+
+    def of_5_2(self, t: Any) -> sp.Matrix:
+        theta = 2 * self.h
+        first, second = sp.sin((1 - t) * theta), sp.sin(t * theta)
+        return (first * self.back(self.p) + second * self.back(self.q)) / sp.sin(theta)

@@ -1,0 +1,317 @@
+"""What all functions of Section 5 do with their arguments: shapes, dtypes, counting, bad input."""
+
+from importlib import import_module
+from typing import Any
+
+import numpy as np
+import pytest
+from spheres import (
+    E1,
+    E2,
+    E3,
+    HERE,
+    PAIRS,
+    RNG,
+    UNEVEN,
+    close,
+    on_the_sphere,
+    random_units,
+)
+
+from rotedu import _arguments as arguments
+from rotedu.arcs import angle_between, arc_axis, nlerp, slerp, slerp_by_rotation
+from rotedu.closed_curve import closed_curve, de_casteljau, de_casteljau_levels
+from rotedu.control_points import (
+    bisect,
+    bisect_by_rotation,
+    control_points,
+    double,
+    double_by_rotation,
+)
+from rotedu.cost import OperationCount, count
+from rotedu.edition.notebook import source
+from rotedu.errors import DegenerateError
+from rotedu.ordinary_rotation import rotate, rotation_matrix
+from rotedu.orientations import closed_rotation_curve, nearest_rotation, slerp_rotations
+from rotedu.quaternions import Quaternion
+
+# Warnings of curves that are unstable are tested where they are due.
+pytestmark = pytest.mark.filterwarnings("ignore:.* are almost .*:UserWarning")
+
+
+class TestShapes:
+    @pytest.mark.parametrize(
+        ("p", "q", "t", "expected"),
+        [
+            ((3,), (3,), (), (3,)),
+            ((7, 3), (3,), (), (7, 3)),
+            ((3,), (7, 3), (), (7, 3)),
+            ((3,), (3,), (7,), (7, 3)),
+            ((5, 1, 3), (7, 3), (), (5, 7, 3)),
+            ((7, 3), (2, 1, 1, 3), (5, 1), (2, 5, 7, 3)),
+            ((3, 3), (3,), (3, 1), (3, 3, 3)),
+            ((0, 3), (3,), (), (0, 3)),
+        ],
+    )
+    def test_broadcasting_is_a_loop(self, p: Any, q: Any, t: Any, expected: Any) -> None:
+        p, q, t = RNG.normal(size=p), RNG.normal(size=q), RNG.uniform(size=t)
+        pairs = np.broadcast_shapes(p.shape, q.shape)
+        for f in [slerp, slerp_by_rotation, nlerp]:
+            assert f(p, q, t).shape == expected
+        for f in [double, double_by_rotation, bisect, bisect_by_rotation, arc_axis]:
+            assert f(p, q).shape == pairs
+        assert angle_between(p, q).shape == pairs[:-1]
+        results = slerp(p, q, t), slerp_by_rotation(p, q, t)
+        p, q = np.broadcast_to(p, expected), np.broadcast_to(q, expected)
+        t = np.broadcast_to(t, expected[:-1])
+        for i in np.ndindex(expected[:-1]):
+            for f, found in zip([slerp, slerp_by_rotation], results, strict=True):
+                close(found[i], f(p[i], q[i], t[i]), 1e-15)
+
+    def test_sequences_and_integers(self) -> None:
+        close(slerp((1, 0, 0), np.array([0, 5, 0]), 1), E2, 1e-15)
+        close(closed_curve(np.eye(3, dtype=int), 5), closed_curve(np.eye(3), 5), 0)
+
+
+class TestSinglePrecision:
+    points = UNEVEN.astype(np.float32)
+
+    def test_is_kept(self) -> None:
+        p, q = self.points[:2]
+        found = [
+            angle_between(p, q),
+            arc_axis(p, q),
+            slerp(p, q, 0.3),
+            slerp(p, [1, 2, 3], np.float32(0.3)),
+            slerp_by_rotation(p, q, 0.3),
+            slerp_by_rotation(p, p, 0.3),
+            nlerp(p, q, 0.3),
+            double(p, q),
+            double_by_rotation(p, q),
+            bisect(p, q),
+            bisect_by_rotation(p, q),
+            *control_points(self.points),
+            de_casteljau(self.points, 0.3),
+            *de_casteljau_levels(self.points, [0.3, 0.4]),
+            closed_curve(self.points),
+            nearest_rotation(np.eye(3, dtype=np.float32)),
+            slerp_rotations(np.eye(3, dtype=np.float32), np.eye(3, dtype=np.float32), 0.3),
+            closed_rotation_curve(rotation_matrix(E3, [0, 1, 2]).astype(np.float32)),
+        ]
+        assert {x.dtype for x in found} == {np.dtype(np.float32)}
+        assert slerp(p, q, np.float64(0.3)).dtype == slerp(p, E1, 0.3).dtype == np.float64
+
+    def test_is_right_to_its_digits(self) -> None:
+        close(closed_curve(self.points), closed_curve(UNEVEN), 2e-6)
+        on_the_sphere(closed_curve(self.points), 5e-7)
+        close(control_points(self.points)[0], control_points(UNEVEN)[0], 2e-6)
+        matrices = rotation_matrix([1, 2, 2], np.arange(5) * 2 * np.pi / 5)
+        single = closed_rotation_curve(matrices.astype(np.float32), 5)
+        close(single, closed_rotation_curve(matrices, 5), 3e-6)
+
+    def test_antipodal_to_half_of_its_digits(self) -> None:
+        p, q = np.float32([[1, 0, 0], [-1, 1e-4, 0]])
+        with pytest.raises(DegenerateError):
+            slerp(p, q, 0.5)
+        slerp(p.astype(float), q, 0.5)
+
+
+class TestCounts:
+    def test_of_the_code(self) -> None:
+        assert count(double, E1, HERE) == OperationCount(7, 5)
+        plain, turned = count(slerp, E1, HERE, 0.3), count(slerp_by_rotation, E1, HERE, 0.3)
+        assert plain.multiplications < turned.multiplications
+        assert plain.additions < turned.additions
+
+    def test_everything_can_be_counted(self) -> None:
+        for f in [angle_between, arc_axis, bisect, bisect_by_rotation, double_by_rotation]:
+            assert count(f, E1, HERE).multiplications > 0
+        curve = count(lambda points: closed_curve(points, 2), UNEVEN)
+        assert curve.trigonometric >= 5 * 2 * 6
+        turns = rotation_matrix([1, 2, 2], np.arange(3))
+        assert count(lambda r: closed_rotation_curve(r, 2), turns).multiplications > 0
+
+    def test_out_and_back_costs_as_much_as_other_ways(self) -> None:
+        """There a_i is P_i: angles are zero, and arrays of floats are clipped."""
+        out_and_back = np.array([E1, UNEVEN[1], E1, UNEVEN[2]]) * (1 + 1e-15)
+        with np.errstate(invalid="ignore"):
+            found = count(lambda p: closed_curve(p, 2), out_and_back)
+        assert found == count(lambda p: closed_curve(p, 2), UNEVEN[:4])
+
+    def test_results_are_those_of_the_floats(self) -> None:
+        results: list[Any] = []
+        count(lambda points: results.append(closed_curve(points, 3)), UNEVEN)
+        found = np.vectorize(lambda scalar: scalar.value, otypes=[float])(results[0])
+        close(found, closed_curve(UNEVEN, 3), 1e-15)
+
+
+MATHEMATICS = (
+    "quaternions",
+    "ordinary_rotation",
+    "general_rotation",
+    "arcs",
+    "control_points",
+    "closed_curve",
+    "orientations",
+)
+POINTS_OF = [
+    (f, name)
+    for f in [angle_between, arc_axis, double, double_by_rotation, bisect, bisect_by_rotation]
+    for name in ("p", "q")
+]
+GOOD: dict[Any, dict[str, Any]] = {f: {"p": E1, "q": E2} for f, _ in POINTS_OF}
+GOOD |= {f: {"p": E1, "q": E2, "t": 0.5} for f in (slerp, slerp_by_rotation, nlerp)}
+GOOD |= {control_points: {"points": np.eye(3), "fraction": 0.5}}
+GOOD |= {closed_curve: {"points": np.eye(3), "fraction": 0.5}}
+GOOD |= {f: {"control": np.eye(3), "u": 0.5} for f in (de_casteljau, de_casteljau_levels)}
+GOOD |= {slerp_rotations: {"r1": np.eye(3), "r2": np.eye(3), "t": 0.5}}
+GOOD |= {nearest_rotation: {"matrix": np.eye(3)}}
+GOOD |= {closed_rotation_curve: {"rotations": np.stack([np.eye(3)] * 3), "fraction": 0.5}}
+ARGUMENTS = [(f, name) for f, arguments in GOOD.items() for name in arguments]
+VECTORS = [(f, name) for f, name in ARGUMENTS if name in ("p", "q", "points", "control")]
+
+
+class TestListings:
+    """What a page shows with `source` is the function that is called, and its body is short."""
+
+    @pytest.mark.parametrize("module", MATHEMATICS)
+    def test_every_public_function_is_checked_by_its_annotations(self, module: str) -> None:
+        names = import_module(f"rotedu.{module}").__all__
+        functions = [getattr(import_module(f"rotedu.{module}"), name) for name in names]
+        plain = {f.__name__ for f in functions if not hasattr(f, "__wrapped__")}
+        assert plain <= {"Quaternion", "compose"}
+
+    @pytest.mark.parametrize(
+        ("function", "equation"),
+        [
+            (double, "return 2 * dot(p, q) * q - p"),
+            (bisect, "return unit(p + q)"),
+            (nlerp, "return unit((1 - t) * p + t * q)"),
+            (rotate, "return cos * r + (1 - cos) * dot(r, n) * n + sin * cross(n, r)"),
+            (Quaternion.__mul__, "w1 * w2 - dot(v1, v2), w1 * v2 + w2 * v1 + cross(v1, v2)"),
+            (slerp_rotations, "return product(r1, rotation_matrix(axis, t * theta))"),
+        ],
+    )
+    def test_shows_the_equation(self, function: Any, equation: str) -> None:
+        assert equation in repr(source(function))
+
+    def test_what_was_checked_is_not_checked_again(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        seen = []
+        check = arguments.prepared
+        monkeypatch.setattr(
+            arguments, "prepared", lambda given: seen.append(list(given)) or check(given)
+        )
+        closed_curve(UNEVEN, 2)
+        slerp_by_rotation(E1, E2, 0.5)
+        assert seen == [["points", "fraction"], ["p", "q", "t"]]
+
+    def test_after_an_error_arguments_are_checked_again(self) -> None:
+        with pytest.raises(DegenerateError):
+            slerp(E1, -E1, 0.5)
+        with pytest.raises(ValueError, match=r"^p must not be the zero vector"):
+            slerp([0, 0, 0], E1, 0.5)
+
+
+class TestRefusals:
+    def test_everything_public_is_tested_here(self) -> None:
+        assert {f.__name__ for f in GOOD} == {
+            name
+            for module in ("arcs", "control_points", "closed_curve", "orientations")
+            for name in import_module(f"rotedu.{module}").__all__
+        }
+
+    @pytest.mark.parametrize(("f", "name"), ARGUMENTS)
+    def test_not_finite_and_not_numbers(self, f: Any, name: str) -> None:
+        for bad in [np.nan, np.inf]:
+            value = np.array(GOOD[f][name], float)
+            value[(-1,) * value.ndim] = bad
+            with pytest.raises(ValueError, match=f"^{name} must be finite in float64; got {bad}"):
+                f(**GOOD[f] | {name: value})
+        for text in ["text", [None, None, 1j], True]:
+            with pytest.raises(ValueError, match=f"^{name} must be an array of real numbers"):
+                f(**GOOD[f] | {name: text})
+
+    @pytest.mark.parametrize(("f", "name"), VECTORS)
+    def test_zero_vectors(self, f: Any, name: str) -> None:
+        value = np.array(GOOD[f][name], float)
+        value[..., :] = 0
+        with pytest.raises(ValueError, match=f"^{name} must not be the zero vector; got zeros"):
+            f(**GOOD[f] | {name: value})
+
+    def test_no_dimension(self) -> None:
+        with pytest.raises(ValueError, match=r"^points must not be the zero vector"):
+            closed_curve(np.empty((3, 0)))
+
+    @pytest.mark.parametrize("f", [angle_between, slerp, nlerp, double, bisect])
+    def test_different_dimensions(self, f: Any) -> None:
+        match = r"^q must have shape \(..., 3\); got shape \(2,\)$"
+        with pytest.raises(ValueError, match=match):
+            f(**GOOD[f] | {"q": [1, 0]})
+        with pytest.raises(ValueError, match=r"^p must have shape \(..., d\); got shape \(\)$"):
+            f(**GOOD[f] | {"p": 1})
+
+    @pytest.mark.parametrize(
+        "f", [arc_axis, slerp_by_rotation, double_by_rotation, bisect_by_rotation]
+    )
+    def test_axes_need_three_dimensions(self, f: Any) -> None:
+        with pytest.raises(ValueError, match=r"^p must have shape \(..., 3\); got shape \(4,\)$"):
+            f(**GOOD[f] | {"p": [1, 0, 0, 0], "q": [0, 1, 0, 0]})
+
+    def test_shapes_that_do_not_broadcast(self) -> None:
+        with pytest.raises(ValueError, match=r"^p and q and t must broadcast over"):
+            slerp(PAIRS[0, :4], PAIRS[1, :5], 0.5)
+        with pytest.raises(ValueError, match=r"^control and u must broadcast over"):
+            de_casteljau(random_units(5, 4, 3), [0.1, 0.2])
+
+    @pytest.mark.parametrize("n", [0, 1, 2])
+    def test_fewer_than_three_points(self, n: int) -> None:
+        match = f"must be at least 3 to make a closed curve; got {n}$"
+        for f in [control_points, closed_curve]:
+            with pytest.raises(ValueError, match=f"^points {match}"):
+                f(np.eye(3)[:n])
+        with pytest.raises(ValueError, match=f"^rotations {match}"):
+            closed_rotation_curve(np.stack([np.eye(3)] * 3)[:n])
+
+    @pytest.mark.parametrize("f", [control_points, closed_curve])
+    def test_not_a_sequence_of_points(self, f: Any) -> None:
+        with pytest.raises(
+            ValueError, match=r"^points must have shape \(..., n, d\); got .*\(3,\)$"
+        ):
+            f(E1)
+
+    def test_not_a_sequence_of_matrices(self) -> None:
+        with pytest.raises(ValueError, match=r"^rotations must have shape \(..., n, 3, 3\); got"):
+            closed_rotation_curve(np.eye(3))
+        with pytest.raises(ValueError, match=r"^r1 must have shape \(..., 3, 3\); got"):
+            slerp_rotations(np.eye(4), np.eye(3), 0)
+
+    def test_not_rotations(self) -> None:
+        with pytest.raises(ValueError, match=r"^r1 must be a rotation: "):
+            slerp_rotations(2 * np.eye(3), np.eye(3), 0)
+        with pytest.raises(ValueError, match=r"^r2 must be a rotation: .* it reflects$"):
+            slerp_rotations(np.eye(3), -np.eye(3), 0)
+        with pytest.raises(ValueError, match=r"^rotations must be a rotation: .* at index \(1,\)$"):
+            closed_rotation_curve([np.eye(3), 2 * np.eye(3), np.eye(3)])
+
+    @pytest.mark.parametrize("samples", [0, -1, 2.0, 2.5, "2", None, [2]])
+    def test_samples(self, samples: Any) -> None:
+        matrices = np.stack([np.eye(3)] * 3)
+        for f, data in [(closed_curve, np.eye(3)), (closed_rotation_curve, matrices)]:
+            with pytest.raises(ValueError) as caught:  # noqa: PT011
+                f(data, samples)
+            assert str(caught.value) == f"samples must be a positive integer; got {samples!r}"
+
+    @pytest.mark.parametrize("fraction", [-0.1, 1.5, [0.5, 0.5]])
+    def test_fraction(self, fraction: Any) -> None:
+        matrices = np.stack([np.eye(3)] * 3)
+        for f, data in [
+            (control_points, np.eye(3)),
+            (closed_curve, np.eye(3)),
+            (closed_rotation_curve, matrices),
+        ]:
+            with pytest.raises(ValueError, match=r"^fraction must be one number from 0 to 1; got"):
+                f(data, fraction=fraction)
+
+    def test_no_control_points(self) -> None:
+        with pytest.raises(ValueError, match=r"^control must have one point at least; got none$"):
+            de_casteljau(np.empty((0, 3)), 0.5)

@@ -1,0 +1,124 @@
+"""The tables of equations and figures: nothing is missing, every row points somewhere."""
+
+import ast
+import functools
+import importlib
+import inspect
+import re
+from collections import Counter
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+import pyvista
+from book_text import found, pages
+
+from rotedu.edition.equations import (
+    EQUATIONS,
+    FIGURES,
+    Equation,
+    Figure,
+    equation_table,
+    figure_table,
+)
+from rotedu.edition.errata import ERRATA, errata_table
+
+NUMBERED = {2: 6, 3: 3, 4: 7, 5: 15}
+EQUATION_LABEL = re.compile(r"^\$\$ \((eq-[^)]*)\)$|^:label: (eq-.*)$", re.MULTILINE)
+CAPTION = re.compile(r"^\*\*Figure (\d+)\.\*\*", re.MULTILINE)
+LINK = re.compile(r"\]\(#([\w-]+)\)")
+
+
+def marked() -> Iterator[tuple[str, str]]:
+    """Number and name of each test that is marked with an equation."""
+    for file in Path(__file__).parent.glob("test_*.py"):
+        for node in ast.walk(ast.parse(file.read_text("utf-8"))):
+            for mark in getattr(node, "decorator_list", []):
+                if isinstance(mark, ast.Call) and ast.unparse(mark.func) == "pytest.mark.equation":
+                    for number in mark.args:
+                        yield ast.literal_eval(number), node.name
+
+
+def function(name: str) -> Callable[..., Any]:
+    """Import what a dotted name inside the package stands for."""
+    module, *path = name.split(".")
+    result: Any = functools.reduce(getattr, path, importlib.import_module(f"rotedu.{module}"))
+    assert callable(result)
+    return result
+
+
+class TestEquations:
+    def test_all_31_are_there_in_order(self) -> None:
+        expected = [f"{section}-{k}" for section, n in NUMBERED.items() for k in range(1, n + 1)]
+        assert len(expected) == 31
+        assert [row.number for row in EQUATIONS] == expected
+
+    @pytest.mark.parametrize("row", EQUATIONS, ids=lambda row: row.number)
+    def test_the_functions_can_be_imported_and_say_what_they_do(self, row: Equation) -> None:
+        assert row.functions
+        for name in row.functions:
+            assert inspect.getdoc(function(name))
+            module, public, *_ = name.split(".")
+            assert public in importlib.import_module(f"rotedu.{module}").__all__
+
+    def test_each_has_a_test_that_bears_its_number(self) -> None:
+        assert {number for number, _ in marked()} == {row.number for row in EQUATIONS}
+        assert all(name.startswith("test_") for _, name in marked())
+
+    def test_each_label_is_on_one_page(self) -> None:
+        labels = Counter(label for (label,) in found(EQUATION_LABEL))
+        assert labels == Counter(row.label for row in EQUATIONS)
+
+    @pytest.mark.parametrize("row", EQUATIONS, ids=lambda row: row.number)
+    def test_what_is_not_as_printed_says_why(self, row: Equation) -> None:
+        assert row.status in ("as printed", "convention", "corrected")
+        assert row.remark or row.status == "as printed"
+        if row.status == "corrected":
+            assert re.search(r"\bE\d|\(#likely-glitches\)", row.remark)
+
+
+class TestFigures:
+    def test_all_8_are_there_in_order(self) -> None:
+        assert [row.number for row in FIGURES] == list(range(1, 9))
+
+    @pytest.mark.parametrize("row", FIGURES, ids=lambda row: row.label)
+    def test_the_scene_is_there_and_needs_no_arguments(self, row: Figure) -> None:
+        signature = inspect.signature(function(row.function))
+        assert signature.parameters
+        signature.bind()
+        assert signature.return_annotation is pyvista.Plotter
+
+    def test_each_caption_is_on_one_page(self) -> None:
+        numbers = Counter(int(number) for (number,) in found(CAPTION))
+        # Figure 0 is on the cover; the paper has none.
+        del numbers[0]
+        assert numbers == Counter(row.number for row in FIGURES)
+
+
+class TestTables:
+    tables = (*map(equation_table, NUMBERED), figure_table(), errata_table())
+
+    def test_every_row_is_in_a_table(self) -> None:
+        links = Counter(
+            LINK.findall(line.split("|")[1])[0]
+            for table in self.tables
+            for line in repr(table).splitlines()[2:]
+        )
+        assert links == Counter(row.label for row in (*EQUATIONS, *FIGURES, *ERRATA))
+
+    def test_links_lead_to_what_there_is(self) -> None:
+        labels = {row.label for row in (*EQUATIONS, *FIGURES, *ERRATA)} | {"likely-glitches"}
+        for table in self.tables:
+            assert set(LINK.findall(repr(table))) <= labels
+        assert "(likely-glitches)=" in pages()["errata.ipynb"]
+
+    def test_cells_have_no_bars(self) -> None:
+        for table in self.tables:
+            header, *lines = repr(table).splitlines()
+            assert {line.count("|") for line in lines} == {header.count("|")}
+
+    def test_pages_show_them(self) -> None:
+        for section in NUMBERED:
+            assert f"equation_table({section})" in pages()["equations.md"]
+        assert "figure_table()" in pages()["equations.md"]

@@ -1,0 +1,36 @@
+"""The list of errata: each has its section, which says and computes what is wrong."""
+
+import re
+
+import nbformat
+import pytest
+from book_text import BOOK, pages
+
+from rotedu.edition.errata import ERRATA, Erratum
+
+HEADING = re.compile(r"^\((erratum-\w+)\)=\n+## (\w+)\. (.+)$", re.MULTILINE)
+
+
+def test_each_has_its_section_in_order() -> None:
+    headings = list(HEADING.findall(pages()["errata.ipynb"]))
+    assert headings == [(row.label, row.number, row.title) for row in ERRATA]
+
+
+@pytest.mark.parametrize("row", ERRATA, ids=lambda row: row.number)
+def test_a_section_says_what_is_printed_what_is_right_and_what_it_changes(row: Erratum) -> None:
+    _, _, rest = pages()["errata.ipynb"].partition(f"({row.label})=")
+    section, _, _ = rest.partition("\n(")
+    for part in ("**As printed.**", "**What it should be.**", "**What it changes.**"):
+        assert section.count(part) == 1
+
+
+def test_each_computes_something() -> None:
+    cells = nbformat.read(BOOK / "errata.ipynb", as_version=4).cells
+    computing, current = set(), ""
+    for cell in cells:
+        if cell.cell_type == "markdown":
+            for label in re.findall(r"^\(([\w-]+)\)=$", cell.source, re.MULTILINE):
+                current = label
+        elif any(output.get("name") == "stdout" for output in cell.outputs):
+            computing.add(current)
+    assert computing >= {row.label for row in ERRATA}

@@ -1,0 +1,145 @@
+"""What a user installs: the built wheel with each extra, in an environment and a folder of its own.
+
+Nothing here can reach the checkout, so a file of the package that read it would fail.
+"""
+
+import json
+import os
+import shutil
+import socket
+import subprocess
+import sys
+import time
+import urllib.error
+import urllib.request
+import zipfile
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import nbformat
+import pytest
+from jupyter_server.gateway.gateway_client import GatewayClient
+from nbclient import NotebookClient
+from uv import find_uv_bin
+
+ROOT = Path(__file__).parents[1]
+NOTEBOOKS = sorted(file.name for file in (ROOT / "book").glob("*.ipynb"))
+THROUGH_A_SERVER = "jupyter_server.gateway.managers.GatewayKernelManager"
+
+pytestmark = pytest.mark.slow
+
+
+def run(*command: str | Path, cwd: Path) -> str:
+    return subprocess.run(command, cwd=cwd, check=True, stdout=subprocess.PIPE, text=True).stdout
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Another folder, with the notebooks and nothing else."""
+    folder = tmp_path_factory.mktemp("elsewhere")
+    for name in NOTEBOOKS:
+        shutil.copy(ROOT / "book" / name, folder)
+    return folder
+
+
+@pytest.fixture(scope="module")
+def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The wheel, made from the source distribution."""
+    folder = tmp_path_factory.mktemp("dist")
+    run(find_uv_bin(), "build", "--quiet", "--out-dir", folder, ROOT, cwd=folder)
+    assert len(list(folder.glob("rotedu-*.tar.gz"))) == 1
+    (wheel,) = folder.glob("rotedu-*.whl")
+    return wheel
+
+
+@pytest.fixture(scope="module")
+def install(wheel: Path, tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], Path]:
+    """Install the wheel with an extra into an empty environment; return its Python."""
+
+    def install_one(extra: str = "") -> Path:
+        folder = tmp_path_factory.mktemp("environment")
+        run(find_uv_bin(), "venv", "--quiet", "--clear", "-p", sys.executable, folder, cwd=folder)
+        python = folder / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
+        name = f"rotedu{extra} @ {wheel.as_uri()}"
+        run(find_uv_bin(), "pip", "install", "--quiet", "-p", python, name, cwd=folder)
+        return python
+
+    return install_one
+
+
+@pytest.fixture(scope="module")
+def kernels(install: Callable[[str], Path], folder: Path) -> Path:
+    """Install what the notebooks need; return where Jupyter finds their kernel."""
+    python = install("[notebooks]")
+    run(python, "-m", "ipykernel", "install", "--sys-prefix", cwd=folder)
+    return python.parents[1] / "share" / "jupyter"
+
+
+def test_the_wheel_holds_the_package_and_nothing_else(wheel: Path) -> None:
+    tracked = run("git", "ls-files", "rotedu", cwd=ROOT).split()
+    packed = [name for name in zipfile.ZipFile(wheel).namelist() if ".dist-info/" not in name]
+    assert sorted(packed) == sorted(tracked)
+
+
+def test_the_mathematics_needs_numpy_alone(install: Callable[[str], Path], folder: Path) -> None:
+    python = install()
+    listed = json.loads(
+        run(find_uv_bin(), "pip", "list", "-p", python, "--format", "json", cwd=folder)
+    )
+    assert [package["name"] for package in listed] == ["numpy", "rotedu"]
+    modules = sorted(f"rotedu.{file.stem}" for file in (ROOT / "rotedu").glob("[!_]*.py"))
+    assert len(modules) > 5
+    run(python, "-W", "error", "-c", f"import {', '.join(modules)}", cwd=folder)
+
+
+@pytest.mark.parametrize("name", NOTEBOOKS)
+def test_a_notebook_runs_elsewhere(
+    name: str, kernels: Path, folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("JUPYTER_PATH", str(kernels))
+    notebook = nbformat.read(folder / name, as_version=4)
+    place = {"metadata": {"path": folder}}
+    NotebookClient(notebook, timeout=300, kernel_name="python3", resources=place).execute()
+
+
+def get(url: str) -> str:
+    return urllib.request.urlopen(url, timeout=30).read().decode()
+
+
+def free_port() -> int:
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return int(probe.getsockname()[1])
+
+
+@pytest.fixture
+def lab(install: Callable[[str], Path], folder: Path) -> Iterator[str]:
+    """JupyterLab, as `jupyter lab` starts it, without a browser window."""
+    port = free_port()
+    # jupyter_server's client of another server sends neither token nor cookie with its socket.
+    open_to_all = ["--IdentityProvider.token=", "--ServerApp.disable_check_xsrf=True"]
+    options = ["--no-browser", f"--port={port}", *open_to_all]
+    if hasattr(os, "geteuid") and os.geteuid() == 0:
+        options.append("--allow-root")
+    server = subprocess.Popen([install("[lab]"), "-m", "jupyterlab", *options], cwd=folder)
+    url = f"http://127.0.0.1:{port}"
+    for _ in range(120):
+        try:
+            get(f"{url}/api")
+        except urllib.error.URLError:
+            time.sleep(0.5)
+        else:
+            break
+    yield url
+    server.terminate()
+    server.wait()
+
+
+def test_jupyterlab_opens_and_runs_a_notebook(lab: str, folder: Path) -> None:
+    name = "03-ordinary-rotation.ipynb"
+    assert "<title>JupyterLab</title>" in get(f"{lab}/lab/tree/{name}")
+    served = json.loads(get(f"{lab}/api/contents/{name}"))["content"]
+    notebook = nbformat.read(folder / name, as_version=4)
+    assert [cell["source"] for cell in served["cells"]] == [cell.source for cell in notebook.cells]
+    GatewayClient.instance(url=lab)
+    NotebookClient(notebook, timeout=300, kernel_manager_class=THROUGH_A_SERVER).execute()

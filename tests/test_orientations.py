@@ -1,0 +1,284 @@
+"""Orientations: against scipy, quaternions and their own laws."""
+
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation, Slerp
+from spheres import (
+    E3,
+    FRACTIONS,
+    LENGTHS_AND_DTYPES,
+    RNG,
+    UNEQUAL_GAPS,
+    Array,
+    bezier,
+    close,
+    random_units,
+    turning,
+)
+
+from rotedu.arcs import slerp
+from rotedu.closed_curve import closed_curve
+from rotedu.errors import DegenerateError
+from rotedu.ordinary_rotation import axis_angle, rotation_matrix
+from rotedu.orientations import closed_rotation_curve, nearest_rotation, slerp_rotations
+from rotedu.quaternions import Quaternion
+
+# Warnings of curves that are unstable are tested where they are due.
+pytestmark = pytest.mark.filterwarnings("ignore:.* are almost .*:UserWarning")
+
+
+class TestOrientations:
+    R1, R2 = (Rotation.random(300, rng=RNG).as_matrix() for _ in range(2))
+    ROUND = rotation_matrix([1, 2, 2], np.arange(5) * 2 * np.pi / 5)
+
+    @staticmethod
+    def gentle(n: int) -> tuple[Quaternion, Array]:
+        """Orientations that turn by less than a quarter, as quaternions whose signs agree."""
+        axes, sizes = random_units(n, 3), RNG.uniform(0.1, 0.5, n)
+        q = Quaternion.from_axis_angle(E3, 0.3) * Quaternion.from_axis_angle(axes, sizes)
+        return q, q.matrix()
+
+    def test_against_scipy(self) -> None:
+        t = [0, 0.2, 0.7, 1]
+        for r1, r2 in zip(self.R1[:50], self.R2[:50], strict=True):
+            oracle = Slerp([0, 1], Rotation.from_matrix([r1, r2]))(t).as_matrix()
+            close(slerp_rotations(r1, r2, t), oracle, 1e-13)
+
+    def test_laws(self) -> None:
+        t = RNG.uniform(0, 1, 300)
+        turns = slerp_rotations(self.R1, self.R2, t)
+        close(turns.mT @ turns, np.broadcast_to(np.eye(3), turns.shape))
+        close(np.linalg.det(turns), 1)
+        whole = axis_angle(self.R1.mT @ self.R2)[1]
+        close(axis_angle(self.R1.mT @ turns)[1], t * whole, 1e-13)
+        close(slerp_rotations(self.R2, self.R1, 1 - t), turns, 1e-13)
+        close(slerp_rotations(self.R1, self.R2, 0), self.R1, 1e-15)
+        close(slerp_rotations(self.R1, self.R2, 1), self.R2, 4e-15)
+        twice = self.R2 @ self.R1.mT @ self.R2
+        close(slerp_rotations(self.R1, self.R2, 2), twice, 1e-13)
+
+    def test_is_slerp_of_quaternions(self) -> None:
+        p, q = Quaternion.from_matrix(self.R1), Quaternion.from_matrix(self.R2)
+        sign = np.sign(np.sum(p.components * q.components, axis=-1))
+        components = slerp(p.components, sign[:, None] * q.components, 0.3)
+        by_quaternions = Quaternion(components[:, 0], components[:, 1:]).matrix()
+        close(slerp_rotations(self.R1, self.R2, 0.3), by_quaternions, 1e-13)
+
+    @pytest.mark.parametrize("rest", [1e-2, 1e-6, 1e-9, 1e-12])
+    def test_nearly_half_a_turn(self, rest: float) -> None:
+        r1, axis = self.R1[0], np.array([2, 3, 6]) / 7
+        r2 = r1 @ rotation_matrix(axis, np.pi - rest)
+        expected = r1 @ rotation_matrix(axis, (np.pi - rest) / 4)
+        close(slerp_rotations(r1, r2, 0.25), expected)
+
+    def test_half_a_turn(self) -> None:
+        with pytest.raises(DegenerateError, match=r"^r1 and r2 are half a turn apart: no unique"):
+            slerp_rotations(np.eye(3), np.diag([1, -1, -1]), 0.5)
+        turned = self.R1 @ rotation_matrix(random_units(300, 3), np.pi)
+        for r1, r2 in zip(self.R1, turned, strict=True):
+            with pytest.raises(DegenerateError):
+                slerp_rotations(r1, r2, 0.5)
+        with pytest.raises(DegenerateError):
+            slerp_rotations(np.eye(3), rotation_matrix([1, 2, 2], np.pi - 5e-15), 0.5)
+        with pytest.raises(DegenerateError, match=r"^r1 and r2 at index \(1,\) are half a turn"):
+            slerp_rotations(np.eye(3), [np.eye(3), np.diag([-1, -1, 1])], 0.5)
+
+    def test_no_turn(self) -> None:
+        close(slerp_rotations(self.R1, self.R1, 0.3), self.R1, 3e-15)
+
+    @pytest.mark.parametrize(("theta", "dtype"), LENGTHS_AND_DTYPES)
+    def test_closed_curve_with_turns_of_any_size(self, theta: float, dtype: Any) -> None:
+        # As for points: the turns of the first segment are of 3 u^2 - 2 u^3 times theta.
+        u, axes = np.arange(20) / 20, random_units(20, 3, rng=np.random.default_rng(20))
+        for start, axis in zip(self.R1[:20], axes, strict=True):
+            turn = theta * np.array([0, 1, 0.6])
+            rotations = start @ Rotation.from_rotvec(turn[:, None] * axis).as_matrix()
+            rotations[2] = rotations[2] @ rotation_matrix(np.roll(axis, 1), 0.7)
+            found = closed_rotation_curve(rotations.astype(dtype), 20, 0)
+            assert found.dtype == dtype
+            part = theta * (3 * u**2 - 2 * u**3)
+            expected = start @ Rotation.from_rotvec(part[:, None] * axis).as_matrix()
+            close(found[:20], expected, 3e-6 if dtype == np.float32 else 1e-14)
+
+    @pytest.mark.parametrize("gaps", UNEQUAL_GAPS)
+    @pytest.mark.parametrize("fraction", [0.2, 1 / 2, 1])
+    def test_closed_curve_about_one_axis(self, gaps: tuple[float, ...], fraction: float) -> None:
+        # With 1 an arc at the start, and so one of each level, is longer than 2.5.
+        start, axis = self.R1[0], [2, 3, 6]
+        rotations = rotation_matrix(axis, np.cumsum([0, *gaps[:2]])) @ start
+        turn = turning(gaps, fraction, np.arange(20) / 20)
+        found = closed_rotation_curve(rotations, 20, fraction)
+        close(found, rotation_matrix(axis, turn) @ start)
+
+    @pytest.mark.parametrize("fraction", FRACTIONS)
+    def test_closed_curve_is_made_of_rotation_arcs(self, fraction: float) -> None:
+        u = np.arange(10) / 10
+        longest = []
+        for seed in range(12):
+            here = Rotation.random(6, rng=np.random.default_rng(seed)).as_matrix()
+            before, after = np.roll(here, 1, axis=0), np.roll(here, -1, axis=0)
+            middle = slerp_rotations(here @ before.mT @ here, after, 0.5)
+            a = slerp_rotations(here, middle, fraction)
+            b = here @ a.mT @ here
+            row = [here, a, np.roll(b, -1, axis=0), after]
+            longest += [axis_angle(p.mT @ q)[1] for p, q in pairwise(row)]
+            row = [control[:, None] for control in row]
+            while len(row) > 1:
+                row = [slerp_rotations(p, q, u) for p, q in pairwise(row)]
+            close(closed_rotation_curve(here, 10, fraction), row[0].reshape(60, 3, 3), 1e-13)
+        assert np.max(longest) > 3
+
+    @pytest.mark.parametrize(
+        ("size", "dtype", "rounding"),
+        [(size, np.float64, 1e-14) for size in (1e-100, 1e-16, 1e-12, 1e-9)]
+        + [(size, np.float32, 4e-6) for size in (1e-15, 1e-7)],
+    )
+    def test_closed_curve_of_tiny_turns_is_the_one_of_their_axes(
+        self, size: float, dtype: Any, rounding: float
+    ) -> None:
+        turns, u = np.random.default_rng(7).normal(size=(7, 3)), np.arange(10) / 10
+        x, y, z = size * turns.T
+        rotations = np.empty((7, 3, 3), dtype)
+        rotations[:] = np.eye(3)
+        rotations[:, [2, 0, 1], [1, 2, 0]] = np.stack([x, y, z], axis=1)
+        rotations[:, [1, 2, 0], [2, 0, 1]] = -np.stack([x, y, z], axis=1)
+        curve = closed_rotation_curve(rotations, 10).reshape(7, 10, 3, 3)
+        found = (curve - curve.mT)[..., [2, 0, 1], [1, 2, 0]] / (2 * size)
+        close(found, bezier(turns, 1 / 2, u).swapaxes(0, 1), rounding)
+
+    def test_closed_curve_of_equal_orientations(self) -> None:
+        for dtype, rounding in [(np.float64, 1e-14), (np.float32, 2e-6)]:
+            same = np.stack([self.R1[0]] * 4).astype(dtype)
+            close(closed_rotation_curve(same, 5), [same[0]] * 20, rounding)
+
+    @pytest.mark.parametrize("fraction", FRACTIONS)
+    def test_closed_curve_is_that_of_quaternions_whose_signs_agree(self, fraction: float) -> None:
+        q, matrices = self.gentle(20)
+        components = closed_curve(q.components, 10, fraction)
+        expected = Quaternion(components[:, 0], components[:, 1:]).matrix()
+        close(closed_rotation_curve(matrices, 10, fraction), expected, 1e-13)
+
+    def test_laws_of_the_closed_curve(self) -> None:
+        _, matrices = self.gentle(7)
+        curve = closed_rotation_curve(matrices, 20)
+        assert curve.shape == (140, 3, 3)
+        close(curve[::20], matrices, 1e-15)
+        close(curve.mT @ curve, np.broadcast_to(np.eye(3), curve.shape))
+        turn = self.R1[0]
+        close(closed_rotation_curve(turn @ matrices, 20), turn @ curve, 1e-13)
+        close(closed_rotation_curve(matrices @ turn, 20), curve @ turn, 1e-13)
+        back = closed_rotation_curve(np.roll(matrices[::-1], 1, axis=0), 20)
+        close(np.roll(back[::-1], 1, axis=0), curve, 1e-13)
+
+    def test_is_c1(self) -> None:
+        _, matrices = self.gentle(5)
+        curve = closed_rotation_curve(matrices, 4000)
+        left = (curve[4000::4000] - curve[3999:-1:4000]) * 4000
+        right = (curve[4001::4000] - curve[4000::4000]) * 4000
+        close(left, right, 0.01)
+        assert np.abs(left).max() > 0.3
+
+    def test_turning_right_round(self) -> None:
+        # Five quaternions whose signs agree end at the opposite of the first.
+        curve = closed_rotation_curve(self.ROUND, 10, 1 / 3)
+        close(curve, rotation_matrix([1, 2, 2], np.arange(50) * 2 * np.pi / 50))
+        half = closed_rotation_curve(self.ROUND, 10)
+        steps = axis_angle(half.mT @ np.roll(half, -1, axis=0))[1]
+        close(steps.sum(), 2 * np.pi)
+
+    def test_quaternions_need_agreeing_signs_where_matrices_do_not(self) -> None:
+        q = Quaternion.from_axis_angle([1, 2, 2], np.arange(5) * 2 * np.pi / 5)
+        match = r"^Double\(points\[4\], points\[0\]\) and points\[1\] are antipodal"
+        with pytest.raises(DegenerateError, match=match):
+            closed_curve(q.components)
+
+    def test_a_point_carried_along_is_not_the_curve_of_the_points(self) -> None:
+        # Twist about the pointing vector is lost on the sphere.
+        twisted = rotation_matrix(E3, [0, 0.5, 1.0])
+        close(closed_curve(twisted[:, :, 2], 10), [E3] * 30, 1e-15)
+        assert np.abs(closed_rotation_curve(twisted, 10) - np.eye(3)).max() > 0.8
+
+    def test_degenerate(self) -> None:
+        half = np.diag([1.0, -1, -1])
+        match = (
+            r"^Double\(rotations\[2\], rotations\[0\]\) and rotations\[1\] are half a turn apart"
+        )
+        with pytest.raises(DegenerateError, match=match):
+            closed_rotation_curve([np.eye(3), half, np.eye(3)])
+        same = closed_rotation_curve([np.eye(3)] * 3, 5)
+        close(same, [np.eye(3)] * 15, 1e-15)
+        stops = rotation_matrix(E3, [0, 0.5, 0, -0.5])
+        close(closed_rotation_curve(stops, 5)[::5], stops, 1e-15)
+
+    def test_stacks(self) -> None:
+        matrices = np.stack([self.gentle(5)[1] for _ in range(6)]).reshape(2, 3, 5, 3, 3)
+        curves = closed_rotation_curve(matrices, 4)
+        assert curves.shape == (2, 3, 20, 3, 3)
+        close(curves[1, 2], closed_rotation_curve(matrices[1, 2], 4), 1e-15)
+        assert closed_rotation_curve(np.empty((0, 5, 3, 3)), 4).shape == (0, 20, 3, 3)
+
+
+class TestNearestRotation:
+    R = Rotation.random(300, rng=np.random.default_rng(11)).as_matrix()
+
+    def test_of_a_rotation_is_itself(self) -> None:
+        close(nearest_rotation(self.R), self.R, 3e-15)
+
+    def test_against_scipy(self) -> None:
+        noisy = self.R + np.random.default_rng(12).normal(scale=0.3, size=self.R.shape)
+        # The rotation that takes the axes to the columns of M, as well as it can.
+        for m in noisy:
+            oracle, _ = Rotation.align_vectors(m.T, np.eye(3))
+            close(nearest_rotation(m), oracle.as_matrix(), 1e-12)
+
+    def test_no_other_rotation_is_nearer(self) -> None:
+        rng = np.random.default_rng(13)
+        for m in rng.normal(size=(50, 3, 3)):
+            nearest = nearest_rotation(m)
+            close(nearest.T @ nearest, np.eye(3))
+            close(np.linalg.det(nearest), 1)
+            others = np.concatenate(
+                [
+                    self.R,
+                    nearest
+                    @ Rotation.from_rotvec(rng.normal(scale=0.01, size=(50, 3))).as_matrix(),
+                ]
+            )
+            distance = np.linalg.norm(nearest - m)
+            assert (np.linalg.norm(others - m, axis=(1, 2)) > distance).all()
+
+    def test_commutes_with_rotations_and_ignores_size(self) -> None:
+        m = np.random.default_rng(14).normal(size=(3, 3))
+        close(nearest_rotation(self.R @ m), self.R @ nearest_rotation(m), 1e-13)
+        close(nearest_rotation(1e200 * m), nearest_rotation(m), 1e-15)
+
+    def test_of_a_reflection_that_stretches(self) -> None:
+        close(nearest_rotation(np.diag([3, 2, -1])), np.eye(3), 1e-15)
+
+    @pytest.mark.parametrize(
+        "m", [np.zeros((3, 3)), np.diag([1, 0, 0]), -np.eye(3), np.diag([3, 1, -1])]
+    )
+    def test_several_are_equally_near(self, m: Array) -> None:
+        with pytest.raises(DegenerateError, match=r"^matrix has several nearest rotations$"):
+            nearest_rotation(m)
+        with pytest.raises(DegenerateError, match=r"^matrix at index \(1,\) has several"):
+            nearest_rotation([np.eye(3), m])
+
+
+class TestRoundedInput:
+    """Matrices that are rotations to half of their digits are taken to the nearest rotations."""
+
+    @pytest.mark.parametrize("decimals", [8, 10, 12])
+    def test_what_is_accepted_is_computed_with(self, decimals: int) -> None:
+        for seed in range(100):
+            exact = Rotation.random(5, rng=np.random.default_rng(seed)).as_matrix()
+            rounded = exact.round(decimals)
+            curve = closed_rotation_curve(rounded, 4, 1 / 3)
+            close(curve.mT @ curve, np.broadcast_to(np.eye(3), curve.shape), 3e-15)
+            close(curve[::4], nearest_rotation(rounded), 1e-14)
+            turn = slerp_rotations(rounded[0], rounded[1], 0.3)
+            close(turn.T @ turn, np.eye(3), 3e-15)
+            close(turn, slerp_rotations(exact[0], exact[1], 0.3), 30 * 10.0**-decimals)

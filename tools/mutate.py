@@ -1,0 +1,170 @@
+"""Break the mathematics, one small edit at a time, and see whether a test notices.
+
+cosmic-ray makes the edits: another sign, operator or number, a condition turned round, a decorator
+left out. Each is made in a copy of the package, and the tests of its module run until one fails.
+``python tools/mutate.py`` takes every module, names as arguments keep it to those. It lists the
+edits that no test notices and ends with 1 if tools/equivalent.toml does not say of each of them
+why no test can.
+"""
+
+import os
+import re
+import shutil
+import sys
+import tempfile
+import tomllib
+from collections.abc import Iterator
+from concurrent.futures import ProcessPoolExecutor
+from difflib import unified_diff
+from importlib import import_module
+from itertools import count
+from multiprocessing import get_context
+from pathlib import Path
+from time import monotonic
+from typing import NamedTuple
+
+import pytest
+from cosmic_ray.mutating import mutate_code
+from cosmic_ray.plugins import get_operator, operator_names
+
+ROOT = Path(__file__).parents[1]
+EQUIVALENT = ROOT / "tools" / "equivalent.toml"
+# A broken loop may never end.
+TIME_LIMIT = 120
+COPIED = "rotedu", "tests", "conftest.py", "pyproject.toml"
+NO_MATHEMATICS = {"__init__", "colors", "errors"}
+MODULES = sorted({file.stem for file in (ROOT / "rotedu").glob("*.py")} - NO_MATHEMATICS)
+# cosmic-ray would also write << for +, or >= for ==, which is no slip of the pen.
+OPERATORS = re.compile(
+    "core/(AddNot|ExceptionReplacer|NumberReplacer|RemoveDecorator|ZeroIterationForLoop"
+    "|Replace(AndWithOr|OrWithAnd|TrueWithFalse|FalseWithTrue)|ReplaceUnaryOperator_Delete_.*"
+    "|ReplaceBinaryOperator_(Add_Sub|Sub_Add|Mul_Add|Mul_Div|Div_Mul|FloorDiv_Mul|Mod_Mul|Pow_Mul)"
+    "|ReplaceComparisonOperator_(Eq_NotEq|NotEq_Eq|Is_IsNot|IsNot_Is"
+    "|Lt_LtE|Lt_GtE|LtE_Lt|LtE_Gt|Gt_GtE|Gt_LtE|GtE_Gt|GtE_Lt))"
+)
+# The processes that run the tests are forked, so that these are loaded once.
+SLOW_IMPORTS = "hypothesis.extra.numpy", "nbval.plugin", "scipy.spatial.transform", "sympy"
+FORK = get_context("fork")
+
+
+class Edit(NamedTuple):
+    """One edit of a module."""
+
+    module: str
+    line: int
+    before: str
+    after: str
+    code: str
+
+
+def edits(module: str) -> Iterator[Edit]:
+    """Yield every edit of a module."""
+    source = (ROOT / "rotedu" / f"{module}.py").read_text("utf-8")
+    for operator in filter(OPERATORS.fullmatch, operator_names()):
+        for occurrence in count():
+            code = mutate_code(source, get_operator(operator)(), occurrence)
+            if code is None:
+                break
+            place, *changed = list(unified_diff(source.split("\n"), code.split("\n"), n=0))[2:]
+            before, after = (
+                "\n".join(line[1:].strip() for line in changed if line[0] == sign) for sign in "-+"
+            )
+            yield Edit(module, int(re.findall(r"\d+", place)[0]), before, after, code)
+
+
+def tests_of(module: str) -> list[str]:
+    """Return the tests of a module; what serves all others has theirs, too."""
+    served = MODULES if module.startswith("_") else []
+    names = dict.fromkeys(f"tests/test_{name.strip('_')}.py" for name in [module, *served])
+    return [name for name in names if (ROOT / name).exists()]
+
+
+def run_tests(tests: list[str]) -> None:
+    """Run tests in this process until one fails, and end it with the result."""
+    for stream in (1, 2):
+        os.dup2(os.open(os.devnull, os.O_WRONLY), stream)
+    options = ["-o", "addopts=", "-x", "-p", "no:cacheprovider", "--hypothesis-profile=ci"]
+    os._exit(pytest.main([*options, *tests]))
+
+
+def passes(tests: list[str], seconds: float | None = None) -> bool:
+    """Tell whether tests pass, in a process of their own and in time."""
+    process = FORK.Process(target=run_tests, args=(tests,))
+    process.start()
+    process.join(seconds)
+    process.kill()
+    process.join()
+    return process.exitcode == 0
+
+
+def copy_package(folder: str) -> None:
+    """Make a copy for this worker, and load from there."""
+    place = Path(tempfile.mkdtemp(dir=folder))
+    for name in COPIED:
+        copy = shutil.copytree if (ROOT / name).is_dir() else shutil.copy
+        copy(ROOT / name, place / name)
+    os.chdir(place)
+    sys.path.insert(0, str(place))
+    # Python would take an edit for another of the same second.
+    sys.dont_write_bytecode = True
+    # There is a worker for each core.
+    os.environ["OPENBLAS_NUM_THREADS"] = "1"
+    for name in SLOW_IMPORTS:
+        import_module(name)
+
+
+def survives(edit: Edit) -> bool:
+    """Make an edit and tell whether the tests of its module pass all the same."""
+    file = Path("rotedu", f"{edit.module}.py")
+    source = file.read_text("utf-8")
+    file.write_text(edit.code, "utf-8")
+    try:
+        return passes(tests_of(edit.module), TIME_LIMIT)
+    finally:
+        file.write_text(source, "utf-8")
+
+
+def check(module: str, pool: ProcessPoolExecutor) -> list[Edit]:
+    """Try every edit of a module; return those that no test notices."""
+    start = monotonic()
+    if not pool.submit(passes, tests_of(module)).result():
+        sys.exit(f"{module}: the tests fail before anything is edited")
+    tried = list(edits(module))
+    results = zip(tried, pool.map(survives, tried), strict=True)
+    unnoticed = sorted(edit for edit, alive in results if alive)
+    seconds = monotonic() - start
+    print(
+        f"{module}: {len(tried)} edits, {len(unnoticed)} not noticed, {seconds:.0f} s", flush=True
+    )
+    return unnoticed
+
+
+def report(place: str, before: str, after: str) -> None:
+    """Print an edit."""
+    print(place, *(f"- {line}" for line in before.split("\n")), sep="\n")
+    print(*(f"+ {line}" for line in after.split("\n")), "", sep="\n", flush=True)
+
+
+def main() -> int:
+    """Print each edit that is neither noticed nor named; return 1 if there is one."""
+    known = tomllib.loads(EQUIVALENT.read_text("utf-8"))
+    found = False
+    with (
+        tempfile.TemporaryDirectory() as folder,
+        ProcessPoolExecutor(mp_context=FORK, initializer=copy_package, initargs=(folder,)) as pool,
+    ):
+        for module in sys.argv[1:] or MODULES:
+            unnoticed = check(module, pool)
+            named = {(entry["before"], entry["after"]) for entry in known.get(module, [])}
+            for edit in unnoticed:
+                if (edit.before, edit.after) not in named:
+                    report(f"rotedu/{module}.py:{edit.line}", edit.before, edit.after)
+                    found = True
+            for stale in named - {(edit.before, edit.after) for edit in unnoticed}:
+                report(f"tools/equivalent.toml: noticed, or no edit of {module}", *stale)
+                found = True
+    return int(found)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

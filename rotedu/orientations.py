@@ -108,9 +108,14 @@ def closed_rotation_curve(
     Notes
     -----
     The construction is that of the points, with `slerp_rotations` for arcs and, for
-    Double(R1, R2), R2 R1^T R2. Where `rotedu.closed_curve.closed_curve` of quaternions depends on
-    their signs, and needs signs that agree all the way round, this has none: a body that turns
-    right round and comes back to where it was is as good as any other data.
+    Double(R1, R2), R2 R1^T R2. It has no signs to choose: a body that turns right round and comes
+    back to where it was is as good as any other data.
+
+    As long as no two orientations that it joins by an arc are more than half a turn apart, this is
+    the curve of `rotedu.closed_curve.closed_curve` for quaternions whose signs agree all the way
+    round. Beyond that the two differ, or this one does not exist. A quaternion tells a turn by 190
+    degrees from one by -170; a matrix does not, and goes the shorter way. About one axis that
+    happens where successive turns differ by more than 180 degrees (quaternions: 360).
 
     Examples
     --------

@@ -155,11 +155,101 @@ class TestOrientations:
             close(closed_rotation_curve(same, 5), [same[0]] * 20, rounding)
 
     @pytest.mark.parametrize("fraction", FRACTIONS)
-    def test_closed_curve_is_that_of_quaternions_whose_signs_agree(self, fraction: float) -> None:
+    def test_closed_curve_of_small_turns_is_that_of_quaternions_whose_signs_agree(
+        self, fraction: float
+    ) -> None:
         q, matrices = self.gentle(20)
         components = closed_curve(q.components, 10, fraction)
         expected = Quaternion(components[:, 0], components[:, 1:]).matrix()
         close(closed_rotation_curve(matrices, 10, fraction), expected, 1e-13)
+
+    @staticmethod
+    def on_a_circle(at: Any, fraction: float, samples: int, around: float) -> Array:
+        """Do the same with numbers on a circle that measures `around`."""
+
+        def arc(p: Array, q: Array, t: Any) -> Array:
+            # The shorter way round.
+            return p + t * ((q - p + around / 2) % around - around / 2)
+
+        here = np.array(at, dtype=float)
+        middle = arc(2 * here - np.roll(here, 1), np.roll(here, -1), 0.5)
+        a = arc(here, middle, fraction)
+        row = [here, a, np.roll(2 * here - a, -1), np.roll(here, -1)]
+        row, u = [control[:, None] for control in row], np.arange(samples) / samples
+        while len(row) > 1:
+            row = [arc(p, q, u) for p, q in pairwise(row)]
+        return np.asarray(row[0]).ravel()
+
+    @pytest.mark.parametrize("fraction", FRACTIONS)
+    @pytest.mark.parametrize("at", [(0, 100, 10, -60), (0, 60, 10, -60), (0, 150, 100, 20, -70)])
+    def test_about_one_axis_a_circle_of_360_degrees_and_quaternions_one_of_720(
+        self, at: tuple[float, ...], fraction: float
+    ) -> None:
+        turns = np.radians(at)
+        q = Quaternion.from_axis_angle([2, 3, 6], turns).components
+        assert (np.sum(q * np.roll(q, 1, axis=0), axis=1) > 0).all()
+        by_matrices = closed_rotation_curve(rotation_matrix([2, 3, 6], turns), 20, fraction)
+        circle = self.on_a_circle(at, fraction, 20, 360)
+        close(by_matrices, rotation_matrix([2, 3, 6], np.radians(circle)), 1e-13)
+        by_quaternions = closed_curve(q, 20, fraction)
+        twice = self.on_a_circle(at, fraction, 20, 720)
+        close(by_quaternions, Quaternion.from_axis_angle([2, 3, 6], np.radians(twice)).components)
+        # They differ where successive turns differ by more than 180 degrees.
+        gaps = np.diff([at[-1], *at, at[0]])
+        apart = np.abs((circle - twice + 180) % 360 - 180).max()
+        assert (apart > 20) == (np.abs(np.diff(gaps)).max() > 180)
+
+    def test_a_swing_reaches_farther_with_matrices(self) -> None:
+        swing = np.radians([0, 100, 10, -60])
+        x, y, _ = closed_rotation_curve(rotation_matrix(E3, swing), 100)[:, :, 0].T
+        close(np.degrees(np.unwrap(np.arctan2(y, x))).max(), 127.27, 0.01)
+        w, _, _, z = closed_curve(Quaternion.from_axis_angle(E3, swing).components, 100).T
+        close(np.degrees(2 * np.arctan2(z, w)).max(), 100.09, 0.01)
+
+    def test_a_wide_swing_is_refused_by_matrices_alone(self) -> None:
+        swing = np.radians([0, 100, 0, -100])
+        curve = closed_curve(Quaternion.from_axis_angle(E3, swing).components, 25)
+        twice = np.radians(self.on_a_circle([0, 100, 0, -100], 1 / 2, 25, 720))
+        close(curve, Quaternion.from_axis_angle(E3, twice).components)
+        match = r"^rotations\[1\] and Bisect\(Double\(rotations\[0\], rotations\[1\]\), "
+        with pytest.raises(DegenerateError, match=match):
+            closed_rotation_curve(rotation_matrix(E3, swing))
+
+    def test_random_loops_part_where_an_arc_is_longer_than_half_a_turn(self) -> None:
+        # Against slerp and products of SciPy and of numbers, with no function of the package.
+        def on_the_sphere(p: Array, q: Array, t: Any) -> Array:
+            cosine = np.sum(p * q, axis=-1, keepdims=True)
+            theta = np.arccos(np.clip(cosine, -1, 1))
+            weights = np.sin((1 - t) * theta), np.sin(t * theta)
+            return np.asarray((weights[0] * p + weights[1] * q) / np.sin(theta))
+
+        u, parted = np.arange(1, 8)[:, None] / 8, []
+        for vectors in np.random.default_rng(2).normal(scale=0.5, size=(100, 5, 3)):
+            q = Rotation.from_rotvec(vectors).as_quat(canonical=True, scalar_first=True)
+            for i in range(1, 5):
+                q[i] *= np.sign(q[i] @ q[i - 1])
+            if q[4] @ q[0] < 0:
+                continue
+            before, after = np.roll(q, 1, axis=0), np.roll(q, -1, axis=0)
+            reflected = 2 * np.sum(before * q, axis=1, keepdims=True) * q - before
+            middle = on_the_sphere(reflected, after, 0.5)
+            a = on_the_sphere(q, middle, 0.5)
+            b = 2 * np.sum(a * q, axis=1, keepdims=True) * q - a
+            row = [q, a, np.roll(b, -1, axis=0), after]
+            shortest = [(reflected, after), (q, middle), *pairwise(row)]
+            least = min(np.sum(x * y, axis=1).min() for x, y in shortest)
+            row = [control[:, None] for control in row]
+            while len(row) > 1:
+                row = [on_the_sphere(x, y, u) for x, y in pairwise(row)]
+            expected = row[0].reshape(-1, 4)
+            given = np.arange(0, 40, 8)
+            close(np.delete(closed_curve(q, 8), given, axis=0), expected, 1e-12)
+            matrices = Rotation.from_quat(expected, scalar_first=True).as_matrix()
+            curve = closed_rotation_curve(Rotation.from_rotvec(vectors).as_matrix(), 8)
+            apart = np.abs(np.delete(curve, given, axis=0) - matrices).max()
+            assert (apart < 1e-11) == (least > 0)
+            parted.append(apart > 1e-3)
+        assert 10 < np.count_nonzero(parted) < 50
 
     def test_laws_of_the_closed_curve(self) -> None:
         _, matrices = self.gentle(7)

@@ -90,7 +90,7 @@ ERRATA = (
     ),
     Erratum(
         "E5",
-        "No quaternion formula takes 19 multiplications and 7 additions",
+        "No quaternion formula that we counted takes 19 multiplications and 7 additions",
         "Sections 1 and 3",
         "19 + 7 to compose, and to turn a point",
         "16 + 12 to compose, 18 + 12 to turn",
@@ -108,7 +108,7 @@ ERRATA = (
         "E7",
         "Slerp does have a matrix",
         "after (5-3)",
-        "slerp cannot be a matrix times a vector",
+        "slerp cannot be a matrix times a vector, like (5-3)",
         "it can: a 4 × 4 rotation matrix",
         "fact",
     ),
@@ -133,7 +133,7 @@ ERRATA = (
         "Section 2 does not interpolate",
         "Section 1, last paragraph",
         "Section 2 reviews interpolation",
-        "it ends with (2-6)",
+        "in our copy it ends with (2-6)",
         "wording",
     ),
     Erratum(

@@ -30,6 +30,9 @@ Array = npt.NDArray[Any]
 Shape = tuple[int | str, ...]
 Result = TypeVar("Result")
 
+# What an array of dtype object may hide.
+NO_REAL_NUMBERS = (type(None), str, bytes, complex, np.complexfloating)
+
 _checked_already: ContextVar[bool] = ContextVar("checked already", default=False)
 
 
@@ -381,7 +384,7 @@ def _numbers(name: str, value: Any) -> Array:
 
 def _floats_if_numbers(objects: Array) -> Array:
     """Tell big integers and fractions, which become floats, from symbols and the like."""
-    if any(element is None for element in objects.flat):
+    if any(isinstance(element, NO_REAL_NUMBERS) for element in objects.flat):
         raise ValueError
     try:
         return objects.astype(np.float64)

@@ -31,6 +31,7 @@ from rotedu.control_points import (
 from rotedu.cost import OperationCount, count
 from rotedu.edition.notebook import source
 from rotedu.errors import DegenerateError
+from rotedu.general_rotation import perspective
 from rotedu.ordinary_rotation import rotate, rotation_matrix
 from rotedu.orientations import closed_rotation_curve, nearest_rotation, slerp_rotations
 from rotedu.quaternions import Quaternion
@@ -227,9 +228,16 @@ class TestRefusals:
             value[(-1,) * value.ndim] = bad
             with pytest.raises(ValueError, match=f"^{name} must be finite in float64; got {bad}"):
                 f(**GOOD[f] | {name: value})
-        for text in ["text", [None, None, 1j], True]:
+        hidden = [np.array(["1", 0, 0], object), np.array([1j, 0, 0], object)]
+        for text in ["text", [None, None, 1j], True, *hidden]:
             with pytest.raises(ValueError, match=f"^{name} must be an array of real numbers"):
                 f(**GOOD[f] | {name: text})
+
+    def test_up_to_the_limits_of_the_conventions_all_is_finite(self) -> None:
+        q = Quaternion(1e150, [1e150, -1e150, 1e150])
+        turned = slerp(E1, E2, 1e300), slerp_by_rotation(E1, E2, 1e300)
+        numbers = (q * q).components, q.inverse().components, perspective(1e-300), *turned
+        assert all(np.isfinite(x).all() for x in numbers)
 
     @pytest.mark.parametrize(("f", "name"), VECTORS)
     def test_zero_vectors(self, f: Any, name: str) -> None:

@@ -108,6 +108,7 @@ EQUATIONS = (
         "Rodrigues' formula: a vector is turned about an axis",
         ("ordinary_rotation.rotate",),
         "as printed",
+        "the code normalises the axis",
     ),
     Equation(
         "3-2",
@@ -119,8 +120,8 @@ EQUATIONS = (
         "3-3",
         "the matrix, entry by entry",
         ("ordinary_rotation.rotation_matrix",),
-        "convention",
-        "for an axis of length 1; the code normalises it",
+        "as printed",
+        "the code normalises the axis",
     ),
     Equation(
         "4-1",
@@ -180,7 +181,7 @@ EQUATIONS = (
         "a point of the arc from sines (slerp)",
         ("arcs.slerp",),
         "convention",
-        "0/0 where the ends coincide; the code uses an equal form that is not",
+        "for ${0<\\theta<\\pi}$; the code uses an equal form that allows ${\\theta=0}$",
     ),
     Equation(
         "5-3",
@@ -215,7 +216,8 @@ EQUATIONS = (
         "Bisect: midway to the next point",
         ("control_points.bisect",),
         "corrected",
-        "a bar lost in the denominators: [glitch](#likely-glitches)",
+        "a bar lost in the denominators: [glitch](#likely-glitches);"
+        " for ${0<\\bar\\theta_{i-1}<\\pi}$, the code also for 0",
     ),
     Equation(
         "5-8",
@@ -229,14 +231,15 @@ EQUATIONS = (
         "the axis of (5-8)",
         ("arcs.arc_axis",),
         "corrected",
-        "E2; also a bar lost: [glitch](#likely-glitches)",
+        "E2; also a bar lost: [glitch](#likely-glitches); for ${0<\\bar\\theta_{i-1}<\\pi}$",
     ),
     Equation(
         "5-10",
         "the control point $a_i$",
         ("control_points.bisect", "control_points.control_points"),
         "corrected",
-        "a bar lost in the denominators: [glitch](#likely-glitches)",
+        "a bar lost in the denominators: [glitch](#likely-glitches);"
+        " for ${0<\\bar\\theta_i<\\pi}$, the code also for 0",
     ),
     Equation(
         "5-11",
@@ -250,7 +253,7 @@ EQUATIONS = (
         "the axis of (5-11)",
         ("arcs.arc_axis",),
         "corrected",
-        "a bar lost in the denominator: [glitch](#likely-glitches)",
+        "a bar lost in the denominator: [glitch](#likely-glitches); for ${0<\\bar\\theta_i<\\pi}$",
     ),
     Equation(
         "5-13",
@@ -270,8 +273,8 @@ EQUATIONS = (
         "5-15",
         "the axis of (5-14)",
         ("arcs.arc_axis",),
-        "as printed",
-        "the same vector as (5-12)",
+        "convention",
+        "for ${0<\\tilde\\theta_i<\\pi}$; the same vector as (5-12)",
     ),
 )
 

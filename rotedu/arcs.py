@@ -134,8 +134,8 @@ def slerp(p: Unit, q: Unit, t: Number) -> Vector:
     right angles, so nothing cancels in ``cos((t - 1/2) theta) m + sin((t - 1/2) theta) c``. Cosine
     and sine come from the tangent h of half their angle, which NumPy finds ten times as fast.
 
-    The formula is slerp. The paper says that slerp can have no form with a matrix (erratum E7);
-    (5-3) is one.
+    The formula is slerp. The paper says that slerp can have no form with a matrix like (5-3)
+    (erratum E7); for points of the sphere (5-3) is one.
 
     References
     ----------

@@ -34,3 +34,9 @@ def test_each_computes_something() -> None:
         elif any(output.get("name") == "stdout" for output in cell.outputs):
             computing.add(current)
     assert computing >= {row.label for row in ERRATA}
+
+
+def test_a_box_in_the_colour_of_errata_links_to_one() -> None:
+    boxes = re.findall(r"^:class: erratum$(.*?)^:::$", "\n".join(pages().values()), re.M | re.S)
+    assert len(boxes) > 10
+    assert all("](#erratum-e" in box for box in boxes)

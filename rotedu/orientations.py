@@ -17,8 +17,8 @@ from rotedu._arguments import (
     place,
 )
 from rotedu._vectors import Array, product, rounding, transpose
-from rotedu.arcs import refuse_two_ways, warn_of_two_ways
-from rotedu.closed_curve import arcs_of_arcs
+from rotedu.arcs import refuse_two_ways
+from rotedu.closed_curve import arcs_of_arcs, warn_of_two_ways
 from rotedu.errors import DegenerateError
 from rotedu.ordinary_rotation import axis_angle, rotation_matrix
 

@@ -167,6 +167,12 @@ class TestArc:
         with pytest.raises(DegenerateError, match=r"^p and q coincide: .* at index \(1,\)$"):
             arc_axis([E1, E2], E2)
 
+    def test_points_coincide_up_to_rounding(self) -> None:
+        eps = np.finfo(float).eps
+        with pytest.raises(DegenerateError, match=r"^p and q coincide"):
+            arc_axis(E1, [1, 4 * eps, 0])
+        close(arc_axis(E1, [1, 4.5 * eps, 0]), E3, 0)
+
     def test_beyond_the_ends_the_circle_goes_on(self) -> None:
         close(where(slerp(great_circle(10), great_circle(50), [-1, 2, 4])), [-30, 90, 170], 1e-12)
 

@@ -6,6 +6,8 @@ others work in any number. On unit vectors with four components, read as quatern
 the one that computer graphics knows.
 """
 
+from __future__ import annotations
+
 import numpy as np
 
 from rotedu._arguments import Number, Unit, Unit3, Vector, checked, named, place

@@ -1,5 +1,7 @@
 """Section 5, third part: de Casteljau's arcs of arcs, and the closed curve made of them."""
 
+from __future__ import annotations
+
 import warnings
 from collections.abc import Callable
 from itertools import pairwise

@@ -4,6 +4,8 @@ A point of the sphere says where a camera looks, not how it is turned about its 
 curve of Section 5 is made of points; here the same construction runs on rotation matrices.
 """
 
+from __future__ import annotations
+
 import numpy as np
 
 from rotedu._arguments import (

@@ -232,11 +232,11 @@ class TestProofs(TwoPoints):
     """The code itself, run on symbols."""
 
     @pytest.mark.equation("5-2")
-    def test_arc_is_5_2(self) -> None:
+    def test_slerp_is_5_2(self) -> None:
         assert vanishes(self.back(slerp(self.p, self.q, symbolic(self.t))) - self.of_5_2(self.t))
         assert not vanishes(self.back(slerp(self.p, self.q, symbolic(self.t))) - self.of_5_2(0))
 
     @pytest.mark.equation("5-3")
-    def test_arc_by_rotation_is_5_2(self) -> None:
+    def test_slerp_by_rotation_is_5_2(self) -> None:
         rotated = slerp_by_rotation(self.p, self.q, symbolic(self.t))
         assert vanishes(self.back(rotated) - self.of_5_2(self.t))

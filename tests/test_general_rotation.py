@@ -474,7 +474,7 @@ class TestProofs:
         sums = matrix(half_angle_sums(*map(symbolic, self.angles)))
         assert vanishes(sum(x**2 for x in sums) - 1)
 
-    def test_the_single_rotation_has_the_matrix_4_2(self) -> None:
+    def test_the_one_rotation_has_the_matrix_4_2(self) -> None:
         u, v, w = map(symbolic, self.angles)
         *vector, delta = half_angle_sums(u, v, w)
         q = Quaternion(np.array(delta), np.array(vector))

@@ -58,7 +58,7 @@ def of_quaternions(
     return widened
 
 
-@dataclass(frozen=True, slots=True, init=False, eq=False, repr=False)
+@dataclass(frozen=True, slots=True)
 class Quaternion:
     """Quaternions q = [w, v], one or an array of them (2-1).
 

@@ -274,6 +274,17 @@ class TestArray:
         lines = ["Quaternion([1., 2.],", "[[1., 1., 1.],", "[1., 1., 1.]])"]
         assert [line.strip() for line in repr(two).splitlines()] == lines
         assert (eval(repr(two)) == two).all()
+        rows = [line.index("[[") for line in repr(two).splitlines() if "[[" in line]
+        assert rows == [len("Quaternion(")]
+        assert repr(two).splitlines()[-1].startswith(" " * 12 + "[")
+
+    def test_what_is_no_number_is_unequal(self) -> None:
+        assert (I == None) is False  # noqa: E711
+        assert (I != None) is True  # noqa: E711
+
+    def test_operators_keep_their_names(self) -> None:
+        assert Quaternion.__mul__.__name__ == "__mul__"
+        assert not hasattr(I, "__dict__")
 
     def test_single_precision(self) -> None:
         q = Quaternion(np.float32(1), np.ones(3, np.float32))

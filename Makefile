@@ -46,7 +46,7 @@ lock: $(READY) ## write requirements.txt and package-lock.json anew
 	$(BIN)/npm install --package-lock-only --no-audit --no-fund
 
 clean: ## remove everything that was made here
-	rm -rf .venv _build node_modules
+	rm -rf .venv _build node_modules dist .*_cache .hypothesis .benchmarks
 
 $(READY): requirements.txt pyproject.toml tools/set_up.py
 	@$(PYTHON) tools/set_up.py

@@ -11,13 +11,14 @@ Conventions, the same everywhere:
   the axis. Vectors are columns, matrices act from the left, so ``A @ B`` does B first.
 - Angles are in radians. Quaternions put the scalar first, ``[w, (x, y, z)]``.
 - Points have shape (..., 3), matrices (..., 3, 3) or (..., 4, 4); the leading axes broadcast.
-- The result is float32 if an argument is a float32 array and no argument is an array of another
-  floating type (Python numbers, sequences of them and integer arrays adapt), else float64.
+- The result is float32 if an argument is a float32 array and no argument is an array or a NumPy
+  number of another floating type (Python numbers, sequences of them and integer arrays adapt),
+  else float64.
 - Arguments that must be unit vectors are normalised; those that must be rotations, and are to half
   of their digits, are taken to the nearest rotation. An argument that is zero where it must not be,
   not finite, of the wrong shape or no rotation is a `ValueError` that names it. A geometry without
   an answer is a `rotedu.errors.DegenerateError`, which is a `ValueError` too.
-- Arrays of dtype object that hold something else than numbers, such as the counting scalars of
+- Arrays of dtype object that hold anything but numbers, such as the counting scalars of
   `rotedu.cost` or symbols, are computed with as they are: their shapes are checked, their values
   are not, and vectors of them are taken to be unit vectors where unit vectors are expected.
 """

@@ -8,7 +8,9 @@ A public function says by its annotations what its arguments are, and its body i
 
 `checked` refuses bad input, scales unit vectors to length 1, and puts components first, as
 `rotedu._vectors` wants them; results come back with their components last. A public function that
-another one calls takes the arguments as they are: they were checked where they came in.
+another one calls takes the arguments as they are: they were checked where they came in. So does a
+helper that is not in the ``__all__`` of its module: it wants components first and checks nothing.
+Nothing that is called back from inside, such as a hook for warnings, may call a public function.
 
 How dtypes are chosen and what happens to arrays of dtype object is stated in `rotedu`.
 """
@@ -17,16 +19,16 @@ import math
 import operator
 from collections.abc import Callable
 from contextvars import ContextVar
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import wraps
 from inspect import signature
 from reprlib import repr as shortened
 from typing import Annotated, Any, TypeVar, get_args, get_origin, get_type_hints
 
 import numpy as np
-import numpy.typing as npt
 
-Array = npt.NDArray[Any]
+from rotedu._vectors import Array
+
 Shape = tuple[int | str, ...]
 Result = TypeVar("Result")
 
@@ -50,40 +52,31 @@ class Kind:
         Shapes that the trailing axes may have. A letter stands for any length, the same in all
         arguments of a call.
     components : int
-        How many of these axes come first inside.
-    sequence : bool
-        Whether the axis before them comes before them inside, too.
+        How many of the last axes come first inside.
     prepare : callable
         Checks and prepares an array, given with the name of its argument.
-    first : int
-        How many axes come first inside.
     """
 
     shapes: tuple[Shape, ...]
     components: int = 0
-    sequence: bool = False
     prepare: Callable[[str, Array], Array] = _as_given
-    first: int = field(init=False)
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "first", self.components + self.sequence)
 
     def inside(self, array: Array, axes: int) -> Array:
-        """Put components first, with axes enough after them to broadcast."""
-        split = array.ndim - self.first
-        if not self.first or not axes:
+        """Put components first, with enough axes after them to broadcast."""
+        if not self.components or not axes:
             return array
-        if split < axes:
-            array = array.reshape((1,) * (axes - split) + array.shape)
+        missing = axes - (array.ndim - self.components)
+        if missing > 0:
+            array = array.reshape((1,) * missing + array.shape)
         return array.transpose(*range(axes, array.ndim), *range(axes))
 
     def outside(self, result: Any) -> Array:
         """Put components last again."""
         array = np.asarray(result)
-        return array.transpose(*range(self.first, array.ndim), *range(self.first))
+        return array.transpose(*range(self.components, array.ndim), *range(self.components))
 
 
-def unit(name: str, vectors: Array) -> Array:
+def unit_vectors(name: str, vectors: Array) -> Array:
     """Scale vectors to length 1; those of dtype object are taken to have it."""
     if vectors.dtype == object:
         return vectors
@@ -96,7 +89,7 @@ def unit(name: str, vectors: Array) -> Array:
     return np.asarray(scaled / np.sqrt((scaled * scaled).sum(axis=-1, keepdims=True)))
 
 
-def rotation(name: str, matrices: Array) -> Array:
+def rotations(name: str, matrices: Array) -> Array:
     """Take matrices that are rotations to half of their digits to the nearest rotations."""
     if matrices.dtype == object:
         return matrices
@@ -129,18 +122,18 @@ def _three_at_least(name: str, number: int) -> None:
 
 def _points_of_a_closed_curve(name: str, points: Array) -> Array:
     _three_at_least(name, points.shape[-2])
-    return unit(name, points)
+    return unit_vectors(name, points)
 
 
 def _rotations_of_a_closed_curve(name: str, matrices: Array) -> Array:
     _three_at_least(name, matrices.shape[-3])
-    return rotation(name, matrices)
+    return rotations(name, matrices)
 
 
 def _control_points(name: str, control: Array) -> Array:
     if not control.shape[-2]:
-        raise ValueError(f"{name} must have one point at least; got none")
-    return unit(name, control)
+        raise ValueError(f"{name} must have at least one point; got none")
+    return unit_vectors(name, control)
 
 
 def _from_zero_to_one(name: str, number: Array) -> Array:
@@ -163,7 +156,7 @@ def _not_zero(name: str, numbers: Array) -> Array:
 
 def _rotation_part(name: str, matrices: Array) -> Array:
     if matrices.shape[-1] == 3:
-        return rotation(name, matrices)
+        return rotations(name, matrices)
     rest = matrices - np.eye(4, dtype=matrices.dtype)
     rest[..., :3, :3] = 0
     if rest.any():
@@ -171,13 +164,13 @@ def _rotation_part(name: str, matrices: Array) -> Array:
             f"{name} must be a rotation: its fourth row and column must be those of the identity, "
             f"but differ by {np.abs(rest).max():.1e}{place(rest.any(axis=(-2, -1)))}"
         )
-    return rotation(name, matrices[..., :3, :3])
+    return rotations(name, matrices[..., :3, :3])
 
 
 NUMBER = Kind(((),))
 VECTOR = Kind((("d",),), 1)
 VECTOR3 = Kind(((3,),), 1)
-UNIT = Kind((("d",),), 1, prepare=unit)
+UNIT = Kind((("d",),), 1, prepare=unit_vectors)
 MATRIX = Kind(((3, 3), (4, 4)), 2)
 
 # What annotations of public functions say. `Unit` vectors are scaled to length 1.
@@ -189,13 +182,13 @@ OneOrThree = Annotated[Array, Kind(((),), prepare=_three_at_the_end)]
 Vector = Annotated[Array, VECTOR]
 Vector3 = Annotated[Array, VECTOR3]
 Unit = Annotated[Array, UNIT]
-Unit3 = Annotated[Array, Kind(((3,),), 1, prepare=unit)]
+Unit3 = Annotated[Array, Kind(((3,),), 1, prepare=unit_vectors)]
 Matrix = Annotated[Array, MATRIX]
 HomogeneousMatrix = Annotated[Array, Kind(((4, 4),), 2)]
 Matrix3 = Annotated[Array, Kind(((3, 3),), 2)]
-Rotation = Annotated[Array, Kind(((3, 3),), 2, prepare=rotation)]
+Rotation = Annotated[Array, Kind(((3, 3),), 2, prepare=rotations)]
 RotationOrPose = Annotated[Array, Kind(((3, 3), (4, 4)), 2, prepare=_rotation_part)]
-Control = Annotated[Array, Kind((("m", "d"),), 1, sequence=True, prepare=_control_points)]
+Control = Annotated[Array, Kind((("m", "d"),), 2, prepare=_control_points)]
 ClosedPoints = Annotated[Array, Kind((("n", "d"),), 1, prepare=_points_of_a_closed_curve)]
 ClosedRotations = Annotated[Array, Kind((("n", 3, 3),), 2, prepare=_rotations_of_a_closed_curve)]
 Count = Annotated[int, "a positive integer"]
@@ -229,7 +222,11 @@ def checked(function: Callable[..., Result]) -> Callable[..., Result]:
             # Most calls: binding takes longer than all that follows.
             values = dict(zip(names, args, strict=True))
         else:
-            given = parameters.bind(*args, **kwargs)
+            try:
+                given = parameters.bind(*args, **kwargs)
+            except TypeError:
+                # Python's own message names the function.
+                return function(*args, **kwargs)
             given.apply_defaults()
             values = given.arguments
         values |= prepared({name: (values[name], kind) for name, kind in kinds.items()})
@@ -258,7 +255,7 @@ def prepared(arguments: dict[str, tuple[Any, Kind]]) -> dict[str, Array]:
         arrays[name] = kind.prepare(name, array)
     if any(leading.values()):
         _require_broadcasting(leading, arguments)
-    axes = max(arrays[name].ndim - kind.first for name, (_, kind) in arguments.items())
+    axes = max(arrays[name].ndim - kind.components for name, (_, kind) in arguments.items())
     return {name: kind.inside(arrays[name], axes) for name, (_, kind) in arguments.items()}
 
 

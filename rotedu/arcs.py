@@ -6,7 +6,7 @@ others work in any number. On unit vectors with four components, read as quatern
 the one that computer graphics knows.
 """
 
-import warnings
+from __future__ import annotations
 
 import numpy as np
 
@@ -274,13 +274,3 @@ def refuse_two_ways(theta: Array, tolerance: float, pair: str, sequence: str, ap
     if tolerance and np.any(theta >= np.pi - tolerance):
         ends = named(pair, theta >= np.pi - tolerance, sequence)
         raise DegenerateError(f"{ends} are {apart}: no unique arc joins them")
-
-
-def warn_of_two_ways(theta: Array, pair: str, sequence: str, apart: str) -> None:
-    """Warn of an angle within a degree of pi."""
-    nearly = theta >= np.radians(179)
-    if np.any(nearly):
-        text = f"{named(pair, nearly, sequence)} are almost {apart}"
-        warnings.warn(
-            f"{text}: data that move a little move the curve a lot", UserWarning, stacklevel=4
-        )

@@ -1,13 +1,16 @@
 """Section 5, third part: de Casteljau's arcs of arcs, and the closed curve made of them."""
 
+from __future__ import annotations
+
+import warnings
 from collections.abc import Callable
 from itertools import pairwise
 
 import numpy as np
 
-from rotedu._arguments import ClosedPoints, Control, Count, Fraction, Number, Vector, checked
+from rotedu._arguments import ClosedPoints, Control, Count, Fraction, Number, Vector, checked, named
 from rotedu._vectors import Array
-from rotedu.arcs import angle_between, refuse_antipodal, slerp, warn_of_two_ways
+from rotedu.arcs import angle_between, refuse_antipodal, slerp
 from rotedu.control_points import control_points
 
 __all__ = ["closed_curve", "de_casteljau", "de_casteljau_levels"]
@@ -179,8 +182,9 @@ def arcs_of_arcs(
     -------
     ndarray, shape (..., n * samples)
     """
-    u = np.arange(samples, dtype=control[0].dtype) / samples
-    curve = np.empty((*control[0].shape, samples), u.dtype)
+    first, *_ = control
+    u = np.arange(samples, dtype=first.dtype) / samples
+    curve = np.empty((*first.shape, samples), first.dtype)
     at_once = max(1, BLOCK // samples)
     for start in range(0, curve.shape[-2], at_once):
         segments = slice(start, start + at_once)
@@ -188,4 +192,14 @@ def arcs_of_arcs(
         while len(level) > 1:
             level = [arc(p, q, u) for p, q in pairwise(level)]
         (curve[..., segments, :],) = level
-    return curve.reshape(*control[0].shape[:-1], control[0].shape[-1] * samples)
+    return curve.reshape(*first.shape[:-1], first.shape[-1] * samples)
+
+
+def warn_of_two_ways(theta: Array, pair: str, sequence: str, apart: str) -> None:
+    """Warn of an angle within a degree of pi."""
+    nearly = theta >= np.radians(179)
+    if np.any(nearly):
+        text = f"{named(pair, nearly, sequence)} are almost {apart}"
+        warnings.warn(
+            f"{text}: data that move a little move the curve a lot", UserWarning, stacklevel=4
+        )

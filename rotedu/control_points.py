@@ -3,6 +3,8 @@
 Each step has two forms: a sum of vectors, in any dimension, and a rotation, in three.
 """
 
+from __future__ import annotations
+
 import numpy as np
 
 from rotedu._arguments import ClosedPoints, Fraction, Unit, Unit3, Vector, checked

@@ -1,4 +1,4 @@
-"""The errors of this package that are not plain `ValueError`."""
+"""The error for a geometry without an answer."""
 
 __all__ = ["DegenerateError"]
 

@@ -4,6 +4,8 @@ All matrices are 4x4, for homogeneous coordinates: a point is (r_u, r_v, r_w, 1)
 takes a place in one product, `compose`, and `rotedu.ordinary_rotation.transform` applies that.
 """
 
+from __future__ import annotations
+
 from functools import reduce
 from typing import Any
 
@@ -24,7 +26,7 @@ from rotedu._arguments import (
     checked,
     prepared,
 )
-from rotedu._vectors import Array, axis_and_length, product, rounding
+from rotedu._vectors import Array, axis_and_length, length, product, rounding
 from rotedu.quaternions import Quaternion, joined, parts
 
 __all__ = [
@@ -289,6 +291,7 @@ def axis_angle_from_euler_angles(u: Number, v: Number, w: Number) -> tuple[Vecto
     """
     ((delta, vector),) = parts(quaternion_from_euler_angles(u, v, w))
     # Because the angles are rounded, half the rotation may be off by as much.
+    # Objects have no rounding, and nothing is to be counted here.
     eps = rounding(delta)
     rounded = eps and eps * (abs(u) + abs(v) + abs(w)) / 2
     axis, sine = axis_and_length(vector, negligible=rounded)
@@ -343,7 +346,7 @@ def euler_angles(matrix: RotationOrPose) -> tuple[Number, Number, Number]:
     0.2 1.570796326795 0.0
     """
     (m11, m12, m13), (m21, m22, m23), (m31, _, _) = matrix
-    cv = np.hypot(m11, m21)
+    cv = length(np.stack([m11, m21]))
     locked = cv <= 4 * rounding(matrix)
     w = np.where(locked, 0, np.arctan2(m21, m11))
     cw, sw = np.cos(w), np.sin(w)

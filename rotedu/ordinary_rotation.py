@@ -3,6 +3,8 @@
 The notation is that of the equations: r is the vector, n the unit axis, theta the angle.
 """
 
+from __future__ import annotations
+
 import numpy as np
 
 from rotedu._arguments import (
@@ -10,7 +12,6 @@ from rotedu._arguments import (
     Number,
     Rotation,
     Unit3,
-    Vector,
     Vector3,
     checked,
     place,
@@ -22,7 +23,7 @@ __all__ = ["axis_angle", "rotate", "rotation_matrix", "transform"]
 
 
 @checked
-def rotate(points: Vector3, axis: Unit3, angle: Number) -> Vector:
+def rotate(points: Vector3, axis: Unit3, angle: Number) -> Vector3:
     """Rotate points about an axis through the origin: Rodrigues' formula (3-1), second line.
 
     Parameters
@@ -71,7 +72,7 @@ def rotate(points: Vector3, axis: Unit3, angle: Number) -> Vector:
 
 
 @checked
-def rotation_matrix(axis: Unit3, angle: Number) -> Matrix:
+def rotation_matrix(axis: Unit3, angle: Number) -> Rotation:
     """Matrix of the rotation about an axis through the origin, entry by entry as in (3-3).
 
     Parameters
@@ -133,7 +134,7 @@ def rotation_matrix(axis: Unit3, angle: Number) -> Matrix:
 
 
 @checked
-def transform(matrix: Matrix, points: Vector3) -> Vector:
+def transform(matrix: Matrix, points: Vector3) -> Vector3:
     """Multiply points, as column vectors, by a matrix (3-2).
 
     A 4x4 matrix acts on homogeneous coordinates: the point gets the fourth coordinate 1, and the
@@ -194,7 +195,7 @@ def transform(matrix: Matrix, points: Vector3) -> Vector:
 
 
 @checked
-def axis_angle(matrix: Rotation) -> tuple[Vector, Number]:
+def axis_angle(matrix: Rotation) -> tuple[Vector3, Number]:
     """Axis and angle of a rotation matrix: the inverse of `rotation_matrix`.
 
     Parameters

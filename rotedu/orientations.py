@@ -4,6 +4,8 @@ A point of the sphere says where a camera looks, not how it is turned about its 
 curve of Section 5 is made of points; here the same construction runs on rotation matrices.
 """
 
+from __future__ import annotations
+
 import numpy as np
 
 from rotedu._arguments import (
@@ -17,8 +19,8 @@ from rotedu._arguments import (
     place,
 )
 from rotedu._vectors import Array, product, rounding, transpose
-from rotedu.arcs import refuse_two_ways, warn_of_two_ways
-from rotedu.closed_curve import arcs_of_arcs
+from rotedu.arcs import refuse_two_ways
+from rotedu.closed_curve import arcs_of_arcs, warn_of_two_ways
 from rotedu.errors import DegenerateError
 from rotedu.ordinary_rotation import axis_angle, rotation_matrix
 

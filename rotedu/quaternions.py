@@ -5,6 +5,8 @@ them make a space of four dimensions; those of norm 1 are the unit sphere S^3 in
 writes S^3 for the space and S^2 for the sphere, one dimension too few each: erratum E1.)
 """
 
+from __future__ import annotations
+
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import wraps
@@ -36,12 +38,12 @@ Result = TypeVar("Result")
 
 
 def of_quaternions(
-    operation: Callable[["Quaternion", "Quaternion"], Result],
-) -> Callable[["Quaternion", Any], Result]:
+    operation: Callable[[Quaternion, Quaternion], Result],
+) -> Callable[[Quaternion, Any], Result]:
     """Let an operation take a real number w for the quaternion [w, 0], as the paper does."""
 
     @wraps(operation)
-    def widened(self: "Quaternion", other: Any) -> Result:
+    def widened(self: Quaternion, other: Any) -> Result:
         if isinstance(other, Quaternion):
             given = {"left": (self.components, VECTOR), "right": (other.components, VECTOR)}
             left, right = prepared(given).values()
@@ -56,7 +58,7 @@ def of_quaternions(
     return widened
 
 
-@dataclass(frozen=True, slots=True, init=False, eq=False, repr=False)
+@dataclass(frozen=True, slots=True)
 class Quaternion:
     """Quaternions q = [w, v], one or an array of them (2-1).
 
@@ -145,7 +147,7 @@ class Quaternion:
         return joined(np.cos(angle / 2), np.sin(angle / 2) * axis)
 
     @classmethod
-    def from_matrix(cls, matrix: npt.ArrayLike) -> "Quaternion":
+    def from_matrix(cls, matrix: npt.ArrayLike) -> Quaternion:
         """Make the unit quaternion of a rotation matrix: of the two, the one with w >= 0.
 
         Parameters
@@ -180,29 +182,29 @@ class Quaternion:
         return np.asarray(self.components[..., 1:])
 
     @of_quaternions
-    def __add__(self, other: "Quaternion") -> "Quaternion":
+    def __add__(self, other: Quaternion) -> Quaternion:
         """Sum, component by component (2-2)."""
         (w1, v1), (w2, v2) = parts(self, other)
         return joined(w1 + w2, v1 + v2)
 
     @of_quaternions
-    def __sub__(self, other: "Quaternion") -> "Quaternion":
+    def __sub__(self, other: Quaternion) -> Quaternion:
         """Difference, component by component (2-2)."""
         (w1, v1), (w2, v2) = parts(self, other)
         return joined(w1 - w2, v1 - v2)
 
     @of_quaternions
-    def __mul__(self, other: "Quaternion") -> "Quaternion":
+    def __mul__(self, other: Quaternion) -> Quaternion:
         """Hamilton's product (2-3)."""
         (w1, v1), (w2, v2) = parts(self, other)
         return joined(w1 * w2 - dot(v1, v2), w1 * v2 + w2 * v1 + cross(v1, v2))
 
     @of_quaternions
-    def __truediv__(self, other: "Quaternion") -> "Quaternion":
+    def __truediv__(self, other: Quaternion) -> Quaternion:
         """Division from the right, q1 q2^-1 (2-5)."""
         return self * other.inverse()
 
-    def __neg__(self) -> "Quaternion":
+    def __neg__(self) -> Quaternion:
         ((w, v),) = parts(self)
         return joined(-w, -v)
 
@@ -210,19 +212,19 @@ class Quaternion:
     __radd__ = __add__
     __rmul__ = __mul__
 
-    def __rsub__(self, other: object) -> "Quaternion":
+    def __rsub__(self, other: object) -> Quaternion:
         return -self + other
 
-    def __rtruediv__(self, other: object) -> "Quaternion":
+    def __rtruediv__(self, other: object) -> Quaternion:
         return self.inverse() * other
 
     @of_quaternions
-    def __eq__(self, other: "Quaternion") -> Any:
+    def __eq__(self, other: Quaternion) -> Any:
         """Whether all four components are equal, quaternion by quaternion."""
         return (self.components == other.components).astype(bool).all(axis=-1)
 
     @of_quaternions
-    def __ne__(self, other: "Quaternion") -> Any:
+    def __ne__(self, other: Quaternion) -> Any:
         """Whether any component differs, quaternion by quaternion."""
         return ~(self == other)
 
@@ -232,7 +234,7 @@ class Quaternion:
         v = np.array2string(self.v, separator=", ", prefix=indent)
         return f"Quaternion({w}," + (f"\n{' ' * 11}" if self.w.ndim else " ") + f"{v})"
 
-    def conjugate(self) -> "Quaternion":
+    def conjugate(self) -> Quaternion:
         """Conjugate q* = [w, -v].
 
         Returns
@@ -261,7 +263,7 @@ class Quaternion:
         """
         return np.asarray(safe_length(np.moveaxis(self.components, -1, 0)))
 
-    def inverse(self) -> "Quaternion":
+    def inverse(self) -> Quaternion:
         """Inverse q* / abs(q)^2 (2-4).
 
         Returns
@@ -448,7 +450,7 @@ def rotate_about_u(points: Vector3, angle: Number) -> Vector:
 
 
 def parts(*quaternions: Quaternion) -> list[tuple[Array, Array]]:
-    """Scalar and vector parts, components first, with axes enough to broadcast."""
+    """Scalar and vector parts, components first, with enough axes to broadcast."""
     axes = max(q.w.ndim for q in quaternions)
     components = [VECTOR.inside(q.components, axes) for q in quaternions]
     return [(q[0], q[1:]) for q in components]
@@ -473,7 +475,7 @@ def unit_components(q: Quaternion) -> Array:
 
 
 def unit_parts_and(q: Quaternion, points: npt.ArrayLike) -> tuple[tuple[Array, Array], Array]:
-    """Parts of the quaternion of norm 1, and points, with axes enough to broadcast."""
+    """Parts of the quaternion of norm 1, and points, with enough axes to broadcast."""
     given = {"quaternion": (q.components, UNIT), "points": (points, VECTOR3)}
     unit, r = prepared(given).values()
     return (unit[0], unit[1:]), r

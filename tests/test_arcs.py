@@ -33,20 +33,6 @@ from rotedu.orientations import slerp_rotations
 from rotedu.quaternions import Quaternion
 
 
-class TestProofs(TwoPoints):
-    """The code itself, run on symbols."""
-
-    @pytest.mark.equation("5-2")
-    def test_arc_is_5_2(self) -> None:
-        assert vanishes(self.back(slerp(self.p, self.q, symbolic(self.t))) - self.of_5_2(self.t))
-        assert not vanishes(self.back(slerp(self.p, self.q, symbolic(self.t))) - self.of_5_2(0))
-
-    @pytest.mark.equation("5-3")
-    def test_arc_by_rotation_is_5_2(self) -> None:
-        rotated = slerp_by_rotation(self.p, self.q, symbolic(self.t))
-        assert vanishes(self.back(rotated) - self.of_5_2(self.t))
-
-
 class TestAngle:
     @pytest.mark.parametrize("d", [2, 3, 4, 7])
     def test_in_any_dimension(self, d: int) -> None:
@@ -181,6 +167,12 @@ class TestArc:
         with pytest.raises(DegenerateError, match=r"^p and q coincide: .* at index \(1,\)$"):
             arc_axis([E1, E2], E2)
 
+    def test_points_coincide_up_to_rounding(self) -> None:
+        eps = np.finfo(float).eps
+        with pytest.raises(DegenerateError, match=r"^p and q coincide"):
+            arc_axis(E1, [1, 4 * eps, 0])
+        close(arc_axis(E1, [1, 4.5 * eps, 0]), E3, 0)
+
     def test_beyond_the_ends_the_circle_goes_on(self) -> None:
         close(where(slerp(great_circle(10), great_circle(50), [-1, 2, 4])), [-30, 90, 170], 1e-12)
 
@@ -234,3 +226,17 @@ class TestSlerpHasAMatrix:
             left = np.column_stack([(part * Quaternion(w, v)).components for w, *v in np.eye(4)])
             close(left.T @ left, np.eye(4))
             close(left @ p, slerp(p, q, 0.3), 1e-13)
+
+
+class TestProofs(TwoPoints):
+    """The code itself, run on symbols."""
+
+    @pytest.mark.equation("5-2")
+    def test_slerp_is_5_2(self) -> None:
+        assert vanishes(self.back(slerp(self.p, self.q, symbolic(self.t))) - self.of_5_2(self.t))
+        assert not vanishes(self.back(slerp(self.p, self.q, symbolic(self.t))) - self.of_5_2(0))
+
+    @pytest.mark.equation("5-3")
+    def test_slerp_by_rotation_is_5_2(self) -> None:
+        rotated = slerp_by_rotation(self.p, self.q, symbolic(self.t))
+        assert vanishes(self.back(rotated) - self.of_5_2(self.t))

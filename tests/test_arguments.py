@@ -321,5 +321,5 @@ class TestRefusals:
                 f(data, fraction=fraction)
 
     def test_no_control_points(self) -> None:
-        with pytest.raises(ValueError, match=r"^control must have one point at least; got none$"):
+        with pytest.raises(ValueError, match=r"^control must have at least one point; got none$"):
             de_casteljau(np.empty((0, 3)), 0.5)

@@ -251,7 +251,8 @@ def test_what_scrolls_sideways_can_be_reached_with_the_keyboard(
 ) -> None:
     page = browser.new_page(viewport={"width": 390, "height": 900})
     seen = set()
-    for name in pages:
+    # The root only sends readers on, meanwhile.
+    for name in pages.keys() - {"index.html"}:
         page.goto(f"{site}/{name}")
         page.evaluate("for (const box of document.querySelectorAll('details')) box.open = true")
         page.evaluate("new Promise(done => requestAnimationFrame(() => setTimeout(done)))")

@@ -1,25 +1,63 @@
-"""The claims of the paper: none is missing, and each is judged on a page that exists."""
+"""The claims of the paper: none is missing, and each is judged alike wherever it is judged."""
 
+import json
+import re
+from functools import cache
 from pathlib import Path
 from typing import get_args
 
 import pytest
 
-from rotedu.edition.claims import CHAPTERS, CLAIMS, Claim, Verdict, claim_table
+from rotedu.edition.claims import (
+    CHAPTERS,
+    CLAIMS,
+    VERDICTS,
+    Claim,
+    Verdict,
+    claim_table,
+    verdict_table,
+)
 
 BOOK = Path(__file__).parents[1] / "book"
-PLACES = {"abstract", "1", "3", "4", "5", "6", "folklore", "not claimed"}
+PLACES = {"title", "abstract", *"123456", "folklore", "not claimed"}
+JUDGED = "## The claims, judged\n"
+VERDICT_OF = {claim.number: claim.verdict for claim in CLAIMS}
+"""Chapter 6 shows the verdicts from `CLAIMS` itself; the other pages have tables of their own."""
+PAGES = sorted({claim.chapter for claim in CLAIMS} - {"06-conclusions"})
+
+
+@cache
+def judged(page: str) -> tuple[tuple[int, str], ...]:
+    """Number and verdict of each row of a page's table *The claims, judged*."""
+    cells = json.loads((BOOK / f"{page}.ipynb").read_text("utf-8"))["cells"]
+    texts = ["".join(cell["source"]) for cell in cells if cell["cell_type"] == "markdown"]
+    (table,) = (text.split(JUDGED)[1] for text in texts if JUDGED in text)
+    rows = re.findall(r"^\|(.*)\|$", table, re.MULTILINE)[2:]
+    cut = [[cell.strip() for cell in re.split(r"(?<!\\)\|", row)] for row in rows]
+    return tuple((int(row[0]), row[2]) for row in cut)
 
 
 def test_claims_are_numbered_without_gaps() -> None:
-    assert [claim.number for claim in CLAIMS] == list(range(1, 27))
+    assert [claim.number for claim in CLAIMS] == list(range(1, len(CLAIMS) + 1))
+
+
+def test_every_verdict_is_explained() -> None:
+    assert tuple(VERDICTS) == get_args(Verdict)
+    assert all(f"**{word}**" in verdict_table().markdown for word in VERDICTS)
+
+
+def test_every_part_of_the_paper_has_its_claims() -> None:
+    assert {place for claim in CLAIMS for place in claim.where} == PLACES
 
 
 @pytest.mark.parametrize("claim", CLAIMS, ids=lambda claim: str(claim.number))
 def test_claim(claim: Claim) -> None:
     assert claim.verdict in get_args(Verdict)
     assert set(claim.where) <= PLACES
-    assert claim.claim[0].isupper() or claim.claim[0] in "(…"
+    assert bool(claim.condition) == (claim.verdict == "holds under a condition")
+    assert not claim.condition.endswith(".")
+    assert "|" not in claim.condition
+    assert claim.claim[0].isupper() or claim.claim[0] in "($…"
     assert not claim.claim.endswith(".")
     assert "|" not in claim.claim
     assert claim.chapter in CHAPTERS
@@ -30,6 +68,36 @@ def test_chapter_exists_and_is_listed(chapter: str) -> None:
     assert (BOOK / f"{chapter}.ipynb").exists()
     contents = BOOK.with_name("_toc.yml").read_text("utf-8")
     assert f"book/{chapter}\n" in contents
+
+
+@pytest.mark.parametrize("page", PAGES)
+def test_a_page_judges_as_the_list_does(page: str) -> None:
+    wrong = [row for row in judged(page) if row[1] != f"**{VERDICT_OF.get(row[0])}**"]
+    assert wrong == []
+
+
+@pytest.mark.parametrize("page", PAGES)
+def test_a_page_judges_what_the_list_says_it_does(page: str) -> None:
+    numbers = {number for number, _ in judged(page)}
+    assert {claim.number for claim in CLAIMS if claim.chapter == page} <= numbers
+
+
+def test_other_pages_judge_no_claims() -> None:
+    pages = [path.stem for path in BOOK.glob("*.ipynb") if JUDGED[:-1] in path.read_text("utf-8")]
+    assert sorted(pages) == [*PAGES, "06-conclusions"]
+
+
+@pytest.mark.parametrize("page", ["index.md", "01-introduction.ipynb", "06-conclusions.ipynb"])
+def test_the_number_of_claims_is_told_right(page: str) -> None:
+    text = (BOOK / page).read_text("utf-8")
+    told = re.findall(r"\b(?:list of|are all|judges) (\d+)(?! \+)", text)
+    assert told
+    assert set(told) == {str(len(CLAIMS))}
+
+
+def test_the_first_page_answers_the_title() -> None:
+    text = (BOOK / "index.md").read_text("utf-8")
+    assert "**Do we need quaternions?**" in text
 
 
 def test_table_has_a_row_for_each_claim_with_evidence() -> None:

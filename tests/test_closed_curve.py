@@ -261,8 +261,8 @@ class TestClosedCurve:
             curve = closed_curve(points, 10)
         except DegenerateError:
             assume(False)
-        on_the_sphere(curve)
-        close(curve[::10], points, 1e-15)
+        on_the_sphere(curve, 3e-15)
+        close(curve[::10], points, 3e-15)
 
     @pytest.mark.parametrize("samples", [1, 2, 7, 10000])
     def test_samples(self, samples: int) -> None:

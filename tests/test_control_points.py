@@ -43,32 +43,6 @@ from rotedu.quaternions import Quaternion
 pytestmark = pytest.mark.filterwarnings("ignore:.* are almost .*:UserWarning")
 
 
-class TestProofs(TwoPoints):
-    """The code itself, run on symbols."""
-
-    def test_double_is_twice_the_arc(self) -> None:
-        assert vanishes(self.back(double(self.p, self.q)) - self.of_5_2(2))
-        assert vanishes(self.back(double_by_rotation(self.p, self.q)) - self.of_5_2(2))
-
-    def test_bisect_is_half_the_arc(self) -> None:
-        half = self.of_5_2(sp.Rational(1, 2))
-        assert vanishes(self.back(bisect(self.p, self.q)) - half)
-        assert vanishes(self.back(bisect_by_rotation(self.p, self.q)) - half)
-
-    def test_double_in_any_dimension(self) -> None:
-        p, q = sp.Matrix(sp.symbols("p:4")), sp.Matrix(sp.symbols("q:4"))
-        expected = 2 * p.dot(q) * q - p
-        found = sp.Matrix(double(np.array(p)[:, 0], np.array(q)[:, 0]))
-        assert (found - expected).expand() == sp.zeros(4, 1)
-
-    def test_double_of_quaternions_is_q_conjugate_p_q(self) -> None:
-        w1, x1, y1, z1, w2, x2, y2, z2 = sp.symbols("w1 x1 y1 z1 w2 x2 y2 z2")
-        p, q = Quaternion(w1, [x1, y1, z1]), Quaternion(w2, [x2, y2, z2])
-        difference = (q * p.conjugate() * q).components - double(p.components, q.components)
-        law = w2**2 + x2**2 + y2**2 + z2**2 - 1
-        assert all(sp.reduced(sp.expand(x), [law], w2)[1] == 0 for x in difference)
-
-
 class TestDouble:
     @pytest.mark.equation("5-4")
     @pytest.mark.parametrize("d", [2, 3, 4, 7])
@@ -299,3 +273,29 @@ class TestControlPoints:
         assert a.shape == b.shape == (2, 3, 5, 3)
         close(a[1, 2], control_points(points[1, 2])[0], 1e-15)
         close(b[0, 1], control_points(points[0, 1])[1], 1e-15)
+
+
+class TestProofs(TwoPoints):
+    """The code itself, run on symbols."""
+
+    def test_double_is_twice_the_arc(self) -> None:
+        assert vanishes(self.back(double(self.p, self.q)) - self.of_5_2(2))
+        assert vanishes(self.back(double_by_rotation(self.p, self.q)) - self.of_5_2(2))
+
+    def test_bisect_is_half_the_arc(self) -> None:
+        half = self.of_5_2(sp.Rational(1, 2))
+        assert vanishes(self.back(bisect(self.p, self.q)) - half)
+        assert vanishes(self.back(bisect_by_rotation(self.p, self.q)) - half)
+
+    def test_double_in_any_dimension(self) -> None:
+        p, q = sp.Matrix(sp.symbols("p:4")), sp.Matrix(sp.symbols("q:4"))
+        expected = 2 * p.dot(q) * q - p
+        found = sp.Matrix(double(np.array(p)[:, 0], np.array(q)[:, 0]))
+        assert (found - expected).expand() == sp.zeros(4, 1)
+
+    def test_double_of_quaternions_is_q_conjugate_p_q(self) -> None:
+        w1, x1, y1, z1, w2, x2, y2, z2 = sp.symbols("w1 x1 y1 z1 w2 x2 y2 z2")
+        p, q = Quaternion(w1, [x1, y1, z1]), Quaternion(w2, [x2, y2, z2])
+        difference = (q * p.conjugate() * q).components - double(p.components, q.components)
+        law = w2**2 + x2**2 + y2**2 + z2**2 - 1
+        assert all(sp.reduced(sp.expand(x), [law], w2)[1] == 0 for x in difference)

@@ -57,68 +57,6 @@ def half_angle_sums(*angles: Any) -> list[Array]:
     return [*vector, delta]
 
 
-class TestProofs:
-    """The code itself, run on symbols."""
-
-    angles = sp.symbols("u v w", real=True)
-
-    def test_principal_matrices_are_3_3_about_the_axes(self) -> None:
-        theta = symbolic(self.angles[0])
-        for principal, axis in PRINCIPAL.items():
-            ordinary = homogeneous(rotation_matrix(symbolic(*map(int, axis)), theta))
-            assert matrix(principal(theta)) == matrix(ordinary)
-
-    @pytest.mark.equation("4-2")
-    def test_4_2_is_4_1_multiplied_out(self) -> None:
-        u, v, w = map(symbolic, self.angles)
-        product = matrix(rotation_w(w)) * matrix(rotation_v(v)) * matrix(rotation_u(u))
-        assert (matrix(matrix_from_euler_angles(u, v, w)) - product).expand() == sp.zeros(4, 4)
-
-    def test_no_other_order_gives_4_2(self) -> None:
-        factors = [
-            matrix(f(symbolic(a)))
-            for f, a in zip((rotation_w, rotation_v, rotation_u), self.angles, strict=True)
-        ]
-        first, *others = (reduce(sp.Matrix.multiply, order) for order in permutations(factors))
-        assert all((first - other).expand() != sp.zeros(4, 4) for other in others)
-
-    @pytest.mark.equation("4-4", "4-6")
-    def test_4_4_and_4_6_are_the_product_of_three_quaternions(self) -> None:
-        u, v, w = map(symbolic, self.angles)
-        qu, qv, qw = (
-            Quaternion.from_axis_angle(symbolic(*map(int, axis)), theta)
-            for axis, theta in zip(np.eye(3), (u, v, w), strict=True)
-        )
-        alpha, beta, gamma, delta = half_angle_sums(u, v, w)
-        sums = matrix([delta, alpha, beta, gamma])
-        assert (matrix((qw * qv * qu).components) - sums).expand() == sp.zeros(4, 1)
-        assert (matrix((qu * qv * qw).components) - sums).expand() != sp.zeros(4, 1)
-
-    def test_the_squares_add_up_to_one(self) -> None:
-        sums = matrix(half_angle_sums(*map(symbolic, self.angles)))
-        assert vanishes(sum(x**2 for x in sums) - 1)
-
-    def test_the_single_rotation_has_the_matrix_4_2(self) -> None:
-        u, v, w = map(symbolic, self.angles)
-        *vector, delta = half_angle_sums(u, v, w)
-        q = Quaternion(np.array(delta), np.array(vector))
-        difference = matrix(q.matrix()) - matrix(matrix_from_euler_angles(u, v, w)[:3, :3])
-        tangents = sp.symbols("t_u t_v t_w")
-        rational: dict[Any, Any] = {}
-        for angle, t in zip(self.angles, tangents, strict=True):
-            # With t the tangent of a quarter of the angle, all else is rational.
-            c, s = (1 - t**2) / (1 + t**2), 2 * t / (1 + t**2)
-            rational |= {sp.cos(angle / 2): c, sp.sin(angle / 2): s}
-            rational |= {sp.cos(angle): c**2 - s**2, sp.sin(angle): 2 * s * c}
-        assert difference.subs(rational).applyfunc(sp.cancel) == sp.zeros(3, 3)
-
-    def test_gimbal_lock(self) -> None:
-        u, _, w = map(symbolic, self.angles)
-        locked = matrix(matrix_from_euler_angles(u, symbolic(sp.pi / 2), w))
-        turned = matrix(matrix_from_euler_angles(u - w, symbolic(sp.pi / 2), 0 * w))
-        assert vanishes(locked - turned)
-
-
 class TestPrincipal:
     @pytest.mark.parametrize(("principal", "axis"), PRINCIPAL.items())
     def test_against_scipy(self, principal: Any, axis: Array) -> None:
@@ -493,3 +431,65 @@ class TestRefusals:
 
     def test_everything_public_is_tested_here(self) -> None:
         assert {f.__name__ for f in GOOD} | {"compose"} == set(general.__all__)
+
+
+class TestProofs:
+    """The code itself, run on symbols."""
+
+    angles = sp.symbols("u v w", real=True)
+
+    def test_principal_matrices_are_3_3_about_the_axes(self) -> None:
+        theta = symbolic(self.angles[0])
+        for principal, axis in PRINCIPAL.items():
+            ordinary = homogeneous(rotation_matrix(symbolic(*map(int, axis)), theta))
+            assert matrix(principal(theta)) == matrix(ordinary)
+
+    @pytest.mark.equation("4-2")
+    def test_4_2_is_4_1_multiplied_out(self) -> None:
+        u, v, w = map(symbolic, self.angles)
+        product = matrix(rotation_w(w)) * matrix(rotation_v(v)) * matrix(rotation_u(u))
+        assert (matrix(matrix_from_euler_angles(u, v, w)) - product).expand() == sp.zeros(4, 4)
+
+    def test_no_other_order_gives_4_2(self) -> None:
+        factors = [
+            matrix(f(symbolic(a)))
+            for f, a in zip((rotation_w, rotation_v, rotation_u), self.angles, strict=True)
+        ]
+        first, *others = (reduce(sp.Matrix.multiply, order) for order in permutations(factors))
+        assert all((first - other).expand() != sp.zeros(4, 4) for other in others)
+
+    @pytest.mark.equation("4-4", "4-6")
+    def test_4_4_and_4_6_are_the_product_of_three_quaternions(self) -> None:
+        u, v, w = map(symbolic, self.angles)
+        qu, qv, qw = (
+            Quaternion.from_axis_angle(symbolic(*map(int, axis)), theta)
+            for axis, theta in zip(np.eye(3), (u, v, w), strict=True)
+        )
+        alpha, beta, gamma, delta = half_angle_sums(u, v, w)
+        sums = matrix([delta, alpha, beta, gamma])
+        assert (matrix((qw * qv * qu).components) - sums).expand() == sp.zeros(4, 1)
+        assert (matrix((qu * qv * qw).components) - sums).expand() != sp.zeros(4, 1)
+
+    def test_the_squares_add_up_to_one(self) -> None:
+        sums = matrix(half_angle_sums(*map(symbolic, self.angles)))
+        assert vanishes(sum(x**2 for x in sums) - 1)
+
+    def test_the_one_rotation_has_the_matrix_4_2(self) -> None:
+        u, v, w = map(symbolic, self.angles)
+        *vector, delta = half_angle_sums(u, v, w)
+        q = Quaternion(np.array(delta), np.array(vector))
+        difference = matrix(q.matrix()) - matrix(matrix_from_euler_angles(u, v, w)[:3, :3])
+        tangents = sp.symbols("t_u t_v t_w")
+        rational: dict[Any, Any] = {}
+        for angle, t in zip(self.angles, tangents, strict=True):
+            # With t the tangent of a quarter of the angle, all else is rational.
+            c, s = (1 - t**2) / (1 + t**2), 2 * t / (1 + t**2)
+            rational |= {sp.cos(angle / 2): c, sp.sin(angle / 2): s}
+            rational |= {sp.cos(angle): c**2 - s**2, sp.sin(angle): 2 * s * c}
+        assert difference.subs(rational).applyfunc(sp.cancel) == sp.zeros(3, 3)
+
+    def test_gimbal_lock(self) -> None:
+        u, _, w = map(symbolic, self.angles)
+        locked = matrix(matrix_from_euler_angles(u, symbolic(sp.pi / 2), w))
+        turned = matrix(matrix_from_euler_angles(u - w, symbolic(sp.pi / 2), 0 * w))
+        assert vanishes(locked - turned)

@@ -53,76 +53,6 @@ angles = st.floats(-10, 10)
 points = arrays(float, 3, elements=st.floats(-100, 100))
 
 
-class TestProofs:
-    """The code itself, run on symbols: what holds here holds for all axes and angles."""
-
-    class Angle(sp.Symbol):
-        """An angle whose cosine numpy can ask for: it calls these methods of an object."""
-
-        def cos(self) -> Any:
-            return sp.cos(self)
-
-        def sin(self) -> Any:
-            return sp.sin(self)
-
-    n = sp.symbols("n_u n_v n_w", real=True)
-    r = sp.symbols("r_u r_v r_w", real=True)
-    theta = Angle("theta", real=True)
-
-    def is_zero(self, expression: Any) -> bool:
-        """Whether it vanishes modulo |n| = 1 and cos^2 + sin^2 = 1."""
-        c, s = sp.symbols("c s")
-        polynomial = sp.expand(expression.subs({sp.cos(self.theta): c, sp.sin(self.theta): s}))
-        laws = [sum(x**2 for x in self.n) - 1, c**2 + s**2 - 1]
-        return bool(sp.reduced(polynomial, laws, self.n[0], s)[1] == 0)
-
-    def matrix(self) -> sp.Matrix:
-        return sp.Matrix(rotation_matrix(self.n, self.theta))
-
-    @pytest.mark.equation("3-3")
-    def test_matrix_times_vector_is_rodrigues_formula(self) -> None:
-        difference = self.matrix() * sp.Matrix(self.r) - sp.Matrix(
-            rotate(self.r, self.n, self.theta)
-        )
-        assert difference.expand() == sp.zeros(3, 1)
-
-    @pytest.mark.equation("3-2")
-    def test_transform_is_the_matrix_product(self) -> None:
-        m = sp.Matrix(3, 3, sp.symbols("m:9"))
-        product = sp.Matrix(transform(m, self.r))
-        assert (product - m * sp.Matrix(self.r)).expand() == sp.zeros(3, 1)
-
-    def test_matrix_is_orthogonal(self) -> None:
-        m = self.matrix()
-        assert all(self.is_zero(entry) for entry in m.T * m - sp.eye(3))
-
-    def test_determinant_is_one(self) -> None:
-        assert self.is_zero(self.matrix().det() - 1)
-
-    def test_axis_stays(self) -> None:
-        moved = rotate(self.n, self.n, self.theta)
-        assert all(self.is_zero(x - y) for x, y in zip(moved, self.n, strict=True))
-
-    def test_trace_and_skew_part_give_angle_and_axis(self) -> None:
-        m = self.matrix()
-        assert self.is_zero(m.trace() - 1 - 2 * sp.cos(self.theta))
-        skew = [m[2, 1] - m[1, 2], m[0, 2] - m[2, 0], m[1, 0] - m[0, 1]]
-        sin = sp.sin(self.theta)
-        assert all(self.is_zero(x - 2 * sin * y) for x, y in zip(skew, self.n, strict=True))
-
-    @pytest.mark.equation("3-1")
-    def test_the_first_line_of_3_1_is_the_second(self) -> None:
-        r, n = sp.Matrix(self.r), sp.Matrix(self.n)
-        along = r.dot(n) * n
-        cos, sin = sp.cos(self.theta), sp.sin(self.theta)
-        first = along + cos * (r - along) + sin * n.cross(r)
-        assert (first - sp.Matrix(rotate(self.r, self.n, self.theta))).expand() == sp.zeros(3, 1)
-
-    def test_not_everything_is_zero(self) -> None:
-        assert not self.is_zero(self.matrix()[0, 1])
-        assert not self.is_zero(self.matrix().det() + 1)
-
-
 class TestAgainstScipy:
     @pytest.mark.parametrize("angle", [*ALL_ANGLES, -1.0, 7.0, -np.pi])
     def test_matrix(self, angle: float) -> None:
@@ -614,3 +544,73 @@ class TestRefusals:
             axis_angle(rotation_matrix([0, 0, 1], 1) * (1 + 2e-8))
         with pytest.raises(ValueError, match=r"may differ from the identity by 6\.9e-04"):
             axis_angle((rotation_matrix([0, 0, 1], 1) * (1 + 1e-3)).astype(np.float32))
+
+
+class TestProofs:
+    """The code itself, run on symbols: what holds here holds for all axes and angles."""
+
+    class Angle(sp.Symbol):
+        """An angle whose cosine numpy can ask for: it calls these methods of an object."""
+
+        def cos(self) -> Any:
+            return sp.cos(self)
+
+        def sin(self) -> Any:
+            return sp.sin(self)
+
+    n = sp.symbols("n_u n_v n_w", real=True)
+    r = sp.symbols("r_u r_v r_w", real=True)
+    theta = Angle("theta", real=True)
+
+    def is_zero(self, expression: Any) -> bool:
+        """Whether it vanishes modulo |n| = 1 and cos^2 + sin^2 = 1."""
+        c, s = sp.symbols("c s")
+        polynomial = sp.expand(expression.subs({sp.cos(self.theta): c, sp.sin(self.theta): s}))
+        laws = [sum(x**2 for x in self.n) - 1, c**2 + s**2 - 1]
+        return bool(sp.reduced(polynomial, laws, self.n[0], s)[1] == 0)
+
+    def matrix(self) -> sp.Matrix:
+        return sp.Matrix(rotation_matrix(self.n, self.theta))
+
+    @pytest.mark.equation("3-3")
+    def test_matrix_times_vector_is_rodrigues_formula(self) -> None:
+        difference = self.matrix() * sp.Matrix(self.r) - sp.Matrix(
+            rotate(self.r, self.n, self.theta)
+        )
+        assert difference.expand() == sp.zeros(3, 1)
+
+    @pytest.mark.equation("3-2")
+    def test_transform_is_the_matrix_product(self) -> None:
+        m = sp.Matrix(3, 3, sp.symbols("m:9"))
+        product = sp.Matrix(transform(m, self.r))
+        assert (product - m * sp.Matrix(self.r)).expand() == sp.zeros(3, 1)
+
+    def test_matrix_is_orthogonal(self) -> None:
+        m = self.matrix()
+        assert all(self.is_zero(entry) for entry in m.T * m - sp.eye(3))
+
+    def test_determinant_is_one(self) -> None:
+        assert self.is_zero(self.matrix().det() - 1)
+
+    def test_axis_stays(self) -> None:
+        moved = rotate(self.n, self.n, self.theta)
+        assert all(self.is_zero(x - y) for x, y in zip(moved, self.n, strict=True))
+
+    def test_trace_and_skew_part_give_angle_and_axis(self) -> None:
+        m = self.matrix()
+        assert self.is_zero(m.trace() - 1 - 2 * sp.cos(self.theta))
+        skew = [m[2, 1] - m[1, 2], m[0, 2] - m[2, 0], m[1, 0] - m[0, 1]]
+        sin = sp.sin(self.theta)
+        assert all(self.is_zero(x - 2 * sin * y) for x, y in zip(skew, self.n, strict=True))
+
+    @pytest.mark.equation("3-1")
+    def test_the_first_line_of_3_1_is_the_second(self) -> None:
+        r, n = sp.Matrix(self.r), sp.Matrix(self.n)
+        along = r.dot(n) * n
+        cos, sin = sp.cos(self.theta), sp.sin(self.theta)
+        first = along + cos * (r - along) + sin * n.cross(r)
+        assert (first - sp.Matrix(rotate(self.r, self.n, self.theta))).expand() == sp.zeros(3, 1)
+
+    def test_not_everything_is_zero(self) -> None:
+        assert not self.is_zero(self.matrix()[0, 1])
+        assert not self.is_zero(self.matrix().det() + 1)

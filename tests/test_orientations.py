@@ -253,6 +253,7 @@ class TestOrientations:
 
     def test_laws_of_the_closed_curve(self) -> None:
         _, matrices = self.gentle(7)
+        assert closed_rotation_curve(matrices).shape == (700, 3, 3)
         curve = closed_rotation_curve(matrices, 20)
         assert curve.shape == (140, 3, 3)
         close(curve[::20], matrices, 1e-15)
@@ -344,6 +345,11 @@ class TestNearestRotation:
         m = np.random.default_rng(14).normal(size=(3, 3))
         close(nearest_rotation(self.R @ m), self.R @ nearest_rotation(m), 1e-13)
         close(nearest_rotation(1e200 * m), nearest_rotation(m), 1e-15)
+
+    def test_that_it_flattens_is_judged_by_its_size(self) -> None:
+        with pytest.raises(DegenerateError):
+            nearest_rotation(np.diag([100, 1e-7, 1e-7]))
+        close(nearest_rotation(np.diag([1, 1e-6, 1e-6])), np.eye(3), 1e-15)
 
     def test_of_a_reflection_that_stretches(self) -> None:
         close(nearest_rotation(np.diag([3, 2, -1])), np.eye(3), 1e-15)

@@ -56,96 +56,6 @@ units = (
 points = arrays(float, 3, elements=st.floats(-10, 10))
 
 
-class TestProofs:
-    """The code itself, run on symbols."""
-
-    w1, x1, y1, z1, w2, x2, y2, z2, w3, x3, y3, z3 = sp.symbols(
-        "w1 x1 y1 z1 w2 x2 y2 z2 w3 x3 y3 z3"
-    )
-    r = sp.symbols("r_u r_v r_w")
-    p, q = Quaternion(w1, [x1, y1, z1]), Quaternion(w2, [x2, y2, z2])
-    third = Quaternion(w3, [x3, y3, z3])
-
-    def same(self, left: Quaternion, right: Quaternion, law: Any = 0) -> bool:
-        """Whether they are equal, modulo that the law is zero."""
-        differences = [sp.expand(x) for x in left.components - right.components]
-        if law == 0:
-            return all(x == 0 for x in differences)
-        return all(sp.reduced(x, [law])[1] == 0 for x in differences)
-
-    @pytest.mark.equation("2-3")
-    def test_product_is_the_one_of_2_3(self) -> None:
-        v1, v2 = sp.Matrix([self.x1, self.y1, self.z1]), sp.Matrix([self.x2, self.y2, self.z2])
-        scalar = self.w1 * self.w2 - v1.dot(v2)
-        vector = self.w1 * v2 + self.w2 * v1 + v1.cross(v2)
-        assert self.same(self.p * self.q, Quaternion(scalar, list(vector)))
-
-    def test_product_is_associative_and_distributes(self) -> None:
-        p, q, r = self.p, self.q, self.third
-        assert self.same((p * q) * r, p * (q * r))
-        assert self.same(p * (q + r), p * q + p * r)
-        assert self.same((p - q) * r, p * r - q * r)
-
-    def test_product_does_not_commute(self) -> None:
-        cross = np.cross(self.p.v, self.q.v)
-        assert self.same(self.p * self.q - self.q * self.p, Quaternion(0, 2 * cross))
-
-    def test_q_times_conjugate_is_the_square_of_the_norm(self) -> None:
-        q = self.q
-        square = sum(x * x for x in q.components)
-        assert self.same(q * q.conjugate(), Quaternion(square, [0, 0, 0]))
-        assert self.same(q.conjugate() * q, Quaternion(square, [0, 0, 0]))
-
-    def test_norms_multiply(self) -> None:
-        def square(q: Quaternion) -> Any:
-            return (q * q.conjugate()).w.item()
-
-        assert sp.expand(square(self.p * self.q) - square(self.p) * square(self.q)) == 0
-
-    @pytest.mark.equation("2-4")
-    def test_inverse_on_both_sides_and_division_on_the_right(self) -> None:
-        p, q = (
-            Quaternion(symbolic(w), symbolic(*v))
-            for w, *v in (self.p.components, self.q.components)
-        )
-
-        def simplified(q: Quaternion) -> list[Any]:
-            return list(matrix(q.components).applyfunc(sp.simplify))
-
-        assert simplified(q * q.inverse()) == simplified(q.inverse() * q) == [1, 0, 0, 0]
-        assert simplified((p * q) / q - p) == [0, 0, 0, 0]
-
-    def test_rotate_is_q_r_conjugate(self) -> None:
-        unit = sum(x * x for x in self.q.components) - 1
-        product = self.q * Quaternion(0, self.r) * self.q.conjugate()
-        assert self.same(product, Quaternion(0, self.q.rotate(self.r)), unit)
-
-    def test_matrix_does_the_same(self) -> None:
-        rotated = sp.Matrix(self.q.matrix()) * sp.Matrix(self.r)
-        assert (rotated - sp.Matrix(self.q.rotate(self.r))).expand() == sp.zeros(3, 1)
-
-    @pytest.mark.equation("2-6")
-    def test_last_line_of_2_6(self) -> None:
-        theta = symbolic(sp.Symbol("theta", real=True))
-        r = symbolic(*self.r)
-        q = Quaternion.from_axis_angle([1, 0, 0], theta)
-        product = q * Quaternion(0 * theta, r) * q.conjugate()
-        assert vanishes(matrix(product.w))
-        assert vanishes(matrix(product.v) - matrix(rotate_about_u(r, theta)))
-        assert not vanishes(matrix(product.v) - matrix(r))
-
-    def test_matrix_of_axis_and_angle_is_3_3(self) -> None:
-        n = sp.symbols("n_u n_v n_w", real=True)
-        theta = sp.Symbol("theta", real=True)
-        q = Quaternion.from_axis_angle(symbolic(*n), symbolic(theta))
-        difference = matrix(q.matrix()) - matrix(rotation_matrix(symbolic(*n), symbolic(theta)))
-        c, s = sp.symbols("c s")
-        half = {sp.cos(theta): c**2 - s**2, sp.sin(theta): 2 * s * c}
-        half |= {sp.cos(theta / 2): c, sp.sin(theta / 2): s}
-        laws = [sum(x**2 for x in n) - 1, c**2 + s**2 - 1]
-        assert all(sp.reduced(sp.expand(x.subs(half)), laws, n[0], s)[1] == 0 for x in difference)
-
-
 class TestAlgebra:
     def test_hamiltons_table(self) -> None:
         for a, b, c in [(I, J, K), (J, K, I), (K, I, J)]:
@@ -364,6 +274,17 @@ class TestArray:
         lines = ["Quaternion([1., 2.],", "[[1., 1., 1.],", "[1., 1., 1.]])"]
         assert [line.strip() for line in repr(two).splitlines()] == lines
         assert (eval(repr(two)) == two).all()
+        rows = [line.index("[[") for line in repr(two).splitlines() if "[[" in line]
+        assert rows == [len("Quaternion(")]
+        assert repr(two).splitlines()[-1].startswith(" " * 12 + "[")
+
+    def test_what_is_no_number_is_unequal(self) -> None:
+        assert (I == None) is False  # noqa: E711
+        assert (I != None) is True  # noqa: E711
+
+    def test_operators_keep_their_names(self) -> None:
+        assert Quaternion.__mul__.__name__ == "__mul__"
+        assert not hasattr(I, "__dict__")
 
     def test_single_precision(self) -> None:
         q = Quaternion(np.float32(1), np.ones(3, np.float32))
@@ -478,3 +399,93 @@ class TestRefusals:
             Quaternion.from_axis_angle([0, 0, 0], 1)
         with pytest.raises(ValueError, match=r"^matrix must be a rotation"):
             Quaternion.from_matrix(np.zeros((3, 3)))
+
+
+class TestProofs:
+    """The code itself, run on symbols."""
+
+    w1, x1, y1, z1, w2, x2, y2, z2, w3, x3, y3, z3 = sp.symbols(
+        "w1 x1 y1 z1 w2 x2 y2 z2 w3 x3 y3 z3"
+    )
+    r = sp.symbols("r_u r_v r_w")
+    p, q = Quaternion(w1, [x1, y1, z1]), Quaternion(w2, [x2, y2, z2])
+    third = Quaternion(w3, [x3, y3, z3])
+
+    def same(self, left: Quaternion, right: Quaternion, law: Any = 0) -> bool:
+        """Whether they are equal, modulo that the law is zero."""
+        differences = [sp.expand(x) for x in left.components - right.components]
+        if law == 0:
+            return all(x == 0 for x in differences)
+        return all(sp.reduced(x, [law])[1] == 0 for x in differences)
+
+    @pytest.mark.equation("2-3")
+    def test_product_is_the_one_of_2_3(self) -> None:
+        v1, v2 = sp.Matrix([self.x1, self.y1, self.z1]), sp.Matrix([self.x2, self.y2, self.z2])
+        scalar = self.w1 * self.w2 - v1.dot(v2)
+        vector = self.w1 * v2 + self.w2 * v1 + v1.cross(v2)
+        assert self.same(self.p * self.q, Quaternion(scalar, list(vector)))
+
+    def test_product_is_associative_and_distributes(self) -> None:
+        p, q, r = self.p, self.q, self.third
+        assert self.same((p * q) * r, p * (q * r))
+        assert self.same(p * (q + r), p * q + p * r)
+        assert self.same((p - q) * r, p * r - q * r)
+
+    def test_product_does_not_commute(self) -> None:
+        cross = np.cross(self.p.v, self.q.v)
+        assert self.same(self.p * self.q - self.q * self.p, Quaternion(0, 2 * cross))
+
+    def test_q_times_conjugate_is_the_square_of_the_norm(self) -> None:
+        q = self.q
+        square = sum(x * x for x in q.components)
+        assert self.same(q * q.conjugate(), Quaternion(square, [0, 0, 0]))
+        assert self.same(q.conjugate() * q, Quaternion(square, [0, 0, 0]))
+
+    def test_norms_multiply(self) -> None:
+        def square(q: Quaternion) -> Any:
+            return (q * q.conjugate()).w.item()
+
+        assert sp.expand(square(self.p * self.q) - square(self.p) * square(self.q)) == 0
+
+    @pytest.mark.equation("2-4")
+    def test_inverse_on_both_sides_and_division_on_the_right(self) -> None:
+        p, q = (
+            Quaternion(symbolic(w), symbolic(*v))
+            for w, *v in (self.p.components, self.q.components)
+        )
+
+        def simplified(q: Quaternion) -> list[Any]:
+            return list(matrix(q.components).applyfunc(sp.simplify))
+
+        assert simplified(q * q.inverse()) == simplified(q.inverse() * q) == [1, 0, 0, 0]
+        assert simplified((p * q) / q - p) == [0, 0, 0, 0]
+
+    def test_rotate_is_q_r_conjugate(self) -> None:
+        unit = sum(x * x for x in self.q.components) - 1
+        product = self.q * Quaternion(0, self.r) * self.q.conjugate()
+        assert self.same(product, Quaternion(0, self.q.rotate(self.r)), unit)
+
+    def test_matrix_does_the_same(self) -> None:
+        rotated = sp.Matrix(self.q.matrix()) * sp.Matrix(self.r)
+        assert (rotated - sp.Matrix(self.q.rotate(self.r))).expand() == sp.zeros(3, 1)
+
+    @pytest.mark.equation("2-6")
+    def test_last_line_of_2_6(self) -> None:
+        theta = symbolic(sp.Symbol("theta", real=True))
+        r = symbolic(*self.r)
+        q = Quaternion.from_axis_angle([1, 0, 0], theta)
+        product = q * Quaternion(0 * theta, r) * q.conjugate()
+        assert vanishes(matrix(product.w))
+        assert vanishes(matrix(product.v) - matrix(rotate_about_u(r, theta)))
+        assert not vanishes(matrix(product.v) - matrix(r))
+
+    def test_matrix_of_axis_and_angle_is_3_3(self) -> None:
+        n = sp.symbols("n_u n_v n_w", real=True)
+        theta = sp.Symbol("theta", real=True)
+        q = Quaternion.from_axis_angle(symbolic(*n), symbolic(theta))
+        difference = matrix(q.matrix()) - matrix(rotation_matrix(symbolic(*n), symbolic(theta)))
+        c, s = sp.symbols("c s")
+        half = {sp.cos(theta): c**2 - s**2, sp.sin(theta): 2 * s * c}
+        half |= {sp.cos(theta / 2): c, sp.sin(theta / 2): s}
+        laws = [sum(x**2 for x in n) - 1, c**2 + s**2 - 1]
+        assert all(sp.reduced(sp.expand(x.subs(half)), laws, n[0], s)[1] == 0 for x in difference)

@@ -17,7 +17,7 @@ from collections.abc import Iterator
 from concurrent.futures import ProcessPoolExecutor
 from difflib import unified_diff
 from importlib import import_module
-from itertools import count
+from itertools import count, repeat
 from multiprocessing import get_context
 from pathlib import Path
 from time import monotonic
@@ -26,11 +26,10 @@ from typing import NamedTuple
 import pytest
 from cosmic_ray.mutating import mutate_code
 from cosmic_ray.plugins import get_operator, operator_names
+from hypothesis import Phase, settings
 
 ROOT = Path(__file__).parents[1]
 EQUIVALENT = ROOT / "tools" / "equivalent.toml"
-# A broken loop may never end.
-TIME_LIMIT = 300
 COPIED = "rotedu", "tests", "conftest.py", "pyproject.toml"
 NO_MATHEMATICS = {"__init__", "colors", "errors"}
 MODULES = sorted({file.stem for file in (ROOT / "rotedu").glob("*.py")} - NO_MATHEMATICS)
@@ -83,7 +82,10 @@ def run_tests(tests: list[str]) -> None:
     """Run tests in this process until one fails, and end it with the result."""
     for stream in (1, 2):
         os.dup2(os.open(os.devnull, os.O_WRONLY), stream)
-    options = ["-o", "addopts=", "-x", "-p", "no:cacheprovider", "--hypothesis-profile=ci"]
+    # What fails need not be made small.
+    phases = Phase.explicit, Phase.generate
+    settings.register_profile("mutate", settings.get_profile("ci"), phases=phases)
+    options = ["-o", "addopts=", "-x", "-p", "no:cacheprovider", "--hypothesis-profile=mutate"]
     os._exit(pytest.main([*options, *tests]))
 
 
@@ -113,13 +115,13 @@ def copy_package(folder: str) -> None:
         import_module(name)
 
 
-def survives(edit: Edit) -> bool:
+def survives(edit: Edit, seconds: float) -> bool:
     """Make an edit and tell whether the tests of its module pass all the same."""
     file = Path("rotedu", f"{edit.module}.py")
     source = file.read_text("utf-8")
     file.write_text(edit.code, "utf-8")
     try:
-        return passes(tests_of(edit.module), TIME_LIMIT)
+        return passes(tests_of(edit.module), seconds)
     finally:
         file.write_text(source, "utf-8")
 
@@ -129,8 +131,10 @@ def check(module: str, pool: ProcessPoolExecutor) -> list[Edit]:
     start = monotonic()
     if not pool.submit(passes, tests_of(module)).result():
         sys.exit(f"{module}: the tests fail before anything is edited")
+    # A broken loop may never end.
+    limit = 10 * (monotonic() - start)
     tried = list(edits(module))
-    results = zip(tried, pool.map(survives, tried), strict=True)
+    results = zip(tried, pool.map(survives, tried, repeat(limit)), strict=True)
     unnoticed = sorted(edit for edit, alive in results if alive)
     seconds = monotonic() - start
     print(

@@ -17,6 +17,7 @@ PAGES_WITHOUT = ("book/glossary", "book/api", "book/equations", "book/references
 PLURALS = {"matrix": "matrices", "erratum": "errata", "degrees of freedom": "degree of freedom"}
 NOT_PROSE = (
     addnodes.pending_xref,
+    nodes.emphasis,
     nodes.caption,
     nodes.literal,
     nodes.math,

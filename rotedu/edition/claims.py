@@ -10,16 +10,26 @@ from typing import Literal
 
 from rotedu.edition.notebook import Table
 
-__all__ = ["CLAIMS", "Claim", "claim_table"]
+__all__ = ["CLAIMS", "VERDICTS", "Claim", "claim_table", "verdict_table"]
 
 Verdict = Literal[
     "holds",
-    "holds in part",
+    "holds under a condition",
     "does not hold",
     "does not follow",
     "not confirmed",
     "a matter of names",
 ]
+
+VERDICTS: dict[Verdict, str] = {
+    "holds": "true as it is said, wherever what it speaks of exists",
+    "holds under a condition": "true wherever the condition named beside it is met; elsewhere"
+    " false, or 0/0",
+    "does not hold": "false in a case that it covers, and no condition would leave its point",
+    "does not follow": "the reason given does not lead there, whether or not another one does",
+    "not confirmed": "nothing that we could see or run decides it",
+    "a matter of names": "the formulas are right, under either of two names in use",
+}
 
 CHAPTERS = {
     "01-introduction": "Chapter\N{NO-BREAK SPACE}1",
@@ -41,14 +51,18 @@ class Claim:
     Attributes
     ----------
     number : int
+        It stays the same for good; a new claim gets a new one.
     claim : str
         In our words, in Markdown.
     where : tuple of str
-        Where it is made: "abstract", sections of the paper, or "folklore", "not claimed".
+        Where it is made: "title", "abstract", sections of the paper, or "folklore", "not claimed".
     verdict : str
-        What running it has shown.
+        What running it has shown; `VERDICTS` says what the words mean. A misprint is judged in a
+        row of its own, and the other rows are read with it mended.
     chapter : str
         The page of this book, without its ending, that shows it.
+    condition : str
+        For a claim that holds under a condition: which.
     """
 
     number: int
@@ -56,11 +70,17 @@ class Claim:
     where: tuple[str, ...]
     verdict: Verdict
     chapter: str
+    condition: str = ""
 
     @property
     def link(self) -> str:
         """Link, in Markdown, from another page to the one that shows it."""
         return f"[{CHAPTERS[self.chapter]}]({self.chapter}.ipynb)"
+
+    @property
+    def judgement(self) -> str:
+        """The verdict, in Markdown, and its condition if there is one."""
+        return f"**{self.verdict}**" + (f": {self.condition}" if self.condition else "")
 
 
 CLAIMS = (
@@ -89,37 +109,40 @@ CLAIMS = (
         4,
         "For one point the matrix costs 33 + 16, more than the quaternion of (2-6)",
         ("3",),
-        "holds in part",
-        "03-ordinary-rotation",
-    ),
-    Claim(
-        5,
-        "For many points the matrix is cheaper",
-        ("1", "3", "6"),
         "holds",
         "03-ordinary-rotation",
     ),
     Claim(
-        6,
-        "So quaternions are the less efficient choice in graphics",
+        5,
+        "For many points the matrix is cheaper than the quaternion",
         ("1", "3", "6"),
+        "holds under a condition",
+        "03-ordinary-rotation",
+        "each point is turned by the quaternion itself, about any axis",
+    ),
+    Claim(
+        6,
+        "So, for most applications of these fields, ordinary rotation is the more efficient",
+        ("1", "6"),
         "does not follow",
         "03-ordinary-rotation",
     ),
     Claim(
         7,
-        "A rotation matrix, translation, scaling, shearing, reflection and projection make one"
-        " matrix, and each point is multiplied once",
+        "A rotation matrix, translation, scaling, shearing, reflection and projection make"
+        " one matrix, and each point is multiplied once",
         ("1", "3", "6"),
-        "holds",
+        "holds under a condition",
         "04-general-rotation",
+        "the projection is parallel; a perspective also divides, once for each point",
     ),
     Claim(
         8,
         "Quaternions cannot have that advantage",
         ("6",),
-        "holds in part",
+        "holds under a condition",
         "04-general-rotation",
+        "the quaternion stays a quaternion",
     ),
     Claim(
         9,
@@ -139,12 +162,13 @@ CLAIMS = (
         11,
         "(5-2) and (5-3) give any point of an arc",
         ("5",),
-        "holds",
+        "holds under a condition",
         "05-arcs",
+        "the two points are neither equal nor opposite",
     ),
     Claim(
         12,
-        "Slerp has no form as a matrix times a vector",
+        "Slerp has no form as a matrix times a vector like (5-3)",
         ("5",),
         "does not hold",
         "05-arcs",
@@ -159,7 +183,7 @@ CLAIMS = (
     Claim(
         14,
         "So interpolating rotations needs none",
-        ("abstract", "5", "6"),
+        ("abstract", "1", "5", "6"),
         "does not follow",
         "05-orientations",
     ),
@@ -167,21 +191,23 @@ CLAIMS = (
         15,
         "Everything that quaternions can do, ordinary rotation can do",
         ("abstract", "6"),
-        "holds in part",
+        "holds under a condition",
         "06-conclusions",
+        "the sign of a quaternion is not asked for; it tells one turn from two, and which"
+        " way a curve goes",
     ),
     Claim(
         16,
         "… and more efficiently",
-        ("abstract", "6"),
-        "holds in part",
+        ("abstract",),
+        "does not hold",
         "06-conclusions",
     ),
     Claim(
         17,
         "Rounding harms products of quaternions less",
         ("folklore",),
-        "holds in part",
+        "does not hold",
         "06-conclusions",
     ),
     Claim(
@@ -237,15 +263,267 @@ CLAIMS = (
         25,
         "A teaspoon of 100 vertices is enough for the matrix to pay",
         ("3",),
-        "holds",
+        "holds under a condition",
         "03-ordinary-rotation",
+        "each point is turned by the quaternion itself, about any axis",
     ),
     Claim(
         26,
         "So there is no reason at all to use quaternions in these fields",
-        ("1", "6"),
+        ("1",),
         "does not hold",
         "06-conclusions",
+    ),
+    Claim(
+        27,
+        "So quaternions are not really needed in geometric modeling, computer graphics and"
+        " animation",
+        ("title", "6"),
+        "holds under a condition",
+        "06-conclusions",
+        "*not needed* means that one can do without them, at whatever cost; and their sign"
+        " is not asked for, as in 15",
+    ),
+    Claim(
+        28,
+        "Quaternions are more efficient for rotations than matrices (told as a belief)",
+        ("abstract", "1"),
+        "holds under a condition",
+        "06-conclusions",
+        "rotations are composed, stored or repaired; many points are not turned with them",
+    ),
+    Claim(
+        29,
+        "The geometric meaning of quaternions is more obvious (told as a belief)",
+        ("abstract", "1"),
+        "holds under a condition",
+        "02-quaternions",
+        "the question is axis and angle; where a point goes, a matrix says",
+    ),
+    Claim(
+        30,
+        "Axis and angle are easily recovered from a quaternion",
+        ("abstract", "1"),
+        "holds",
+        "02-quaternions",
+    ),
+    Claim(
+        31,
+        "They are not easy to find in a matrix (told as a reason for quaternions)",
+        ("1",),
+        "holds under a condition",
+        "03-ordinary-rotation",
+        "the turn is nearly a half turn, or nearly none",
+    ),
+    Claim(
+        32,
+        "Rotations, too, are interpolated more efficiently by ordinary rotation",
+        ("abstract",),
+        "holds under a condition",
+        "06-conclusions",
+        "many samples of one arc are wanted, and as matrices",
+    ),
+    Claim(
+        33,
+        "That each point is multiplied once makes real-time performance possible",
+        ("1", "3"),
+        "not confirmed",
+        "04-general-rotation",
+    ),
+    Claim(
+        34,
+        "Section 2 also reviews the interpolation of quaternions",
+        ("1",),
+        "does not hold",
+        "01-introduction",
+    ),
+    Claim(
+        35,
+        "The quaternions are called $S^3$, the unit quaternions $S^2$",
+        ("2",),
+        "does not hold",
+        "02-quaternions",
+    ),
+    Claim(
+        36,
+        "Numbers and vectors are among the quaternions, as $[w,\\vec 0\\,]$ and $[0,\\vec v\\,]$",
+        ("2",),
+        "holds",
+        "02-quaternions",
+    ),
+    Claim(
+        37,
+        "Products are associative and do not commute; norms multiply",
+        ("2",),
+        "holds",
+        "02-quaternions",
+    ),
+    Claim(
+        38,
+        "Each unit quaternion is $[\\cos\\theta,\\sin\\theta\\,\\hat n]$ with"
+        " $0\\le\\theta\\le\\pi$",
+        ("2",),
+        "holds",
+        "02-quaternions",
+    ),
+    Claim(
+        39,
+        "(2-4) is the inverse from both sides; for a unit quaternion it is the conjugate",
+        ("2",),
+        "holds",
+        "02-quaternions",
+    ),
+    Claim(
+        40,
+        "Division undoes multiplication",
+        ("2",),
+        "holds under a condition",
+        "02-quaternions",
+        "the factor on the right is to be undone",
+    ),
+    Claim(
+        41,
+        "$q\\,[0,\\vec r\\,]\\,q^*$ rotates about the U axis, (2-6)",
+        ("2",),
+        "holds",
+        "02-quaternions",
+    ),
+    Claim(
+        42,
+        "(3-1), (3-2) and (3-3) are the same rotation",
+        ("3",),
+        "holds",
+        "03-ordinary-rotation",
+    ),
+    Claim(
+        43,
+        "Building (3-3) takes 24 multiplications and 10 additions, applying it 9 and 6",
+        ("3",),
+        "holds",
+        "03-ordinary-rotation",
+    ),
+    Claim(
+        44,
+        "Turning a point by the quaternion of (2-6) takes 19 multiplications and 7 additions",
+        ("3",),
+        "does not hold",
+        "03-ordinary-rotation",
+    ),
+    Claim(
+        45,
+        "For many points the cost of building the matrix can be ignored",
+        ("3",),
+        "holds",
+        "03-ordinary-rotation",
+    ),
+    Claim(
+        46,
+        "(4-2) is the product (4-1)",
+        ("4",),
+        "holds",
+        "04-general-rotation",
+    ),
+    Claim(
+        47,
+        "Axis and angle of the single rotation are those of (4-3) to (4-6)",
+        ("4",),
+        "holds under a condition",
+        "04-general-rotation",
+        "in the end something turns; otherwise (4-3) is 0/0",
+    ),
+    Claim(
+        48,
+        "In homogeneous coordinates the axis is $(a_u,a_v,a_w,1)$",
+        ("4",),
+        "does not hold",
+        "04-general-rotation",
+    ),
+    Claim(
+        49,
+        "The axis of the arc is (5-1)",
+        ("5",),
+        "holds",
+        "05-arcs",
+    ),
+    Claim(
+        50,
+        "The 4 × 4 matrix of (5-3) and its like is defined in (3-3)",
+        ("5",),
+        "does not hold",
+        "05-arcs",
+    ),
+    Claim(
+        51,
+        "Arcs alone make no smooth curve; one of cubic pieces does",
+        ("5",),
+        "holds",
+        "05-closed-curve",
+    ),
+    Claim(
+        52,
+        "$a_i$ and $b_i$ follow by Double and Bisect from three points",
+        ("5",),
+        "holds",
+        "05-control-points",
+    ),
+    Claim(
+        53,
+        "Each step has a formula and a rotation matrix",
+        ("5",),
+        "holds",
+        "05-control-points",
+    ),
+    Claim(
+        54,
+        "The formulas give the control points",
+        ("5",),
+        "holds under a condition",
+        "05-control-points",
+        "no two points to be bisected are equal or opposite",
+    ),
+    Claim(
+        55,
+        "The angle between $P_{i-1}$ and $\\bar P_{i-1}$ is $2\\theta_{i-1}$",
+        ("5",),
+        "holds under a condition",
+        "05-control-points",
+        "$\\theta_{i-1}$ is at most 90°, or an angle of rotation is meant",
+    ),
+    Claim(
+        56,
+        "The indices $i-1$ and $i+1$ count modulo $n$",
+        ("5",),
+        "holds under a condition",
+        "05-control-points",
+        "$P_n$ is $P_0$, as in Figure 8",
+    ),
+    Claim(
+        57,
+        "The axis of the second step is (5-9)",
+        ("5",),
+        "does not hold",
+        "05-control-points",
+    ),
+    Claim(
+        58,
+        "$b_i$ is (5-13)",
+        ("5",),
+        "does not hold",
+        "05-control-points",
+    ),
+    Claim(
+        59,
+        "The program, as printed, generates a good $C^1$ curve on the sphere through all points",
+        ("5",),
+        "does not hold",
+        "05-closed-curve",
+    ),
+    Claim(
+        60,
+        "The sine of an angle is negative if its cosine is",
+        ("5",),
+        "does not hold",
+        "05-closed-curve",
     ),
 )
 
@@ -275,7 +553,7 @@ def claim_table(evidence: Mapping[int, str] | None = None) -> Table:
             str(claim.number),
             claim.claim,
             ", ".join(claim.where),
-            f"**{claim.verdict}**",
+            claim.judgement,
             claim.link,
         ]
         for claim in CLAIMS
@@ -287,3 +565,13 @@ def claim_table(evidence: Mapping[int, str] | None = None) -> Table:
         for row in rows:
             row.insert(4, evidence[int(row[0])])
     return Table(heads, rows)
+
+
+def verdict_table() -> Table:
+    """Make the table of what the verdicts mean.
+
+    Returns
+    -------
+    Table
+    """
+    return Table(["Verdict", "Means"], [[f"**{word}**", VERDICTS[word]] for word in VERDICTS])

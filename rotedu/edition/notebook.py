@@ -78,8 +78,8 @@ def source(function: Callable[..., Any]) -> Source:
     Examples
     --------
     >>> from rotedu.ordinary_rotation import rotation_matrix
-    >>> print(repr(source(rotation_matrix)).splitlines()[0])
-    def rotation_matrix(axis: npt.ArrayLike, angle: npt.ArrayLike) -> Array:
+    >>> print(repr(source(rotation_matrix)).splitlines()[1])
+    def rotation_matrix(axis: Unit3, angle: Number) -> Rotation:
     """
     code = textwrap.dedent(inspect.getsource(function))
     first = ast.parse(code).body[0]

@@ -161,10 +161,10 @@ def closed_curve(points: ClosedPoints, samples: Count = 100, fraction: Fraction 
     handles = "control points a and b between {i} and {j}"
     refuse_antipodal(angle_between(a, next_b), handles, "points")
     warn_of_two_ways(angle_between(a, next_b), handles, "points", "antipodal")
-    return arcs_of_arcs(slerp, [points, a, next_b, next_point], samples)
+    return sampled(slerp, [points, a, next_b, next_point], samples)
 
 
-def arcs_of_arcs(
+def sampled(
     arc: Callable[[Array, Array, Array], Array], control: list[Array], samples: int
 ) -> Array:
     """Sample the segments of a curve by de Casteljau's construction, with any kind of arcs.

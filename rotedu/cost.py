@@ -16,7 +16,7 @@ import numpy as np
 __all__ = ["OperationCount", "count"]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class OperationCount:
     """Numbers of arithmetic operations, to be added and multiplied by integers.
 

@@ -20,7 +20,7 @@ from rotedu._arguments import (
 )
 from rotedu._vectors import Array, product, rounding, transpose
 from rotedu.arcs import refuse_two_ways
-from rotedu.closed_curve import arcs_of_arcs, warn_of_two_ways
+from rotedu.closed_curve import sampled, warn_of_two_ways
 from rotedu.errors import DegenerateError
 from rotedu.ordinary_rotation import axis_angle, rotation_matrix
 
@@ -138,7 +138,7 @@ def closed_rotation_curve(
     handles = "control points a and b between {i} and {j}"
     refuse_half_turn(angle_of_turn(a, next_b), handles, "rotations")
     warn_of_two_ways(angle_of_turn(a, next_b), handles, "rotations", APART)
-    return arcs_of_arcs(slerp_rotations, [rotations, a, next_b, after], samples)
+    return sampled(slerp_rotations, [rotations, a, next_b, after], samples)
 
 
 @checked

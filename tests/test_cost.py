@@ -190,3 +190,11 @@ def test_counting_scalars_show_their_value() -> None:
     count(lambda x: shown.append(repr(x + 1)), 1.5)
     assert shown == ["CountingScalar(np.float64(2.5))"]
     assert not hasattr(CountingScalar, "__float__")
+
+
+def test_what_is_not_said_to_be_counted_is_zero() -> None:
+    assert OperationCount() == OperationCount(0, 0, 0, 0, 0)
+
+
+def test_powers_have_their_values() -> None:
+    assert [counted_result(lambda x, n=n: x**n, 3.0) for n in (1, 2, 3, 4)] == [3, 9, 27, 81]

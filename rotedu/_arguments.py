@@ -81,8 +81,8 @@ def unit_vectors(name: str, vectors: Array) -> Array:
     if vectors.dtype == object:
         return vectors
     largest = np.abs(vectors).max(axis=-1, keepdims=True, initial=0)
-    zero = largest[..., 0] == 0
-    if zero.any():
+    if not largest.all():
+        zero = largest[..., 0] == 0
         raise ValueError(f"{name} must not be the zero vector; got zeros{place(zero)}")
     # The squares of the vectors themselves may overflow or underflow.
     scaled = vectors / largest
@@ -208,7 +208,7 @@ def checked(function: Callable[..., Result]) -> Callable[..., Result]:
         Takes and returns arrays with their components last.
     """
     hints = get_type_hints(function, include_extras=True)
-    returned = hints.pop("return")
+    outside = _outside(hints.pop("return"))
     kinds = {name: kind for name, hint in hints.items() if (kind := _kind(hint))}
     counts = [name for name, hint in hints.items() if hint == Count]
     parameters = signature(function)
@@ -237,7 +237,7 @@ def checked(function: Callable[..., Result]) -> Callable[..., Result]:
             result = function(**values)
         finally:
             _checked_already.reset(inside)
-        return _outside(returned, result)
+        return outside(result)
 
     return border
 
@@ -246,16 +246,17 @@ def prepared(arguments: dict[str, tuple[Any, Kind]]) -> dict[str, Array]:
     """Turn arguments into finite arrays of one dtype, check them, and put components first."""
     arrays = _of_one_dtype({name: value for name, (value, _) in arguments.items()})
     lengths: dict[int | str, int] = {}
-    leading = {}
+    leading = []
+    axes = 0
     for name, (_, kind) in arguments.items():
         array = arrays[name]
         shape = _matching(name, array, kind.shapes, lengths)
-        leading[name] = array.shape[: array.ndim - len(shape)]
+        leading.append(array.shape[: array.ndim - len(shape)])
         _require_finite(name, array)
-        arrays[name] = kind.prepare(name, array)
-    if any(leading.values()):
+        arrays[name] = array = kind.prepare(name, array)
+        axes = max(axes, array.ndim - kind.components)
+    if axes:
         _require_broadcasting(leading, arguments)
-    axes = max(arrays[name].ndim - kind.components for name, (_, kind) in arguments.items())
     return {name: kind.inside(arrays[name], axes) for name, (_, kind) in arguments.items()}
 
 
@@ -295,15 +296,16 @@ def _kind(hint: Any) -> Kind | None:
     return next((kind for kind in get_args(hint) if isinstance(kind, Kind)), None)
 
 
-def _outside(hint: Any, result: Any) -> Any:
-    """Put the components of a result last, or of each of several."""
+def _outside(hint: Any) -> Callable[[Any], Any]:
+    """Make the function that puts the components of a result last, or of each of several."""
     if get_origin(hint) is tuple:
-        return tuple(map(_outside, get_args(hint), result))
+        several = tuple(map(_outside, get_args(hint)))
+        return lambda result: tuple(f(part) for f, part in zip(several, result, strict=True))
     if get_origin(hint) is list:
-        (kind_of_parts,) = get_args(hint)
-        return [_outside(kind_of_parts, part) for part in result]
+        (each,) = map(_outside, get_args(hint))
+        return lambda result: list(map(each, result))
     kind = _kind(hint)
-    return kind.outside(result) if kind else result
+    return kind.outside if kind else lambda result: result
 
 
 def _matching(
@@ -311,27 +313,28 @@ def _matching(
 ) -> Shape:
     """Find the shape that the trailing axes have, and note the lengths that its letters name."""
     for shape in shapes:
-        trailing = array.shape[array.ndim - len(shape) :]
-        wanted = [lengths.get(axis, axis) for axis in shape]
-        if array.ndim >= len(shape) and all(
-            axis == length or isinstance(axis, str)
-            for axis, length in zip(wanted, trailing, strict=True)
-        ):
-            for axis, length in zip(shape, trailing, strict=True):
-                if isinstance(axis, str):
-                    lengths[axis] = length
+        trailing = array.shape[max(0, array.ndim - len(shape)) :]
+        if trailing == shape:
+            return shape
+        wanted = tuple(lengths.get(axis, axis) for axis in shape)
+        if len(trailing) == len(shape) and all(map(_fits, wanted, trailing)):
+            lengths |= {axis: n for axis, n in zip(shape, trailing, strict=True) if axis != n}
             return shape
     known = (", ".join(["...", *(str(lengths.get(a, a)) for a in shape)]) for shape in shapes)
     wanted_shapes = " or ".join(f"({axes})" for axes in known)
     raise ValueError(f"{name} must have shape {wanted_shapes}; got shape {array.shape}")
 
 
+def _fits(wanted: int | str, length: int) -> bool:
+    return isinstance(wanted, str) or wanted == length
+
+
 def _require_broadcasting(
-    leading: dict[str, tuple[int, ...]], arguments: dict[str, tuple[Any, Kind]]
+    leading: list[tuple[int, ...]], arguments: dict[str, tuple[Any, Kind]]
 ) -> None:
     """Refuse leading axes that do not broadcast."""
     try:
-        np.broadcast_shapes(*leading.values())
+        np.broadcast_shapes(*leading)
     except ValueError:
         names = " and ".join(arguments)
         got = " and ".join(str(np.shape(value)) for value, _ in arguments.values())
@@ -358,7 +361,7 @@ def _of_one_dtype(values: dict[str, Any]) -> dict[str, Array]:
     arrays = {name: _numbers(name, value) for name, value in values.items()}
     single = double = False
     for name, array in arrays.items():
-        if array.dtype == np.float32:
+        if array.dtype.char == "f":
             single = True
         elif array.dtype.kind == "f" and hasattr(values[name], "dtype"):
             double = True

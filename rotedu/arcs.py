@@ -156,10 +156,11 @@ def slerp(p: Unit, q: Unit, t: Number) -> Vector:
     # Near pi the middle is short; this keeps it at right angles to the chord in spite of rounding.
     middle = middle - dot(middle, chord) / 4 * chord
     across, along = length(chord), length(middle)
-    theta = 2 * np.arctan2(across, along)
-    refuse_antipodal(theta)
-    h = np.tan((t - 1 / 2) * theta / 2)
-    cos, sin = (1 - h * h) / (1 + h * h), 2 * h / (1 + h * h)
+    half = np.arctan2(across, along)
+    refuse_antipodal(2 * half)
+    h = np.tan((t - 1 / 2) * half)
+    square = h * h
+    cos, sin = (1 - square) / (1 + square), 2 * h / (1 + square)
     return cos / along * middle + sin / np.where(across == 0, 1, across) * chord
 
 
@@ -271,6 +272,6 @@ def refuse_antipodal(theta: Array, pair: str = "p and q", sequence: str = "") ->
 
 def refuse_two_ways(theta: Array, tolerance: float, pair: str, sequence: str, apart: str) -> None:
     """Refuse an angle of pi, which can be turned either way."""
-    if tolerance and np.any(theta >= np.pi - tolerance):
-        ends = named(pair, theta >= np.pi - tolerance, sequence)
+    if tolerance and (ambiguous := theta >= np.pi - tolerance).any():
+        ends = named(pair, ambiguous, sequence)
         raise DegenerateError(f"{ends} are {apart}: no unique arc joins them")

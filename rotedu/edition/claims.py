@@ -132,9 +132,8 @@ CLAIMS = (
         "A rotation matrix, translation, scaling, shearing, reflection and projection make"
         " one matrix, and each point is multiplied once",
         ("1", "3", "6"),
-        "holds under a condition",
+        "holds",
         "04-general-rotation",
-        "the projection is parallel; a perspective also divides, once for each point",
     ),
     Claim(
         8,
@@ -193,8 +192,8 @@ CLAIMS = (
         ("abstract", "6"),
         "holds under a condition",
         "06-conclusions",
-        "the sign of a quaternion is not asked for; it tells one turn from two, and which"
-        " way a curve goes",
+        "what the sign of a quaternion tells is not asked for: one turn from two, and which way"
+        " a curve goes; about a single axis an angle tells it, too",
     ),
     Claim(
         16,
@@ -375,11 +374,10 @@ CLAIMS = (
     ),
     Claim(
         40,
-        "Division undoes multiplication",
+        "Division is an inverse operation of multiplication: $(q_1q_2)/q_2=q_1$",
         ("2",),
-        "holds under a condition",
+        "holds",
         "02-quaternions",
-        "the factor on the right is to be undone",
     ),
     Claim(
         41,

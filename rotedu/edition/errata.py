@@ -130,7 +130,7 @@ ERRATA = (
     ),
     Erratum(
         "E10",
-        "Section 2 does not interpolate",
+        "The review of interpolation is missing, at least in our copy",
         "Section 1, last paragraph",
         "Section 2 reviews interpolation",
         "in our copy it ends with (2-6)",

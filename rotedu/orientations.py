@@ -136,8 +136,9 @@ def closed_rotation_curve(
     a = slerp_rotations(rotations, middle, fraction)
     next_b = np.roll(double_rotations(a, rotations), -1, axis=-1)
     handles = "control points a and b between {i} and {j}"
-    refuse_half_turn(angle_of_turn(a, next_b), handles, "rotations")
-    warn_of_two_ways(angle_of_turn(a, next_b), handles, "rotations", APART)
+    theta = angle_of_turn(a, next_b)
+    refuse_half_turn(theta, handles, "rotations")
+    warn_of_two_ways(theta, handles, "rotations", APART)
     return sampled(slerp_rotations, [rotations, a, next_b, after], samples)
 
 

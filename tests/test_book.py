@@ -52,6 +52,11 @@ def test_there_are_pages(pages: dict[str, BeautifulSoup]) -> None:
     assert {"book/index.html", "book/03-ordinary-rotation.html"} <= set(pages)
 
 
+def test_no_page_is_too_long_for_a_slow_phone(pages: dict[str, BeautifulSoup]) -> None:
+    elements = {name: len(page.find_all(True)) for name, page in pages.items()}
+    assert {name: n for name, n in elements.items() if n > 12_000} == {}
+
+
 def test_the_root_leads_to_the_first_page(book: Path) -> None:
     assert "url=book/index.html" in (book / "index.html").read_text(encoding="utf-8")
 

@@ -91,7 +91,7 @@ class TestFigures:
 
     def test_each_caption_is_on_one_page(self) -> None:
         numbers = Counter(int(number) for (number,) in found(CAPTION))
-        # Figure 0 is on the cover; the paper has none.
+        # Picture 0 is on the cover; the paper has none.
         del numbers[0]
         assert numbers == Counter(row.number for row in FIGURES)
 

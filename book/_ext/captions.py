@@ -1,4 +1,4 @@
-"""A paragraph below a picture that begins with **Figure ...** is the caption of that picture.
+"""A paragraph in bold, **Figure 1.** or **Picture 3-a.**, is the caption of the picture above it.
 
 So a notebook reads well in JupyterLab, where it is a paragraph, and the page has a real
 figure, which can be linked: ``[Figure 1](#figure-1)``.
@@ -16,13 +16,13 @@ from sphinx.util.nodes import NodeMatcher
 
 from rotedu.figures.pages import scene
 
-BEGINNING = re.compile(r"(Figure [\w-]+)\.")
+BEGINNING = re.compile(r"((?:Figure|Picture) [\w-]+)\.")
 TEXT_WIDTH = 39  # rem, the --measure of book.css
 SHAPE = re.compile(r'viewBox="0 0 ([\d.]+) ([\d.]+)"')
 
 
 def title_of(paragraph: nodes.Element) -> str | None:
-    """Return the title, as in ``Figure 3-a``, if the paragraph is a caption."""
+    """Return the title, as in ``Picture 3-a``, if the paragraph is a caption."""
     # MyST puts an empty text before a word in bold.
     first = next((child for child in paragraph.children if child.astext()), None)
     match = BEGINNING.match(first.astext()) if isinstance(first, nodes.strong) else None

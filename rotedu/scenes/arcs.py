@@ -22,6 +22,10 @@ from rotedu.scenes.parts import (
 )
 
 
+CAMERA_TARGETS = ((1.0, 0.0, -0.2), (0.3, 1.0, 0.2), (0.2, 0.3, 1.0), (0.3, -0.9, 0.3))
+"""Directions from a camera to a door, a clock, a window and a desk, one after the other."""
+
+
 def add_right_angle(
     plotter: pyvista.Plotter, first: ArrayLike, second: ArrayLike, size: float = 0.13
 ) -> None:

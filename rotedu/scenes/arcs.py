@@ -21,7 +21,6 @@ from rotedu.scenes.parts import (
     turning,
 )
 
-
 CAMERA_TARGETS = ((1.0, 0.0, -0.2), (0.3, 1.0, 0.2), (0.2, 0.3, 1.0), (0.3, -0.9, 0.3))
 """Directions from a camera to a door, a clock, a window and a desk, one after the other."""
 

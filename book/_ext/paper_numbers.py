@@ -2,8 +2,11 @@
 
 from typing import Any
 
+from docutils import nodes
+from sphinx import addnodes
 from sphinx.application import Sphinx
 from sphinx.domains.math import MathDomain
+from sphinx.transforms import SphinxTransform
 
 PREFIX = "eq-"
 
@@ -19,7 +22,23 @@ class PaperMathDomain(MathDomain):
         self.equations[labelid] = (docname, labelid.removeprefix(PREFIX))  # type: ignore[assignment]
 
 
+class IndexNumbers(SphinxTransform):
+    """Let the search find an equation by its number."""
+
+    default_priority = 400
+
+    def apply(self, **_: Any) -> None:
+        """Put an entry for the index before each numbered equation."""
+        for equation in list(self.document.findall(nodes.math_block)):
+            if label := equation.get("label"):
+                number = label.removeprefix(PREFIX)
+                entry = ("single", number, f"equation-{label}", "main", None)
+                around = equation.parent
+                around.insert(around.index(equation), addnodes.index(entries=[entry]))
+
+
 def setup(app: Sphinx) -> dict[str, Any]:
     """Put the domain in the place of Sphinx's own."""
     app.add_domain(PaperMathDomain, override=True)
+    app.add_transform(IndexNumbers)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

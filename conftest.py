@@ -1,4 +1,4 @@
-"""For the tests: the built book, a server for it and a browser to read it with."""
+"""Fixtures: the built book, a server for it and a browser to read it."""
 
 import functools
 import os
@@ -25,19 +25,19 @@ CHROMIUMS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-sta
 SOFTWARE_WEBGL = ("--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader")
 
 settings.register_profile("repeatable", derandomize=True, deadline=None, database=None)
-# For make test-slow: other input each time, and much of it.
+# For make test-slow: much random input, different each time.
 settings.register_profile("long", max_examples=5_000, deadline=None)
 settings.load_profile("repeatable")
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    """Let the pages be read in another browser."""
+    """Add an option to read the pages in another browser."""
     names = ("chromium", "firefox", "webkit")
     parser.addoption("--browser", choices=names, default="chromium", help="for tests of the book")
 
 
 def needs_book(item: pytest.Item) -> bool:
-    """Tell whether a test reads the built book."""
+    """Say whether a test reads the built book."""
     return "book" in getattr(item, "fixturenames", ())
 
 

@@ -14,13 +14,13 @@ Conventions, the same everywhere:
 - The result is float32 if an argument is a float32 array and no argument is an array or a NumPy
   number of another floating type (Python numbers, sequences of them and integer arrays adapt),
   else float64.
-- Arguments that must be unit vectors are normalised; those that must be rotations, and are to half
-  of their digits, are taken to the nearest rotation. An argument that is zero where it must not be,
-  not finite, of the wrong shape or no rotation is a `ValueError` that names it. A geometry without
-  an answer is a `rotedu.errors.DegenerateError`, which is a `ValueError` too.
-- Arrays of dtype object that hold anything but numbers, such as the counting scalars of
-  `rotedu.cost` or symbols, are computed with as they are: their shapes are checked, their values
-  are not, and vectors of them are taken to be unit vectors where unit vectors are expected.
+- Arguments that must be unit vectors are normalised. A matrix that is a rotation to half of its
+  digits is replaced by the nearest rotation. An argument that is zero where it must not be, not
+  finite, of the wrong shape or no rotation raises a `ValueError` that names it. A geometry without
+  an answer raises `rotedu.errors.DegenerateError`, which is a `ValueError` too.
+- Arrays of dtype object may hold something other than numbers, such as the counting scalars of
+  `rotedu.cost` or symbols. Their shapes are checked and their values are not. Where a unit vector
+  is expected, they must already be one.
 """
 
 __all__ = ["__version__"]

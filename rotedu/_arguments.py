@@ -1,18 +1,18 @@
 """Argument checks for public functions.
 
-A public function says by its annotations what its arguments are, and its body is its equation::
+The annotations of a public function say what its arguments are, and its body is its equation::
 
     @checked
     def double(p: Unit, q: Unit) -> Vector:
         return 2 * dot(p, q) * q - p
 
-`checked` refuses bad input, scales unit vectors to length 1, and puts components first, as
-`rotedu._vectors` wants them; results come back with their components last. A public function that
-another one calls takes the arguments as they are: they were checked where they came in. So does a
-helper that is not in the ``__all__`` of its module: it wants components first and checks nothing.
-Nothing that is called back from inside, such as a hook for warnings, may call a public function.
+`checked` refuses bad input, scales unit vectors to length 1, and moves components to the first
+axes, where `rotedu._vectors` expects them. Results have their components on the last axes again. A
+public function that is called by another takes its arguments as they are, because they were checked
+where they entered. So does a helper that is not in the ``__all__`` of its module. Nothing that is
+called back from inside, such as a hook for warnings, may call a public function.
 
-How dtypes are chosen and what happens to arrays of dtype object is stated in `rotedu`.
+The package docstring of `rotedu` states how dtypes are chosen and how object arrays are treated.
 """
 
 import math
@@ -32,7 +32,7 @@ from rotedu._vectors import Array
 Shape = tuple[int | str, ...]
 Result = TypeVar("Result")
 
-# What an array of dtype object may hide.
+# What an array of dtype object may contain.
 NO_REAL_NUMBERS = (type(None), str, bytes, complex, np.complexfloating)
 
 _checked_already: ContextVar[bool] = ContextVar("checked already", default=False)
@@ -44,7 +44,7 @@ def _as_given(name: str, array: Array) -> Array:
 
 @dataclass(frozen=True)
 class Kind:
-    """What an argument or a result is.
+    """A kind of argument or result.
 
     Attributes
     ----------
@@ -52,9 +52,9 @@ class Kind:
         Shapes that the trailing axes may have. A letter stands for any length, the same in all
         arguments of a call.
     components : int
-        How many of the last axes come first inside.
+        How many of the last axes are moved to the front inside.
     prepare : callable
-        Checks and prepares an array, given with the name of its argument.
+        Checks and prepares an array. It also gets the name of the argument.
     """
 
     shapes: tuple[Shape, ...]
@@ -62,7 +62,7 @@ class Kind:
     prepare: Callable[[str, Array], Array] = _as_given
 
     def inside(self, array: Array, axes: int) -> Array:
-        """Put components first, with enough axes after them to broadcast."""
+        """Move components to the front and add enough axes after them to broadcast."""
         if not self.components or not axes:
             return array
         missing = axes - (array.ndim - self.components)
@@ -71,13 +71,13 @@ class Kind:
         return array.transpose(*range(axes, array.ndim), *range(axes))
 
     def outside(self, result: Any) -> Array:
-        """Put components last again."""
+        """Move components to the last axes again."""
         array = np.asarray(result)
         return array.transpose(*range(self.components, array.ndim), *range(self.components))
 
 
 def unit_vectors(name: str, vectors: Array) -> Array:
-    """Scale vectors to length 1; those of dtype object are taken to have it."""
+    """Scale vectors to length 1; vectors of dtype object must have that length already."""
     if vectors.dtype == object:
         return vectors
     largest = np.abs(vectors).max(axis=-1, keepdims=True, initial=0)
@@ -90,7 +90,7 @@ def unit_vectors(name: str, vectors: Array) -> Array:
 
 
 def rotations(name: str, matrices: Array) -> Array:
-    """Take matrices that are rotations to half of their digits to the nearest rotations."""
+    """Replace matrices that are rotations to half of their digits by the nearest rotations."""
     if matrices.dtype == object:
         return matrices
     # Eight decimals of float64 are enough.
@@ -173,8 +173,7 @@ VECTOR3 = Kind(((3,),), 1)
 UNIT = Kind((("d",),), 1, prepare=unit_vectors)
 MATRIX = Kind(((3, 3), (4, 4)), 2)
 
-# What annotations of public functions say. `Unit` vectors are scaled to length 1.
-# Numbers have the type Any, since they can have defaults, which are no arrays.
+# The annotations of public functions. Numbers have the type Any, because a default is no array.
 Number = Annotated[Any, NUMBER]
 Fraction = Annotated[Any, Kind(((),), prepare=_from_zero_to_one)]
 NotZero = Annotated[Array, Kind(((),), prepare=_not_zero)]
@@ -195,7 +194,7 @@ Count = Annotated[int, "a positive integer"]
 
 
 def checked(function: Callable[..., Result]) -> Callable[..., Result]:
-    """Check the arguments of a public function and put components where its body wants them.
+    """Check the arguments of a public function and put components where its body expects them.
 
     Parameters
     ----------
@@ -205,7 +204,7 @@ def checked(function: Callable[..., Result]) -> Callable[..., Result]:
     Returns
     -------
     callable
-        Takes and returns arrays with their components last.
+        A function that takes and returns arrays with components last.
     """
     hints = get_type_hints(function, include_extras=True)
     outside = _outside(hints.pop("return"))
@@ -219,7 +218,7 @@ def checked(function: Callable[..., Result]) -> Callable[..., Result]:
         if _checked_already.get():
             return function(*args, **kwargs)
         if len(args) == len(names) and not kwargs:
-            # Most calls: binding takes longer than all that follows.
+            # Most calls. Binding would take longer than everything that follows.
             values = dict(zip(names, args, strict=True))
         else:
             try:
@@ -261,7 +260,7 @@ def prepared(arguments: dict[str, tuple[Any, Kind]]) -> dict[str, Array]:
 
 
 def positive_integer(name: str, value: Any) -> int:
-    """Take a number of samples."""
+    """Check a number of samples."""
     try:
         count = operator.index(value)
     except TypeError:
@@ -272,14 +271,14 @@ def positive_integer(name: str, value: Any) -> int:
 
 
 def place(mask: Any) -> str:
-    """Say where a mask is first true, if there is more than one place to look at."""
+    """Say where a mask is first true, unless there is only one place."""
     if not np.ndim(mask):
         return ""
     return f" at index {tuple(int(i) for i in np.argwhere(mask)[0])}"
 
 
 def named(pair: str, mask: Any, sequence: str = "") -> str:
-    """Say which pair it is, by the first place where a mask is true.
+    """Name a pair by the first place where a mask is true.
 
     In `pair`, {h}, {i} and {j} stand for three neighbours in the argument called `sequence`.
     """
@@ -297,7 +296,7 @@ def _kind(hint: Any) -> Kind | None:
 
 
 def _outside(hint: Any) -> Callable[[Any], Any]:
-    """Make the function that puts the components of a result last, or of each of several."""
+    """Return a function that moves the components of each result to the last axes."""
     if get_origin(hint) is tuple:
         several = tuple(map(_outside, get_args(hint)))
         return lambda result: tuple(f(part) for f, part in zip(several, result, strict=True))
@@ -311,7 +310,7 @@ def _outside(hint: Any) -> Callable[[Any], Any]:
 def _matching(
     name: str, array: Array, shapes: tuple[Shape, ...], lengths: dict[int | str, int]
 ) -> Shape:
-    """Find the shape that the trailing axes have, and note the lengths that its letters name."""
+    """Find the shape that the trailing axes match, and note the length of each letter in it."""
     for shape in shapes:
         trailing = array.shape[max(0, array.ndim - len(shape)) :]
         if trailing == shape:
@@ -342,8 +341,8 @@ def _require_broadcasting(
 
 
 def _require_finite(name: str, array: Array) -> None:
-    """Refuse infinities and NaN; objects are taken to have none."""
-    # The sum of the squares is found fastest. If it is finite, so is all; else it may be too large.
+    """Refuse infinities and NaN, except in object arrays."""
+    # The fastest test: a finite sum of squares means finite numbers. Otherwise look at each.
     if array.dtype.kind == "O" or math.isfinite(np.vdot(array, array)):
         return
     finite = np.isfinite(array)
@@ -356,7 +355,7 @@ def _require_finite(name: str, array: Array) -> None:
 def _of_one_dtype(values: dict[str, Any]) -> dict[str, Array]:
     """Make arrays of one dtype.
 
-    It is float32 if an argument is of it and no array is of another floating type.
+    It is float32 if an argument is float32 and no array has another floating type.
     """
     arrays = {name: _numbers(name, value) for name, value in values.items()}
     single = double = False
@@ -370,7 +369,7 @@ def _of_one_dtype(values: dict[str, Any]) -> dict[str, Array]:
 
 
 def _numbers(name: str, value: Any) -> Array:
-    """Make an array of real numbers, or of objects that calculate but are not numbers."""
+    """Make an array of real numbers, or of objects that support arithmetic but are not numbers."""
     try:
         array = np.asarray(value)
         if array.dtype.kind == "O":
@@ -383,7 +382,7 @@ def _numbers(name: str, value: Any) -> Array:
 
 
 def _floats_if_numbers(objects: Array) -> Array:
-    """Tell big integers and fractions, which become floats, from symbols and the like."""
+    """Convert big integers and fractions to floats; leave symbols and the like alone."""
     if any(isinstance(element, NO_REAL_NUMBERS) for element in objects.flat):
         raise ValueError
     try:

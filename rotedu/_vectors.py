@@ -1,7 +1,7 @@
 """Vectors and matrices with their components first: shapes (3, ...) and (3, 3, ...).
 
-So a number for each vector, such as an angle, multiplies vectors as it stands, and the functions
-of this package read as their equations do.
+An array of numbers, such as one angle for each vector, then multiplies vectors without
+reshaping, and the functions of this package read like their equations.
 """
 
 from typing import Any
@@ -37,7 +37,7 @@ def safe_length(v: Array) -> Array:
 
 
 def axis_and_length(v: Array, negligible: Array | float = 0) -> tuple[Array, Array]:
-    """Divide vectors by their lengths; return both. Negligible ones become (1, 0, 0)."""
+    """Divide vectors by their lengths; return both. Negligible vectors become (1, 0, 0)."""
     size = safe_length(v)
     zero = size <= negligible
     first = np.reshape([1, 0, 0], (3,) + (1,) * (v.ndim - 1)).astype(v.dtype)
@@ -71,6 +71,6 @@ def transpose(matrix: Array) -> Array:
 
 
 def rounding(numbers: Array) -> float:
-    """Relative rounding of the numbers; none, if they are objects."""
+    """Relative rounding error of the numbers; zero for objects."""
     numbers = np.asarray(numbers)
     return 0.0 if numbers.dtype.kind == "O" else float(np.finfo(numbers.dtype).eps)

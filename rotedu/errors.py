@@ -4,4 +4,4 @@ __all__ = ["DegenerateError"]
 
 
 class DegenerateError(ValueError):
-    """The arguments are valid, yet the geometry they describe has no answer, or no unique one."""
+    """The arguments are valid, yet the geometry they describe has no answer, or no single one."""

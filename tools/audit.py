@@ -1,10 +1,10 @@
-"""Judge every page of the built book as a reader on a phone and a browser would.
+"""Judge every page of the built book.
 
 ``python tools/audit.py`` serves _build/html as a web server does, compressed, and measures for
 every page what it weighs on a first visit and for those who come from the front page, how many
 elements it has, what Lighthouse says (mobile preset) and what axe finds at two widths in both
-themes. It prints a table, then each finding, and ends with 1 if a budget is missed.
-Names of pages as arguments keep it to those: ``python tools/audit.py index 03``.
+themes. It prints a table, then each finding, and returns 1 if a budget is missed.
+Name pages to judge only those: ``python tools/audit.py index 03``.
 """
 
 import functools
@@ -57,7 +57,7 @@ AXE = """async () => {
 }"""
 
 
-# Hosts keep what they have compressed; to do it again would take time from the browser.
+# Hosts cache compressed files; compressing anew would take time from the browser.
 compress = functools.cache(gzip.compress)
 
 

@@ -1,10 +1,9 @@
 """Break the mathematics, one small edit at a time, and see whether a test notices.
 
-cosmic-ray makes the edits: another sign, operator or number, a condition turned round, a decorator
-left out. Each is made in a copy of the package, and the tests of its module run until one fails.
-``python tools/mutate.py`` takes every module, names as arguments keep it to those. It lists the
-edits that no test notices and ends with 1 if tools/equivalent.toml does not say of each of them
-why no test can.
+cosmic-ray makes the edits: another sign, operator or number, a reversed condition, a missing
+decorator. Each edit is made in a copy of the package, and the tests of its module run until one
+fails. ``python tools/mutate.py`` takes every module; name modules to take only those. It lists the
+edits that no test notices, and returns 1 unless tools/equivalent.toml says of each why no test can.
 """
 
 import os
@@ -33,7 +32,7 @@ EQUIVALENT = ROOT / "tools" / "equivalent.toml"
 COPIED = "rotedu", "tests", "conftest.py", "pyproject.toml"
 NO_MATHEMATICS = {"__init__", "colors", "errors"}
 MODULES = sorted({file.stem for file in (ROOT / "rotedu").glob("*.py")} - NO_MATHEMATICS)
-# cosmic-ray would also write << for +, or >= for ==, which is no slip of the pen.
+# cosmic-ray would also write << for +, or >= for ==, which nobody writes by mistake.
 OPERATORS = re.compile(
     "core/(AddNot|ExceptionReplacer|NumberReplacer|RemoveDecorator|ZeroIterationForLoop"
     "|Replace(AndWithOr|OrWithAnd|TrueWithFalse|FalseWithTrue)|ReplaceUnaryOperator_Delete_.*"
@@ -41,7 +40,7 @@ OPERATORS = re.compile(
     "|ReplaceComparisonOperator_(Eq_NotEq|NotEq_Eq|Is_IsNot|IsNot_Is"
     "|Lt_LtE|Lt_GtE|LtE_Lt|LtE_Gt|Gt_GtE|Gt_LtE|GtE_Gt|GtE_Lt))"
 )
-# The processes that run the tests are forked, so that these are loaded once.
+# The processes that run the tests are forked, so these are imported only once.
 SLOW_IMPORTS = "hypothesis.extra.numpy", "nbval.plugin", "scipy.spatial.transform", "sympy"
 FORK = get_context("fork")
 
@@ -72,7 +71,7 @@ def edits(module: str) -> Iterator[Edit]:
 
 
 def tests_of(module: str) -> list[str]:
-    """Return the tests of a module; what serves all others has theirs, too."""
+    """Return the tests of a module; a module that serves all others is tried on their tests too."""
     served = MODULES if module.startswith("_") else []
     names = dict.fromkeys(f"tests/test_{name.strip('_')}.py" for name in [module, *served])
     return [name for name in names if (ROOT / name).exists()]
@@ -82,7 +81,7 @@ def run_tests(tests: list[str]) -> None:
     """Run tests in this process until one fails, and end it with the result."""
     for stream in (1, 2):
         os.dup2(os.open(os.devnull, os.O_WRONLY), stream)
-    # What fails need not be made small.
+    # A failing example need not be shrunk.
     phases = Phase.explicit, Phase.generate
     settings.register_profile("mutate", settings.get_profile("ci"), phases=phases)
     options = ["-o", "addopts=", "-x", "-p", "no:cacheprovider", "--hypothesis-profile=mutate"]
@@ -100,14 +99,14 @@ def passes(tests: list[str], seconds: float | None = None) -> bool:
 
 
 def copy_package(folder: str) -> None:
-    """Make a copy for this worker, and load from there."""
+    """Make a copy of the package for this worker, and import from it."""
     place = Path(tempfile.mkdtemp(dir=folder))
     for name in COPIED:
         copy = shutil.copytree if (ROOT / name).is_dir() else shutil.copy
         copy(ROOT / name, place / name)
     os.chdir(place)
     sys.path.insert(0, str(place))
-    # Python would take an edit for another of the same second.
+    # Python would confuse edits made within the same second.
     sys.dont_write_bytecode = True
     # There is a worker for each core.
     os.environ["OPENBLAS_NUM_THREADS"] = "1"

@@ -1,9 +1,9 @@
 """How long a page takes to read: a count, not a wish.
 
-200 words a minute, 5 seconds a line of shown code, 20 a displayed formula, 30 a figure. Text
-that is folded counts as if it were open; code that is folded does not. Exercises are apart: each
-says its own minutes. ``python tools/reading_time.py`` prints what every page has, and writes the
-minutes into the line **Time** of the pages that have one.
+200 words take a minute, a line of shown code 5 seconds, a displayed formula 20, a figure 30. Folded
+text counts as if it were open; folded code does not count. Each exercise states its own minutes.
+``python tools/reading_time.py`` prints the count of every page, and writes the minutes into the
+line **Time** of the pages that have one.
 """
 
 import re
@@ -26,7 +26,7 @@ TIME = re.compile(r"\*\*Time\*\* .*? for the exercises\.|\*\*Time\*\* \d+ minute
 FIGURE = re.compile(r"^\*\*(?:Figure|Picture) [\w-]+\.\*\*", re.MULTILINE)
 FORMULA = re.compile(r"\$\$.*?\$\$(?: *\([\w-]+\))?", re.DOTALL)
 LISTING = re.compile(r"```.*?\n(.*?)```", re.DOTALL)
-# Marks that nobody reads: comments, options and fences of directives, targets of links, roles.
+# Markup that nobody reads: comments, options and fences of directives, targets of links, roles.
 MARKS = re.compile(
     r"\A---\n.*?\n---\n|<!--.*?-->|^[:`]{3,}[^\n]*|^:[\w-]+:[^\n]*|^\([\w-]+\)=$|\]\([^)]*\)"
     r"|\{[\w:]+\}|<[^>]*>",
@@ -37,7 +37,7 @@ WORD = re.compile(r"[^\s|]*\w[^\s|]*")
 
 
 class Count(NamedTuple):
-    """What there is to read on a page."""
+    """The amount to read on a page."""
 
     words: int
     lines: int
@@ -83,7 +83,7 @@ def text_of(page: Path) -> str:
 
 
 def count(page: Path) -> Count:
-    """Count what there is to read on a page."""
+    """Count what is read on a page."""
     text = text_of(page)
     minutes = sum(map(int, EXERCISE.findall("".join(EXERCISES.findall(text)))))
     text = EXERCISES.sub("", text)

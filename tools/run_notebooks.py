@@ -1,8 +1,7 @@
 """Run the notebooks of the book and store them as they are committed.
 
-Kept are the execution counts and what was printed, which the tests compare. Outputs that hold
-a picture are dropped: pictures are made when the book is built. Names of notebooks may be
-given; without any, all are run.
+Execution counts and printed outputs are kept, and the tests compare them. Pictures are dropped,
+because they are made when the book is built. Name notebooks to run only those.
 """
 
 import os

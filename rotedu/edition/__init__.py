@@ -1,1 +1,1 @@
-"""What this edition says about the paper, and what its notebooks need to say it."""
+"""What this edition says about the paper, and helpers for its notebooks."""

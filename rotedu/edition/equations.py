@@ -1,6 +1,6 @@
 """The paper's numbered equations and figures, and the functions that compute and draw them.
 
-This is the one source of their tables. The test of an equation carries its number as a mark,
+Their tables are made from this list alone. The test of an equation carries its number as a mark,
 ``@pytest.mark.equation("5-2")``.
 """
 
@@ -39,7 +39,7 @@ class Equation:
 
     @property
     def label(self) -> str:
-        """What its page calls it, so that all pages can link to it."""
+        """The label on its page, to which all pages can link."""
         return f"eq-{self.number}"
 
 
@@ -57,7 +57,7 @@ class Figure:
 
     @property
     def label(self) -> str:
-        """What its page calls it."""
+        """The label on its page."""
         return f"figure-{self.number}"
 
 

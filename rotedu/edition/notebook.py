@@ -1,4 +1,4 @@
-"""What the notebooks of the book need to show code and to state a check."""
+"""Helpers for notebooks: show the code of a function, make a table, state a check."""
 
 import ast
 import inspect
@@ -103,8 +103,7 @@ class Statement(str):
 def agree(found: npt.ArrayLike, expected: npt.ArrayLike, within: float) -> Statement:
     """State that two arrays agree, or fail.
 
-    The bound is printed instead of the residual itself, whose last digits depend on the
-    machine.
+    The statement gives a bound, not the difference itself, whose last digits depend on the machine.
 
     Parameters
     ----------
@@ -123,7 +122,7 @@ def agree(found: npt.ArrayLike, expected: npt.ArrayLike, within: float) -> State
     ValueError
         If the shapes differ.
     AssertionError
-        If an entry differs by more than the bound; the message tells by how much.
+        If an entry differs by more than the bound; the message says by how much.
 
     Examples
     --------

@@ -1,13 +1,13 @@
-"""Figures for a book out of pyvista scenes.
+"""Figures for a book, made from pyvista scenes.
 
-A page that is read in a browser has no Python behind it. This package turns what
-``Plotter.show()`` would open in a window into something such a page can carry: `backend` makes a
-poster, labels and an alternative text, `gltf` writes the scene as a file, `pages` puts all of it
-into a page of Sphinx. There the viewer in the folder ``viewer`` draws the scene in place of its
-poster, for the reader to turn. Nothing here knows what the scenes are about.
+A page in a browser has no Python behind it. This package turns the window that ``Plotter.show()``
+would open into something a page can carry. `backend` makes a poster, labels and an alternative
+text, `gltf` writes the scene to a file, and `pages` puts everything on a page of Sphinx. There the
+viewer in the folder ``viewer`` replaces the poster by the scene, which the reader can turn. Nothing
+here knows what the scenes are about.
 
-How another book would use it
------------------------------
+Use in another book
+-------------------
 1. Install the package next to `pyvista` and `myst_nb`. Two entry points announce it:
    the group ``pyvista.jupyter_backends`` brings the backend ``book``
    (`rotedu.figures.backend.book_figure`), the group ``myst_nb.mime_renderers`` brings

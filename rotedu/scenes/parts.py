@@ -1,4 +1,4 @@
-"""What the scenes share: a scene to begin with, and the parts that they are made of."""
+"""What the scenes share: an empty scene, and the parts to put into it."""
 
 import numpy as np
 import pyvista
@@ -106,7 +106,7 @@ def add_axis(plotter: pyvista.Plotter, axis: ArrayLike, text: str, length: float
 
 
 def add_sphere(plotter: pyvista.Plotter, opacity: float = 0.18) -> None:
-    """Add the unit sphere, see-through; it hides the labels behind it."""
+    """Add the unit sphere, translucent; it hides the labels behind it."""
     ball = pyvista.Sphere(radius=1.0, theta_resolution=48, phi_resolution=32)
     plotter.add_mesh(ball, color=NEUTRAL, opacity=opacity, smooth_shading=True)
 
@@ -137,7 +137,7 @@ def add_angle(
 def turning(
     point: ArrayLike, axis: ArrayLike, angle: float, steps: int = 48
 ) -> NDArray[np.float64]:
-    """Sample the path of a point that is turned, shape (steps + 1, 3)."""
+    """Sample the path of a turned point, shape (steps + 1, 3)."""
     return rotate(point, axis, np.linspace(0, angle, steps + 1))
 
 
@@ -150,7 +150,7 @@ def fan(center: ArrayLike, rim: ArrayLike) -> pyvista.PolyData:
 
 
 def triangle_mesh(points: ArrayLike, triangles: ArrayLike) -> pyvista.PolyData:
-    """Make a mesh of points, shape (n, 3), and of triples of their indices, shape (m, 3)."""
+    """Make a mesh from points, shape (n, 3), and triples of their indices, shape (m, 3)."""
     corners = np.asarray(triangles)
     faces = np.insert(corners, 0, 3, axis=1).ravel()
     return pyvista.PolyData(np.asarray(points), faces=faces)
@@ -202,6 +202,6 @@ def teaspoon(stations: int = 121, around: int = 40) -> pyvista.PolyData:
 
 
 def shade(t: float) -> NDArray[np.float64]:
-    """Mix a colour on the way from `VECTOR` (0) to `RESULT` (1)."""
+    """Mix a colour between `VECTOR` (0) and `RESULT` (1)."""
     first, last = (np.array(pyvista.Color(color).float_rgb) for color in (VECTOR, RESULT))
     return np.asarray((1 - t) * first + t * last)

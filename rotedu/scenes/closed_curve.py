@@ -135,7 +135,7 @@ def camera_curve(fraction: float = 1 / 2) -> pyvista.Plotter:
     plotter = new_scene(eye=(5.1, -0.3, 2.3), target=(0, 0, 0.02))
     add_sphere(plotter)
     add_point(plotter, ORIGIN, NEUTRAL)
-    add_label(plotter, (0, 0, -0.13), "camera")
+    add_label(plotter, (0, -0.1, 0.13), "camera")
     for start, end in zip(targets, np.roll(targets, -1, axis=0), strict=True):
         add_arc(plotter, start, end, CROSS)
         add_line(plotter, [ORIGIN, start], NEUTRAL, radius=0.003)
@@ -149,7 +149,7 @@ def camera_curve(fraction: float = 1 / 2) -> pyvista.Plotter:
         plotter,
         "A see-through sphere with a camera at its centre. Grey lines lead to four blue points on"
         " the sphere: a door, a clock, a window and a desk. Thin purple arcs join them in this"
-        " order and back to the door, with a sharp corner at each point. A thick green curve runs"
+        " order and back to the door, with a corner at each point. A thick green curve runs"
         " through the same points without a corner and swings out beyond the arcs.",
     )
     return plotter

@@ -5,7 +5,7 @@ A module holds the scenes of the chapter with its name, `parts` what they share,
 """
 
 from rotedu.scenes.arcs import CAMERA_TARGETS, figure_2
-from rotedu.scenes.closed_curve import ARCS, FIGURE_8, arcs_of_arcs, figure_8
+from rotedu.scenes.closed_curve import ARCS, FIGURE_8, arcs_of_arcs, camera_curve, figure_8
 from rotedu.scenes.conclusions import worn_rotations, worn_spoons
 from rotedu.scenes.control_points import (
     LOOP,
@@ -38,6 +38,7 @@ __all__ = [
     "LOOP",
     "NEIGHBOURS",
     "arcs_of_arcs",
+    "camera_curve",
     "carried_around",
     "carried_mesh",
     "double_cover",

@@ -1,4 +1,4 @@
-"""Scenes of Chapter 5, closed curve: de Casteljau's arcs, and the curve of Figure 8."""
+"""Scenes of Chapter 5, closed curve: de Casteljau's arcs, the curve of Figure 8, a camera's way."""
 
 from itertools import pairwise
 
@@ -10,7 +10,16 @@ from rotedu.closed_curve import closed_curve, de_casteljau, de_casteljau_levels
 from rotedu.colors import CROSS, NEUTRAL, RESULT, VECTOR
 from rotedu.control_points import control_points
 from rotedu.figures import describe
-from rotedu.scenes.parts import add_arc, add_label, add_line, add_point, add_sphere, new_scene
+from rotedu.scenes.arcs import CAMERA_TARGETS
+from rotedu.scenes.parts import (
+    ORIGIN,
+    add_arc,
+    add_label,
+    add_line,
+    add_point,
+    add_sphere,
+    new_scene,
+)
 
 # Uneven gaps, one of them beyond 90 degrees, and on the side of the camera.
 FIGURE_8 = ((0.8, -0.4, 0.4), (0.5, 0.8, -0.4), (0.6, 0.7, 0.4), (0.1, 0.4, 0.9))
@@ -102,5 +111,45 @@ def arcs_of_arcs(control: ArrayLike = ARCS, u: float = 0.4) -> pyvista.Plotter:
         " Four blue points, Q00 to Q03, are joined by three blue arcs. On each of these sits a"
         " purple point, Q11 to Q13; two purple arcs join them. On each of those sits a grey point,"
         " Q22 and Q23. The grey arc between them meets the curve at the green point Q33.",
+    )
+    return plotter
+
+
+def camera_curve(fraction: float = 1 / 2) -> pyvista.Plotter:
+    """Draw where a camera looks on its way past four targets: along arcs, and along the curve.
+
+    Parameters
+    ----------
+    fraction : float
+        As for `rotedu.control_points.control_points`.
+
+    Returns
+    -------
+    pyvista.Plotter
+        The scene.
+    """
+    targets = np.asarray(CAMERA_TARGETS)
+    targets = targets / np.linalg.norm(targets, axis=1, keepdims=True)
+    curve = closed_curve(targets, 30, fraction)
+
+    plotter = new_scene(eye=(5.1, -0.3, 2.3), target=(0, 0, 0.02))
+    add_sphere(plotter)
+    add_point(plotter, ORIGIN, NEUTRAL)
+    add_label(plotter, (0, -0.1, 0.13), "camera")
+    for start, end in zip(targets, np.roll(targets, -1, axis=0), strict=True):
+        add_arc(plotter, start, end, CROSS)
+        add_line(plotter, [ORIGIN, start], NEUTRAL, radius=0.003)
+    add_line(plotter, [*curve, curve[0]], RESULT, radius=0.014)
+    names = ("door", "clock", "window", "desk")
+    places = ((0, 0, -0.14), (0, 0.16, -0.1), (0, 0, 0.15), (0, -0.16, -0.1))
+    for name, target, place in zip(names, targets, places, strict=True):
+        add_point(plotter, target, VECTOR, 0.036)
+        add_label(plotter, target + place, name, VECTOR)
+    describe(
+        plotter,
+        "A see-through sphere with a camera at its centre. Grey lines lead to four blue points on"
+        " the sphere: a door, a clock, a window and a desk. Thin purple arcs join them in this"
+        " order and back to the door, with a corner at each point. A thick green curve runs"
+        " through the same points without a corner and swings out beyond the arcs.",
     )
     return plotter

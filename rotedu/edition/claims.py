@@ -1,10 +1,11 @@
 """What the paper claims, and whether it is so.
 
-This is the one source of the tables of claims. The evidence is not kept here: Chapter 6 computes
-it, and gives it to `claim_table`.
+This is the one source of the tables of claims. The evidence is not kept here: the page that a
+claim links to shows it.
 """
 
-from collections.abc import Mapping
+from collections import Counter
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Literal
 
@@ -30,6 +31,9 @@ VERDICTS: dict[Verdict, str] = {
     "not confirmed": "nothing that we could see or run decides it",
     "a matter of names": "the formulas are right, under either of two names in use",
 }
+
+OTHERS = {"folklore", "not claimed"}
+"""What is often said beside the paper, and what a reader may suspect."""
 
 CHAPTERS = {
     "01-introduction": "Chapter\N{NO-BREAK SPACE}1",
@@ -526,14 +530,17 @@ CLAIMS = (
 )
 
 
-def claim_table(evidence: Mapping[int, str] | None = None) -> Table:
+def claim_table(
+    numbers: Iterable[int] | None = None, reasons: Mapping[int, str] | None = None
+) -> Table:
     """Make the table of claims, with links, for a page of the book.
 
     Parameters
     ----------
-    evidence : mapping of int to str, optional
-        What shows the verdict, in Markdown, by the number of the claim: then the table has a
-        column for it, and only the claims that evidence is given for.
+    numbers : iterable of int, optional
+        Which claims, in their order; all if it is left out.
+    reasons : mapping of int to str, optional
+        Why, in a few words of Markdown, by the number of the claim. They follow the verdict.
 
     Returns
     -------
@@ -541,35 +548,34 @@ def claim_table(evidence: Mapping[int, str] | None = None) -> Table:
 
     Examples
     --------
-    >>> claim_table({3: "three"})
-    | No. | The claim | In | Verdict | Evidence | Shown in |
-    | --- | --- | --- | --- | --- | --- |
-    | 3 | Four of the nine entries of a rotation matrix are independent | 1 | **does not hold** | three | [Chapter\N{NO-BREAK SPACE}1](01-introduction.ipynb) |
+    >>> claim_table([3], {3: "three are"})
+    | No. | The claim | In | Verdict | Shown in |
+    | --- | --- | --- | --- | --- |
+    | 3 | Four of the nine entries of a rotation matrix are independent | 1 | **does not hold**: three are | [Chapter\N{NO-BREAK SPACE}1](01-introduction.ipynb) |
     """  # noqa: E501
-    rows = [
-        [
-            str(claim.number),
-            claim.claim,
-            ", ".join(claim.where),
-            claim.judgement,
-            claim.link,
-        ]
-        for claim in CLAIMS
-        if evidence is None or claim.number in evidence
-    ]
-    heads = ["No.", "The claim", "In", "Verdict", "Shown in"]
-    if evidence is not None:
-        heads.insert(4, "Evidence")
-        for row in rows:
-            row.insert(4, evidence[int(row[0])])
-    return Table(heads, rows)
+    chosen = {claim.number for claim in CLAIMS} if numbers is None else set(numbers)
+    rows = []
+    for claim in CLAIMS:
+        if claim.number in chosen:
+            verdict = claim.judgement
+            if reasons and claim.number in reasons:
+                verdict += ("; " if claim.condition else ": ") + reasons[claim.number]
+            rows.append(
+                [str(claim.number), claim.claim, ", ".join(claim.where), verdict, claim.link]
+            )
+    return Table(["No.", "The claim", "In", "Verdict", "Shown in"], rows)
 
 
 def verdict_table() -> Table:
-    """Make the table of what the verdicts mean.
+    """Make the table of what the verdicts mean, and how often each was given.
 
     Returns
     -------
     Table
+        Folklore and what nobody claimed are not counted.
     """
-    return Table(["Verdict", "Means"], [[f"**{word}**", VERDICTS[word]] for word in VERDICTS])
+    given = Counter(claim.verdict for claim in CLAIMS if not OTHERS & set(claim.where))
+    return Table(
+        ["Verdict", "Means", "Claims"],
+        [[f"**{word}**", VERDICTS[word], str(given[word])] for word in VERDICTS],
+    )

@@ -1,7 +1,7 @@
-"""Section 4: principal rotations, the one rotation that replaces three, and what else goes along.
+"""Section 4: principal rotations, the one rotation that replaces three, and other transforms.
 
-All matrices are 4x4, for homogeneous coordinates: a point is (r_u, r_v, r_w, 1)^t. Every matrix
-takes a place in one product, `compose`, and `rotedu.ordinary_rotation.transform` applies that.
+All matrices are 4x4, for homogeneous coordinates: a point is the column (r_u, r_v, r_w, 1).
+`compose` multiplies matrices into one, and `rotedu.ordinary_rotation.transform` applies it.
 """
 
 from __future__ import annotations
@@ -290,8 +290,7 @@ def axis_angle_from_euler_angles(u: Number, v: Number, w: Number) -> tuple[Vecto
     [1. 0. 0.] 0.0
     """
     ((delta, vector),) = parts(quaternion_from_euler_angles(u, v, w))
-    # Because the angles are rounded, half the rotation may be off by as much.
-    # Objects have no rounding, and nothing is to be counted here.
+    # A turn smaller than the rounding of the given angles is none. Objects are not rounded.
     eps = rounding(delta)
     rounded = eps and eps * (abs(u) + abs(v) + abs(w)) / 2
     axis, sine = axis_and_length(vector, negligible=rounded)

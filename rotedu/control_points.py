@@ -17,7 +17,7 @@ __all__ = ["bisect", "bisect_by_rotation", "control_points", "double", "double_b
 
 @checked
 def double(p: Unit, q: Unit) -> Vector:
-    """Reflect p in q: go on from q for as long as from p to q (5-4), (5-13).
+    """Reflect p in q: go on from q as far as it is from p to q (5-4), (5-13).
 
     Parameters
     ----------
@@ -36,11 +36,12 @@ def double(p: Unit, q: Unit) -> Vector:
 
     Notes
     -----
-    In (5-13) the paper has the operands exchanged, and so computes Double(P_i, a_i), which is the
-    point it started from (erratum E3). Its text, and (5-14), have Double(a_i, P_i), as here.
+    In (5-13) the paper has the operands exchanged. It computes Double(P_i, a_i), which leads back
+    to the midpoint of the second step (erratum E3). Its text, and (5-14), have Double(a_i, P_i),
+    as here.
 
-    From p to its reflection it is 2 theta along the great circle; beyond 90 degrees that is not
-    the angle between the two (erratum E11).
+    The way from p to its reflection is 2 theta along the great circle. If theta is more than 90
+    degrees, that is not the angle between the two (erratum E11).
 
     References
     ----------
@@ -113,9 +114,9 @@ def bisect(p: Unit, q: Unit) -> Vector:
 
     Notes
     -----
-    The factor of the paper, sin(theta / 2) / sin(theta), is 1 / abs(p + q), and is 0/0 where
-    p = q: for equally spaced points of a great circle, always. (As extracted from the paper the
-    denominators lack the bar that makes the angle the one between these two points.)
+    The paper's factor, sin(theta / 2) / sin(theta), is 1 / abs(p + q). It is 0/0 where p = q,
+    as it always is for equally spaced points of a great circle. (In the extracted text of the
+    paper, the denominators lack the bar that marks the angle between these two points.)
 
     References
     ----------
@@ -157,7 +158,7 @@ def bisect_by_rotation(p: Unit3, q: Unit3) -> Vector:
 
     Notes
     -----
-    With the axis of (5-9) as the paper has it, (5-8) turns away from P_{i+1} (erratum E2): see
+    With the axis of (5-9) as printed, (5-8) turns away from P_{i+1} (erratum E2). See
     `rotedu.arcs.arc_axis`.
 
     References
@@ -205,9 +206,9 @@ def control_points(points: ClosedPoints, fraction: Fraction = 1 / 2) -> tuple[Ve
 
     Notes
     -----
-    Points equally spaced on a great circle, where the printed formulas are 0/0, repeated points,
-    and gaps beyond 90 degrees are no exceptions. Where the points go out and back by less than 90
-    degrees, a_i = b_i = P_i: the curve stops there.
+    Three cases need no exception: points equally spaced on a great circle, where the printed
+    formulas are 0/0, repeated points, and gaps beyond 90 degrees. Where the points go out and back
+    by less than 90 degrees, a_i = b_i = P_i, and the curve stops there.
 
     Bisect goes the shorter way. On a great circle, with the gaps g_1 and g_2 before and after P_i,
     a_i is at (g_1 + g_2) / 4 from P_i unless abs(g_1 - g_2) > 180 degrees; there it jumps to the

@@ -19,7 +19,7 @@ from rotedu._arguments import (
 from rotedu._vectors import Array, axis_and_length, cross, dot, rounding, times
 from rotedu.errors import DegenerateError
 
-__all__ = ["axis_angle", "rotate", "rotation_matrix", "transform"]
+__all__ = ["axis_angle", "rotate", "rotation_matrix", "sixteen_products", "transform"]
 
 
 @checked
@@ -195,6 +195,56 @@ def transform(matrix: Matrix, points: Vector3) -> Vector3:
 
 
 @checked
+def sixteen_products(matrix: Rotation) -> Matrix:
+    """Table of the products 4 q_i q_j of a rotation's quaternion, from the entries of its matrix.
+
+    Parameters
+    ----------
+    matrix : array_like, shape (..., 3, 3)
+        Rotation matrices.
+
+    Returns
+    -------
+    ndarray, shape (..., 4, 4)
+        Four times q q^T, where q = (q_0, ..., q_3) is the unit quaternion of the rotation: the
+        cosine of half the angle, then the axis times the sine of half the angle. q and -q have
+        the same products.
+
+    Raises
+    ------
+    ValueError
+        If the matrix is not finite, has the wrong shape, or is not a rotation.
+
+    See Also
+    --------
+    axis_angle : reads the row with the largest diagonal entry.
+
+    References
+    ----------
+    Shepperd (1978), "Quaternion from rotation matrix", J. Guidance and Control 1(3), 223-224.
+
+    Examples
+    --------
+    A quarter turn about W has q = (1, 0, 0, 1) / sqrt(2):
+
+    >>> sixteen_products([[0, -1, 0], [1, 0, 0], [0, 0, 1]])
+    array([[2., 0., 0., 2.],
+           [0., 0., 0., 0.],
+           [0., 0., 0., 0.],
+           [2., 0., 0., 2.]])
+    """
+    (uu, uv, uw), (vu, vv, vw), (wu, wv, ww) = matrix
+    return np.array(
+        [
+            [1 + uu + vv + ww, wv - vw, uw - wu, vu - uv],
+            [wv - vw, 1 + uu - vv - ww, uv + vu, uw + wu],
+            [uw - wu, uv + vu, 1 - uu + vv - ww, vw + wv],
+            [vu - uv, uw + wu, vw + wv, 1 - uu - vv + ww],
+        ]
+    )
+
+
+@checked
 def axis_angle(matrix: Rotation) -> tuple[Vector3, Number]:
     """Axis and angle of a rotation matrix: the inverse of `rotation_matrix`.
 
@@ -220,11 +270,10 @@ def axis_angle(matrix: Rotation) -> tuple[Vector3, Number]:
 
     Notes
     -----
-    With q the unit quaternion of the rotation, the sixteen numbers of `sixteen_products` are a
-    table of 4 q q^T. Each row is a multiple of q; Shepperd's method takes the one with the largest
-    diagonal entry, which is at least 1, so that no digits are lost. The textbook's
-    ``arccos((trace - 1) / 2)`` loses half of them near 0 and pi, and dividing the skew part by
-    ``2 sin(theta)`` loses the axis near pi.
+    Each row of `sixteen_products` is a multiple of the rotation's unit quaternion. Shepperd's
+    method takes the row with the largest diagonal entry, which is at least 1, so that no digits
+    are lost. The textbook's ``arccos((trace - 1) / 2)`` loses half of them near 0 and pi, and
+    dividing the skew part by ``2 sin(theta)`` loses the axis near pi.
 
     References
     ----------
@@ -248,34 +297,6 @@ def axis_angle(matrix: Rotation) -> tuple[Vector3, Number]:
     sign = np.where(half_turn, np.take_along_axis(axis, first[np.newaxis], axis=0)[0], w)
     angle = 2 * np.arctan2(sine, np.where(half_turn, 0, np.abs(w)))
     return np.where(sign < 0, -axis, axis), angle
-
-
-def sixteen_products(m: Array) -> Array:
-    """Four times the products of two components of a rotation's unit quaternion.
-
-    Parameters
-    ----------
-    m : ndarray, shape (3, 3, ...)
-        Rotation matrices, components first.
-
-    Returns
-    -------
-    ndarray, shape (4, 4, ...)
-        4 q q^T for q = (w, x, y, z).
-
-    References
-    ----------
-    Shepperd (1978), "Quaternion from rotation matrix", J. Guidance and Control 1(3), 223-224.
-    """
-    (uu, uv, uw), (vu, vv, vw), (wu, wv, ww) = m
-    return np.array(
-        [
-            [1 + uu + vv + ww, wv - vw, uw - wu, vu - uv],
-            [wv - vw, 1 + uu - vv - ww, uv + vu, uw + wu],
-            [uw - wu, uv + vu, 1 - uu + vv - ww, vw + wv],
-            [vu - uv, uw + wu, vw + wv, 1 - uu - vv + ww],
-        ]
-    )
 
 
 def refuse_infinite(w: Array) -> None:

@@ -14,7 +14,13 @@ from scipy.spatial.transform import Rotation
 
 from rotedu.cost import OperationCount, count
 from rotedu.errors import DegenerateError
-from rotedu.ordinary_rotation import axis_angle, rotate, rotation_matrix, transform
+from rotedu.ordinary_rotation import (
+    axis_angle,
+    rotate,
+    rotation_matrix,
+    sixteen_products,
+    transform,
+)
 
 Array = np.ndarray[Any, Any]
 
@@ -197,6 +203,54 @@ class TestAxisAngle:
 
     def test_integers_are_a_matrix_too(self) -> None:
         close(axis_angle([[0, -1, 0], [1, 0, 0], [0, 0, 1]])[1], np.pi / 2)
+
+
+class TestSixteenProducts:
+    @pytest.mark.parametrize("angle", ALL_ANGLES)
+    def test_are_those_of_the_quaternion(self, angle: float) -> None:
+        q = np.column_stack([np.full(len(AXES), np.cos(angle / 2)), np.sin(angle / 2) * AXES])
+        close(
+            sixteen_products(oracle(AXES, np.full(len(AXES), angle))),
+            4 * q[:, :, None] * q[:, None],
+        )
+
+    def test_against_scipy(self) -> None:
+        rotations = Rotation.random(500, rng=RNG)
+        q = rotations.as_quat(scalar_first=True)
+        close(sixteen_products(rotations.as_matrix()), 4 * q[:, :, None] * q[:, None])
+
+    def test_the_largest_diagonal_entry_is_at_least_one(self) -> None:
+        table = sixteen_products(Rotation.random(500, rng=RNG).as_matrix())
+        largest = np.diagonal(table, axis1=-2, axis2=-1).max(axis=-1)
+        assert (largest >= 1).all()
+
+    def test_shapes(self) -> None:
+        matrices = rotation_matrix(AXES[:6].reshape(2, 3, 3), 0.3)
+        table = sixteen_products(matrices)
+        assert table.shape == (2, 3, 4, 4)
+        close(table[1, 2], sixteen_products(matrices[1, 2]), 0)
+        assert sixteen_products(np.empty((0, 3, 3))).shape == (0, 4, 4)
+
+    def test_a_rounded_matrix_is_taken_to_the_nearest_rotation(self) -> None:
+        matrices = rotation_matrix(AXES, 3.0)
+        table = sixteen_products(matrices.round(8))
+        close(table, sixteen_products(matrices), 1e-7)
+        # Of one quaternion: all rows are parallel.
+        close(table[:, 0, 0] * table[:, 3, 3], table[:, 0, 3] ** 2, 1e-13)
+
+    def test_row_worked_in_chapter_3(self) -> None:
+        """By hand from four decimals, where the textbook's row is all but lost."""
+        matrix = rotation_matrix([2, 6, 9], np.radians(179.9)).round(4)
+        (_, _, uw), (_, _, vw), (wu, wv, _) = matrix
+        row = [
+            matrix[1, 0] - matrix[0, 1],
+            uw + wu,
+            vw + wv,
+            1 + np.dot([-1, -1, 1], np.diag(matrix)),
+        ]
+        close(row, [0.0029, 0.5951, 1.7851, 2.6777], 1e-12)
+        exact = sixteen_products(rotation_matrix([2, 6, 9], np.radians(179.9)))[3]
+        close(row, exact, 2e-4)
 
 
 class TestTransform:
@@ -386,6 +440,7 @@ class TestSinglePrecision:
             transform(m[0], [1, 2, 3]),
             transform(homogeneous, self.r),
             *axis_angle(m),
+            sixteen_products(m),
             *axis_angle(np.eye(3, dtype=np.float32)),
         ]
         assert {x.dtype for x in found} == {np.dtype(np.float32)}
@@ -433,6 +488,7 @@ GOOD: dict[Callable[..., Any], dict[str, Any]] = {
     rotation_matrix: {"axis": [0, 0, 1], "angle": 1},
     transform: {"matrix": np.eye(3), "points": [1, 2, 3]},
     axis_angle: {"matrix": np.eye(3)},
+    sixteen_products: {"matrix": np.eye(3)},
 }
 NOT_NUMBERS: list[Any] = [
     "text",
@@ -492,6 +548,8 @@ class TestRefusals:
         assert str(caught.value) == f"matrix must have shape {wanted}; got shape {shape}"
         with pytest.raises(ValueError, match=r"^matrix must have shape \(..., 3, 3\); got shape"):
             axis_angle(np.ones(shape))
+        with pytest.raises(ValueError, match=r"^matrix must have shape \(..., 3, 3\); got shape"):
+            sixteen_products(np.ones(shape))
 
     def test_axis_angle_takes_no_homogeneous_matrix(self) -> None:
         with pytest.raises(ValueError, match=r"got shape \(4, 4\)"):
@@ -539,8 +597,9 @@ class TestRefusals:
         ],
     )
     def test_not_a_rotation(self, matrix: Any, message: str) -> None:
-        with pytest.raises(ValueError, match=f"^matrix must be a rotation: .*{message}"):
-            axis_angle(matrix)
+        for f in (axis_angle, sixteen_products):
+            with pytest.raises(ValueError, match=f"^matrix must be a rotation: .*{message}"):
+                f(matrix)
 
     def test_a_rotation_to_half_of_its_digits(self) -> None:
         axis_angle(rotation_matrix([0, 0, 1], 1) * (1 + 5e-9))
@@ -607,6 +666,15 @@ class TestProofs:
         skew = [m[2, 1] - m[1, 2], m[0, 2] - m[2, 0], m[1, 0] - m[0, 1]]
         sin = sp.sin(self.theta)
         assert all(self.is_zero(x - 2 * sin * y) for x, y in zip(skew, self.n, strict=True))
+
+    def test_sixteen_products_are_those_of_half_the_angle(self) -> None:
+        c, s = sp.symbols("c s")
+        half = {sp.cos(self.theta): c**2 - s**2, sp.sin(self.theta): 2 * s * c}
+        table = sp.Matrix(4, 4, sixteen_products(self.matrix()).ravel()).subs(half)
+        q = sp.Matrix([c, *(s * x for x in self.n)])
+        laws = [sum(x**2 for x in self.n) - 1, c**2 + s**2 - 1]
+        for difference in table - 4 * q * q.T:
+            assert sp.reduced(sp.expand(difference), laws, self.n[0], s)[1] == 0
 
     @pytest.mark.equation("3-1")
     def test_the_first_line_of_3_1_is_the_second(self) -> None:

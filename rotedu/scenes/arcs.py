@@ -38,7 +38,9 @@ def camera(direction: ArrayLike, size: float = 0.3) -> pyvista.PolyData:
     ).triangulate()
     upright = np.eye(4)
     upright[:3, :3] = size * np.column_stack([ahead, left, np.cross(ahead, left)])
-    return pyvista.merge([body, lens]).transform(upright, inplace=False)
+    model: pyvista.PolyData = pyvista.merge([body, lens])
+    model.transform(upright, inplace=True)
+    return model
 
 
 def camera_arcs(
@@ -66,7 +68,8 @@ def camera_arcs(
     for point, after, name in zip(points, np.roll(points, -1, axis=0), names, strict=True):
         add_line(plotter, [ORIGIN, point], NEUTRAL, radius=0.004)
         add_arc(plotter, point, after, RESULT, radius=0.014)
-        add_arrow(plotter, *slerp(point, after, [0.5, 0.6]), RESULT)
+        tail, tip = slerp(point, after, [0.5, 0.6])
+        add_arrow(plotter, tail, tip, RESULT)
         add_point(plotter, point, VECTOR, radius=0.035)
         add_label(plotter, 1.2 * point, name, VECTOR)
     describe(

@@ -137,6 +137,9 @@ def slerp(p: Unit, q: Unit, t: Number) -> Vector:
     The formula is slerp. The paper says that slerp can have no form with a matrix like (5-3)
     (erratum E7); for points of the sphere (5-3) is one.
 
+    Of two unit quaternions, p and q, the arc turns the short way if p . q is positive. If it is
+    negative, take -q, which is the same rotation.
+
     References
     ----------
     Cheng et al. (2023), Eq. (5-2)

@@ -187,6 +187,19 @@ class TestArc:
         m = slerp_rotations(np.eye(3), rotation_matrix(E3, np.radians(300)), 0.5)
         close(m, rotation_matrix(E3, np.radians(-30)))
 
+    def test_the_sign_of_a_quaternion_decides_which_way_round(self) -> None:
+        p, q = random_units(2, 500, 4)
+        negative = np.sum(p * q, axis=-1) < 0
+        assert 100 < negative.sum() < 400
+        step = Quaternion(q[:, 0], q[:, 1:]) * Quaternion(p[:, 0], p[:, 1:]).conjugate()
+        _, angle = step.axis_angle()
+        close(angle, 2 * angle_between(p, q))
+        assert np.array_equal(angle > np.pi, negative)
+        shorter = np.where(negative[:, None], -q, q)
+        trace = np.trace(step.matrix(), axis1=-2, axis2=-1)
+        close(np.cos(2 * angle_between(p, shorter)), (trace - 1) / 2)
+        assert np.all(2 * angle_between(p, shorter) <= np.pi)
+
 
 class TestNlerp:
     @pytest.mark.parametrize("d", [2, 3, 4, 7])

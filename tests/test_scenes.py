@@ -10,6 +10,7 @@ from rotedu.control_points import bisect, control_points, double
 from rotedu.figures.backend import scene_labels
 from rotedu.ordinary_rotation import rotate
 from rotedu.scenes import control_points as construction
+from rotedu.scenes.arcs import camera
 
 SCENES = [
     function
@@ -51,6 +52,30 @@ def test_figure_1_takes_its_vector_axis_and_angle() -> None:
     turned = rotate(labels[r"$\vec r$"], axis, angle)
     assert np.allclose(labels[r"$\vec r^{\,\prime}$"], turned)
     assert np.isclose(np.linalg.det([labels[r"$\vec r$"], vector, axis]), 0)
+
+
+def test_the_path_of_the_camera_leads_through_its_targets() -> None:
+    plotter = scenes.camera_arcs()
+    targets = np.array(scenes.CAMERA_TARGETS)
+    targets /= np.linalg.norm(targets, axis=1, keepdims=True)
+    labels = scene_labels(plotter)
+    assert [label["text"] for label in labels] == list(scenes.CAMERA_SEES)
+    for label, target in zip(labels, targets, strict=True):
+        position = np.array(label["position"])
+        assert angle_between(position, target) < 1e-6
+    path = np.vstack([mesh.points for mesh in meshes(plotter, colors.RESULT)])
+    assert np.all(abs(np.linalg.norm(path, axis=1) - 1) < 0.06)
+    for target in targets:
+        assert np.linalg.norm(path - target, axis=1).min() < 0.03
+
+
+def test_the_camera_looks_ahead_and_stands_upright() -> None:
+    direction = np.array([0.6, 0, 0.8])
+    points = camera(direction, size=1).points
+    left = np.array([0, 1, 0])
+    frame = np.column_stack([direction, left, np.cross(direction, left)])
+    np.testing.assert_allclose((points @ frame).max(axis=0), [0.7, 0.35, 0.32], atol=2e-3)
+    np.testing.assert_allclose((points @ frame).min(axis=0), [-0.7, -0.35, -0.32], atol=2e-3)
 
 
 def test_the_teaspoon_is_a_closed_surface_but_for_its_ends() -> None:

@@ -4,7 +4,7 @@ A module holds the scenes of the chapter with its name, `parts` what they share,
 `rotedu.colors` says what a colour means. Each scene shows itself: ``figure_1().show()``.
 """
 
-from rotedu.scenes.arcs import CAMERA_TARGETS, figure_2
+from rotedu.scenes.arcs import CAMERA_SEES, CAMERA_TARGETS, camera_arcs, figure_2
 from rotedu.scenes.closed_curve import ARCS, FIGURE_8, arcs_of_arcs, camera_curve, figure_8
 from rotedu.scenes.conclusions import worn_rotations, worn_spoons
 from rotedu.scenes.control_points import (
@@ -33,11 +33,13 @@ from rotedu.scenes.quaternions import double_cover, letter_f, two_mirrors
 
 __all__ = [
     "ARCS",
+    "CAMERA_SEES",
     "CAMERA_TARGETS",
     "FIGURE_8",
     "LOOP",
     "NEIGHBOURS",
     "arcs_of_arcs",
+    "camera_arcs",
     "camera_curve",
     "carried_around",
     "carried_mesh",

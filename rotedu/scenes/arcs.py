@@ -1,4 +1,6 @@
-"""Scene of Chapter 5, arcs: two points, their arc and its axis."""
+"""Scenes of Chapter 5, arcs: four directions to look in; two points, their arc and its axis."""
+
+from collections.abc import Sequence
 
 import numpy as np
 import pyvista
@@ -23,6 +25,60 @@ from rotedu.scenes.parts import (
 
 CAMERA_TARGETS = ((1.0, 0.0, -0.2), (0.3, 1.0, 0.2), (0.2, 0.3, 1.0), (0.3, -0.9, 0.3))
 """Directions from a camera to a door, a clock, a window and a desk, one after the other."""
+CAMERA_SEES = ("door", "clock", "window", "desk")
+
+
+def camera(direction: ArrayLike, size: float = 0.3) -> pyvista.PolyData:
+    """Model a camera at the origin: a box with a lens that points in a direction, not vertical."""
+    ahead = np.asarray(direction, float) / np.linalg.norm(direction)
+    left = arc_axis([0, 0, 1], ahead)
+    body = pyvista.Box(bounds=(-0.7, 0.2, -0.35, 0.35, -0.3, 0.3)).triangulate()
+    lens = pyvista.Cone(
+        center=(0.35, 0, 0), direction=(-1, 0, 0), height=0.7, radius=0.32, resolution=24
+    ).triangulate()
+    upright = np.eye(4)
+    upright[:3, :3] = size * np.column_stack([ahead, left, np.cross(ahead, left)])
+    model: pyvista.PolyData = pyvista.merge([body, lens])
+    model.transform(upright, inplace=True)
+    return model
+
+
+def camera_arcs(
+    targets: ArrayLike = CAMERA_TARGETS, names: Sequence[str] = CAMERA_SEES
+) -> pyvista.Plotter:
+    """Draw a camera, the directions in which it looks one after the other, and the arcs between.
+
+    Parameters
+    ----------
+    targets : array_like, shape (n, 3)
+        The directions; they are normalised. The path is closed.
+    names : sequence of str
+        What is seen in each of them.
+
+    Returns
+    -------
+    pyvista.Plotter
+        The scene.
+    """
+    points = np.asarray(targets, float) / np.linalg.norm(targets, axis=-1, keepdims=True)
+
+    plotter = new_scene(eye=(4.3, -1.9, 3.2), target=(0, 0, 0.06))
+    add_sphere(plotter)
+    plotter.add_mesh(camera(points[0]), color=NEUTRAL, pickable=False)
+    for point, after, name in zip(points, np.roll(points, -1, axis=0), names, strict=True):
+        add_line(plotter, [ORIGIN, point], NEUTRAL, radius=0.004)
+        add_arc(plotter, point, after, RESULT, radius=0.014)
+        tail, tip = slerp(point, after, [0.5, 0.6])
+        add_arrow(plotter, tail, tip, RESULT)
+        add_point(plotter, point, VECTOR, radius=0.035)
+        add_label(plotter, 1.2 * point, name, VECTOR)
+    describe(
+        plotter,
+        "A see-through unit sphere with a camera at its centre. Thin lines lead from the camera to"
+        f" {len(points)} points of the sphere: {', '.join(names)}. Arcs of great circles join them"
+        " in this order and lead back to the first; at each point the path has a corner.",
+    )
+    return plotter
 
 
 def add_right_angle(

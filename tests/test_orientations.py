@@ -163,6 +163,39 @@ class TestOrientations:
         expected = Quaternion(components[:, 0], components[:, 1:]).matrix()
         close(closed_rotation_curve(matrices, 10, fraction), expected, 1e-13)
 
+    @pytest.mark.parametrize("fraction", FRACTIONS)
+    def test_closed_curve_is_that_of_products_and_powers_of_scipy(self, fraction: float) -> None:
+        def arc(p: Rotation, q: Rotation, t: float) -> Rotation:
+            return p * (p.inv() * q) ** t
+
+        def a_of(i: int) -> Rotation:
+            middle = arc(here[i] * here[i - 1].inv() * here[i], here[(i + 1) % 5], 0.5)
+            return arc(here[i], middle, fraction)
+
+        vectors = np.random.default_rng(4).normal(scale=0.35, size=(5, 3))
+        here = list(Rotation.from_rotvec(vectors))
+        expected = []
+        for i, j in ((i, (i + 1) % 5) for i in range(5)):
+            control = [here[i], a_of(i), here[j] * a_of(j).inv() * here[j], here[j]]
+            for u in np.arange(8) / 8:
+                row = control
+                while len(row) > 1:
+                    row = [arc(p, q, u) for p, q in pairwise(row)]
+                expected.append(row[0].as_matrix())
+        matrices = Rotation.from_rotvec(vectors).as_matrix()
+        close(closed_rotation_curve(matrices, 8, fraction), np.array(expected), 1e-13)
+
+    def test_an_arc_between_directions_leaves_the_roll_to_chance(self) -> None:
+        # Carried to where the other looks, the rest is a turn about the line of sight, of any size.
+        off = []
+        for r1, r2 in zip(self.R1, self.R2, strict=True):
+            p, q = r1[:, 2], r2[:, 2]
+            carried = rotation_matrix(np.cross(p, q), np.arccos(p @ q)) @ r1
+            axis, angle = axis_angle(carried.T @ r2)
+            close(np.abs(axis), E3, 1e-6)
+            off.append(np.degrees(angle))
+        close(np.quantile(off, [0.25, 0.5, 0.75]), [45, 90, 135], 15)
+
     @staticmethod
     def on_a_circle(at: Any, fraction: float, samples: int, around: float) -> Array:
         """Do the same with numbers on a circle that measures `around`."""

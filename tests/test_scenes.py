@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 import pyvista
+from scipy.spatial.transform import Rotation, Slerp
 
 from rotedu import colors, scenes
 from rotedu.arcs import angle_between
@@ -142,6 +143,7 @@ def test_reversed_axis_is_that_of_5_9_as_printed() -> None:
     np.testing.assert_allclose(b, double(a, p), atol=1e-14)
 
 
+<<<<<<< HEAD
 @pytest.mark.parametrize("fraction", [1 / 3, 1 / 2])
 def test_camera_goes_past_its_targets_in_both_ways(fraction: float) -> None:
     plotter = scenes.camera_curve(fraction)
@@ -152,3 +154,39 @@ def test_camera_goes_past_its_targets_in_both_ways(fraction: float) -> None:
         distances = [np.linalg.norm(m.points - target, axis=1).min() for m in (curve, *arcs)]
         assert sum(distance < 0.02 for distance in distances) == 3
     np.testing.assert_allclose(np.linalg.norm(curve.points, axis=1), 1, atol=0.02)
+=======
+def test_four_ways_between_are_those_of_scipy() -> None:
+    ends = [(10, 20, -30), (80, -40, 60)]
+    plotter = scenes.four_ways_between(*ends)
+    given = Rotation.from_euler("xyz", ends, degrees=True)
+    # A line is a tube around the path of the tip, (1, 0, 0).
+    tip, t = np.array([1, 0, 0]), np.linspace(0, 1, 97)
+    (line,) = (m for m in meshes(plotter, colors.RESULT) if m.n_points > 500)
+    shortest = Slerp([0, 1], given)(t).apply(tip)
+    apart = np.linalg.norm(line.points[:, None] - shortest, axis=-1)
+    assert apart.min(axis=1).max() < 0.02
+    assert apart.min(axis=0).max() < 0.02
+    (dashes,) = (m for m in meshes(plotter, colors.CROSS) if m.n_points > 100)
+    angles = ends[0] + t[:, None] * np.subtract(ends[1], ends[0])
+    by_angles = Rotation.from_euler("xyz", angles, degrees=True).apply(tip)
+    apart = np.linalg.norm(dashes.points[:, None] - by_angles, axis=-1)
+    assert apart.min(axis=1).max() < 0.02
+    assert np.linalg.norm(by_angles[:, None] - shortest, axis=-1).min(axis=1).max() > 0.1
+    # The rest of the full turn, the other way round.
+    (dots,) = meshes(plotter, colors.NEUTRAL)[1:]
+    turn = (given[0].inv() * given[1]).as_rotvec()
+    long = turn * (1 - 2 * np.pi / np.linalg.norm(turn))
+    way = (given[0] * Rotation.from_rotvec(t[:, None] * long)).apply(tip)
+    apart = np.linalg.norm(dots.points[:, None] - way, axis=-1)
+    assert apart.min(axis=1).max() < 0.02
+
+
+def test_beads_of_nlerp_are_late_first_and_early_then() -> None:
+    plotter = scenes.four_ways_between((0, 0, 0), (0, 0, 150), beads=4)
+    cubes = [np.mean(m.points, axis=0) for m in meshes(plotter, colors.CROSS) if m.n_points < 100]
+    at = [np.degrees(np.arctan2(y, x)) for x, y, _ in cubes]
+    half = np.deg2rad(75)
+    expected = 2 * np.degrees(np.arctan2(np.sin(half), 3 + np.cos(half)))
+    np.testing.assert_allclose(at, [expected, 75, 150 - expected], atol=1e-4)
+    assert expected < 150 / 4
+>>>>>>> h-orient

@@ -27,7 +27,13 @@ from rotedu.scenes.general_rotation import (
 )
 from rotedu.scenes.introduction import four_descriptions, turning_spoon
 from rotedu.scenes.ordinary_rotation import figure_1, rotated_mesh
-from rotedu.scenes.orientations import carried_around, carried_mesh, four_orientations
+from rotedu.scenes.orientations import (
+    TWO_ORIENTATIONS,
+    carried_around,
+    carried_mesh,
+    four_orientations,
+    four_ways_between,
+)
 from rotedu.scenes.parts import teaspoon
 from rotedu.scenes.quaternions import double_cover, letter_f, two_mirrors
 
@@ -38,6 +44,7 @@ __all__ = [
     "FIGURE_8",
     "LOOP",
     "NEIGHBOURS",
+    "TWO_ORIENTATIONS",
     "arcs_of_arcs",
     "camera_arcs",
     "camera_curve",
@@ -55,6 +62,7 @@ __all__ = [
     "fixed_and_carried",
     "four_descriptions",
     "four_orientations",
+    "four_ways_between",
     "gimbals",
     "letter_f",
     "one_for_three",

@@ -4,24 +4,32 @@ import numpy as np
 import pyvista
 from numpy.typing import ArrayLike, NDArray
 
+from rotedu.arcs import nlerp, slerp
 from rotedu.closed_curve import closed_curve
 from rotedu.colors import CROSS, NEUTRAL, RESULT, VECTOR
 from rotedu.control_points import control_points
 from rotedu.figures import describe
+from rotedu.general_rotation import matrix_from_euler_angles
 from rotedu.ordinary_rotation import rotation_matrix, transform
-from rotedu.orientations import closed_rotation_curve
+from rotedu.orientations import closed_rotation_curve, slerp_rotations
+from rotedu.quaternions import Quaternion
 from rotedu.scenes.parts import (
     ORIGIN,
     add_arc,
     add_arrow,
     add_label,
     add_line,
+    add_point,
     add_sphere,
+    add_thin,
     fan,
     new_scene,
     teaspoon,
     turning,
 )
+
+TWO_ORIENTATIONS = ((0, 0, 0), (150, -60, 150))
+"""Angles about U, V and W, in degrees, of the orientations of `four_ways_between`."""
 
 
 def carried_around(steps: int = 3, size: float = 0.33) -> pyvista.Plotter:
@@ -114,6 +122,83 @@ def carried_mesh(
         " all. A purple line through the centres of the blue ones runs elsewhere in between.",
     )
     return plotter
+
+
+def four_ways_between(
+    first: ArrayLike = TWO_ORIENTATIONS[0], second: ArrayLike = TWO_ORIENTATIONS[1], beads: int = 8
+) -> pyvista.Plotter:
+    """Draw the path of a spoon's tip between two orientations, interpolated in several ways.
+
+    Parameters
+    ----------
+    first, second : array_like, shape (3,)
+        The orientations, as angles about U, V and W in degrees. The Euler angles are interpolated
+        as they are given.
+    beads : int
+        Equal times, at whose ends slerp and nlerp are compared.
+
+    Returns
+    -------
+    pyvista.Plotter
+        The scene.
+    """
+    angles = np.deg2rad(np.array([first, second], float))
+    r1, r2 = matrix_from_euler_angles(*angles.T)[:, :3, :3]
+    q1, q2 = (Quaternion.from_matrix(r).components for r in (r1, r2))
+    q2 = q2 if q1 @ q2 > 0 else -q2
+
+    def tips(q: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Where quaternions turn the tip of the spoon, (1, 0, 0)."""
+        return Quaternion(q[:, 0], q[:, 1:]).rotate([1, 0, 0])
+
+    t = np.linspace(0, 1, 97)
+    euler = matrix_from_euler_angles(*(angles[0] + t[:, np.newaxis] * (angles[1] - angles[0])).T)
+    short, long = slerp_rotations(r1, r2, t)[:, :, 0], tips(slerp(q1, -q2, t))
+
+    plotter = new_scene(eye=(1.15, 3.3, 4.3), target=(0, 0, 0.05))
+    add_sphere(plotter, opacity=0.12)
+    for turn, name in ((r1, "$R_1$"), (r2, "$R_2$")):
+        spoon = teaspoon(stations=41, around=12)
+        spoon.points = transform(turn, spoon.points)
+        plotter.add_mesh(spoon, color=VECTOR, smooth_shading=True)
+        add_label(plotter, 1.15 * turn[:, 0], name, VECTOR)
+    add_line(plotter, short, RESULT, radius=0.011)
+    add_dashes(plotter, euler[:, :3, 0], CROSS, dash=4, gap=2)
+    add_dashes(plotter, long, NEUTRAL, dash=1, gap=2)
+    between = np.linspace(0, 1, beads + 1)[1:-1]
+    for place in tips(slerp(q1, q2, between)):
+        add_point(plotter, place, RESULT, radius=0.03)
+    uneven = tips(nlerp(q1, q2, between))
+    for place in uneven:
+        # A little outside, so that a ball at the same place does not hide it.
+        bounds = np.repeat(1.02 * place, 2) + 0.02 * np.array([-1, 1, -1, 1, -1, 1])
+        add_thin(plotter, pyvista.Box(bounds), CROSS)
+    for place, size, name, color in (
+        (short[46], 1.27, "slerp, matrices", RESULT),
+        (uneven[1], 1.17, "nlerp", CROSS),
+        (euler[40, :3, 0], 1.22, "Euler angles", CROSS),
+        (long[58], 1.17, "slerp, the long way", NEUTRAL),
+    ):
+        add_label(plotter, size * place, name, color)
+    describe(
+        plotter,
+        "Two blue teaspoons, R1 and R2, cross at the centre of a see-through sphere that their tips"
+        " touch. A green line leads from tip to tip the short way, with balls at equal times and"
+        " small purple cubes near them: behind in the first half, ahead in the second. A broken"
+        " purple line, for the Euler angles, swings out to the other side. A dotted grey line goes"
+        " the long way, close to the lower rim of the sphere.",
+    )
+    return plotter
+
+
+def add_dashes(
+    plotter: pyvista.Plotter, path: NDArray[np.float64], color: str, dash: int, gap: int
+) -> None:
+    """Add a broken line: so many steps of a path drawn, so many left out, and so on."""
+    starts = range(0, len(path) - dash, dash + gap)
+    dashes = [pyvista.MultipleLines(path[start : start + dash + 1]) for start in starts]
+    tubes = [line.tube(radius=0.009, n_sides=8, capping=True) for line in dashes]
+    add_thin(plotter, pyvista.merge(tubes), color)
 
 
 def four_orientations() -> NDArray[np.float64]:

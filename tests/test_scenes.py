@@ -143,7 +143,6 @@ def test_reversed_axis_is_that_of_5_9_as_printed() -> None:
     np.testing.assert_allclose(b, double(a, p), atol=1e-14)
 
 
-<<<<<<< HEAD
 @pytest.mark.parametrize("fraction", [1 / 3, 1 / 2])
 def test_camera_goes_past_its_targets_in_both_ways(fraction: float) -> None:
     plotter = scenes.camera_curve(fraction)
@@ -154,7 +153,8 @@ def test_camera_goes_past_its_targets_in_both_ways(fraction: float) -> None:
         distances = [np.linalg.norm(m.points - target, axis=1).min() for m in (curve, *arcs)]
         assert sum(distance < 0.02 for distance in distances) == 3
     np.testing.assert_allclose(np.linalg.norm(curve.points, axis=1), 1, atol=0.02)
-=======
+
+
 def test_four_ways_between_are_those_of_scipy() -> None:
     ends = [(10, 20, -30), (80, -40, 60)]
     plotter = scenes.four_ways_between(*ends)
@@ -189,4 +189,3 @@ def test_beads_of_nlerp_are_late_first_and_early_then() -> None:
     expected = 2 * np.degrees(np.arctan2(np.sin(half), 3 + np.cos(half)))
     np.testing.assert_allclose(at, [expected, 75, 150 - expected], atol=1e-4)
     assert expected < 150 / 4
->>>>>>> h-orient

@@ -22,7 +22,8 @@ def is_picture(output: nbformat.NotebookNode) -> bool:
 def run(file: Path) -> None:
     """Execute a notebook in place."""
     notebook = nbformat.read(file, as_version=4)
-    NotebookClient(notebook, timeout=300, kernel_name="python3").execute()
+    client = NotebookClient(notebook, timeout=300, kernel_name="python3", coalesce_streams=True)
+    client.execute()
     for cell in notebook.cells:
         cell.metadata.pop("execution", None)
         if cell.cell_type == "code":

@@ -227,9 +227,8 @@ def test_the_search_finds(browser: Any, site: str, query: str, wanted: str) -> N
     page.keyboard.press("Enter")
     page.wait_for_selector(".search-summary:has-text('found')")
     found = page.locator("#search-results li > a").evaluate_all("all => all.map(a => a.href)")
-    # The glossary and the API reference may come first.
-    assert any(address.split("?")[0].endswith(wanted.split("#")[0]) for address in found[:5])
-    assert any(wanted in address.replace("?highlight=", "") for address in found[:5])
+    # The glossary and the list of functions may come first.
+    assert any(address.endswith(wanted) for address in found[:7])
     page.close()
 
 

@@ -37,7 +37,8 @@ class TestOrientations:
     @staticmethod
     def gentle(n: int) -> tuple[Quaternion, Array]:
         """Orientations that turn by less than a quarter, as quaternions whose signs agree."""
-        axes, sizes = random_units(n, 3), RNG.uniform(0.1, 0.5, n)
+        rng = np.random.default_rng(n)
+        axes, sizes = random_units(n, 3, rng=rng), rng.uniform(0.1, 0.5, n)
         q = Quaternion.from_axis_angle(E3, 0.3) * Quaternion.from_axis_angle(axes, sizes)
         return q, q.matrix()
 

@@ -289,7 +289,7 @@ CLAIMS = (
     ),
     Claim(
         28,
-        "Quaternions are more efficient for rotations than matrices (told as a belief)",
+        "Quaternions are more efficient for rotations than matrices (reported as a belief)",
         ("abstract", "1"),
         "holds under a condition",
         "06-conclusions",
@@ -297,11 +297,11 @@ CLAIMS = (
     ),
     Claim(
         29,
-        "The geometric meaning of quaternions is more obvious (told as a belief)",
+        "The geometric meaning of quaternions is more obvious (reported as a belief)",
         ("abstract", "1"),
         "holds under a condition",
         "02-quaternions",
-        "the question is axis and angle; where a point goes, a matrix says",
+        "the question is about axis and angle; a matrix shows more plainly where a point goes",
     ),
     Claim(
         30,
@@ -312,7 +312,7 @@ CLAIMS = (
     ),
     Claim(
         31,
-        "They are not easy to find in a matrix (told as a reason for quaternions)",
+        "They are not easy to find in a matrix (reported as a reason for quaternions)",
         ("1",),
         "holds under a condition",
         "03-ordinary-rotation",

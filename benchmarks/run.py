@@ -1,7 +1,7 @@
 """Run the benchmarks, print what they found, and write it to rotedu/edition/benchmark.json.
 
-``make bench`` calls this. Of each measurement the shortest time counts: on a busy machine the
-others say more about the machine.
+``make bench`` calls this. The shortest time of each measurement counts, because on a busy machine
+the longer ones say more about the machine.
 """
 
 import datetime
@@ -32,10 +32,10 @@ PYTEST = [
 
 
 def measure() -> dict[str, Any]:
-    """Run the benchmarks and return what pytest-benchmark says."""
+    """Run the benchmarks and return the results of pytest-benchmark."""
     with tempfile.TemporaryDirectory() as folder:
         report = Path(folder) / "report.json"
-        # That variable makes OpenBLAS take the kernels of another processor.
+        # This variable makes OpenBLAS use the kernels of another processor.
         environment = {k: v for k, v in os.environ.items() if k != "OPENBLAS_CORETYPE"}
         command = [*PYTEST, f"--benchmark-json={report}"]
         if subprocess.run(command, env=environment, check=False).returncode != 0:
@@ -45,7 +45,7 @@ def measure() -> dict[str, Any]:
 
 
 def times(report: dict[str, Any]) -> dict[str, dict[str, float]]:
-    """Nanoseconds a point, by group and name; memory and import have units of their own."""
+    """Return nanoseconds per point, by group and name; memory and import have other units."""
     groups: dict[str, dict[str, float]] = defaultdict(dict)
     for test in report["benchmarks"]:
         name = test["params"].get("way", "closed_curve") if test["params"] else test["name"]
@@ -59,7 +59,7 @@ def times(report: dict[str, Any]) -> dict[str, dict[str, float]]:
 
 
 def counts() -> dict[str, dict[str, int]]:
-    """Operations of turning one point, counted."""
+    """Count the operations of turning one point."""
     axis, angle, point = [0, 0, 1], 0.5, [1, 2, 3]
     matrix, q = rotation_matrix(axis, angle), Quaternion.from_axis_angle(axis, angle)
     found = {
@@ -73,7 +73,7 @@ def counts() -> dict[str, dict[str, int]]:
 
 
 def ratios(groups: dict[str, dict[str, float]]) -> dict[str, float]:
-    """Compare ours with the best of the others, and with the limit."""
+    """Compare rotedu with the best of the other packages, and with the limit."""
     found = {}
     for group, row in groups.items():
         if not group.startswith("turning"):
@@ -100,7 +100,7 @@ def ratios(groups: dict[str, dict[str, float]]) -> dict[str, float]:
 
 
 def main() -> None:
-    """Measure, print, and write."""
+    """Measure, print and write."""
     report = measure()
     groups = times(report)
     result = {

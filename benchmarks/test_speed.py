@@ -1,7 +1,7 @@
-"""What turning points and drawing curves costs, side by side with other packages.
+"""Measure turning points and drawing curves, side by side with other packages.
 
-``make bench`` runs this; the time of a test divided by its number of points is what counts. The
-names of the tests of one group are those of the table in Chapter 6.
+``make bench`` runs this. The result of a test is its time divided by its number of points. Within a
+group, the tests have the names of the rows in the table of Chapter 6.
 """
 
 import math
@@ -46,13 +46,13 @@ def measure(benchmark: Any) -> Callable[..., None]:
 
 @pytest.fixture(params=["one", "default"])
 def threads(request: pytest.FixtureRequest) -> Iterator[str]:
-    """Compute in one thread, then in as many as the libraries like."""
+    """Compute in one thread, then in as many as the libraries choose."""
     with threadpool_limits(1 if request.param == "one" else None):
         yield request.param
 
 
 def turning(points: np.ndarray) -> dict[str, Callable[[], object]]:
-    """Ways to turn points: first the limit, then the peers, then ours."""
+    """Return ways to turn points: the limit, other packages, rotedu."""
     out = np.empty_like(points)
     transposed = np.ascontiguousarray(MATRIX.T)
     rotation = Rotation.from_matrix(MATRIX)
@@ -119,13 +119,16 @@ def test_one_point(measure: Callable[..., None], way: str) -> None:
 
 
 def plain_matrix(m: list[list[float]], x: float, y: float, z: float) -> tuple[float, ...]:
-    """Do (3-2): 9 multiplications and 6 additions."""
+    """Do (3-2), with 9 multiplications and 6 additions."""
     (a, b, c), (d, e, f), (g, h, i) = m
     return a * x + b * y + c * z, d * x + e * y + f * z, g * x + h * y + i * z
 
 
 def plain_quaternion(q: list[float], x: float, y: float, z: float) -> tuple[float, ...]:
-    """Do r + 2 v x (v x r + w r): 18 multiplications and 12 additions, a sum being a doubling."""
+    """Do r + 2 v x (v x r + w r): 18 multiplications and 12 additions.
+
+    Three of the multiplications are doublings, done as additions.
+    """
     w, a, b, c = q
     u = b * z - c * y + w * x
     v = c * x - a * z + w * y
@@ -151,20 +154,20 @@ def test_plain_python_turns_points() -> None:
 
 
 def on_the_sphere(n: int, dimension: int = 3) -> np.ndarray:
-    """Points of a wavy closed loop."""
+    """Return points of a wavy closed loop."""
     u = np.linspace(0, 2 * np.pi, n, endpoint=False)
     loop = np.stack([np.cos(u), np.sin(u), np.sin(3 * u) / 3, np.cos(2 * u) / 4], axis=-1)
     return loop[:, :dimension] / np.linalg.norm(loop[:, :dimension], axis=-1, keepdims=True)
 
 
 def orientations(n: int) -> Rotation:
-    """Orientations of a closed motion."""
+    """Return orientations of a closed motion."""
     u = np.linspace(0, 2 * np.pi, n, endpoint=False)
     return Rotation.from_rotvec(np.stack([np.cos(u), np.sin(2 * u), np.sin(u)], axis=-1))
 
 
 def papers_loop(points: np.ndarray, samples: int) -> list[list[float]]:
-    """Draw the curve as the pseudocode of Section 5 does, mended, in plain Python."""
+    """Draw the curve by the corrected pseudocode of Section 5, in plain Python."""
 
     def dot(p: list[float], q: list[float]) -> float:
         return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]
@@ -202,7 +205,7 @@ def test_the_loop_draws_the_curve() -> None:
 
 
 def curves(n: int) -> dict[str, Callable[[], object]]:
-    """Ways to draw a closed curve of n segments with 100 samples each."""
+    """Return ways to draw a closed curve of n segments with 100 samples each."""
     points, turns = on_the_sphere(n), orientations(n)
     matrices, t = turns.as_matrix(), np.arange(100 * n) / 100
     closed = Rotation.concatenate([turns, turns[:1]])
@@ -234,7 +237,7 @@ def test_curves_of_other_sizes(measure: Callable[..., None], n: int) -> None:
 
 
 def test_memory(benchmark: Any) -> None:
-    """Megabytes that drawing 50,000 segments takes beyond the curve itself."""
+    """Measure the megabytes that drawing 50,000 segments takes beyond the curve itself."""
     points = on_the_sphere(50_000)
     tracemalloc.start()
     curve = closed_curve(points, 100)
@@ -246,7 +249,7 @@ def test_memory(benchmark: Any) -> None:
 
 
 def test_import(benchmark: Any) -> None:
-    """Milliseconds that all of rotedu's mathematics adds to the import of numpy."""
+    """Measure the milliseconds that rotedu's mathematics adds to the import of NumPy."""
     modules = "rotedu.quaternions, rotedu.general_rotation, rotedu.orientations, rotedu.cost"
     command = [sys.executable, "-X", "importtime", "-c", f"import numpy; import {modules}"]
     added = []

@@ -1,16 +1,16 @@
 """Argument checks for public functions.
 
-The annotations of a public function say what its arguments are, and its body is its equation::
+The annotations of a public function describe its arguments, and its body is its equation::
 
     @checked
     def double(p: Unit, q: Unit) -> Vector:
         return 2 * dot(p, q) * q - p
 
 `checked` refuses bad input, scales unit vectors to length 1, and moves components to the first
-axes, where `rotedu._vectors` expects them. Results have their components on the last axes again. A
-public function that is called by another takes its arguments as they are, because they were checked
-where they entered. So does a helper that is not in the ``__all__`` of its module. Nothing that is
-called back from inside, such as a hook for warnings, may call a public function.
+axes, where `rotedu._vectors` expects them. Results have their components on the last axes again.
+When one public function calls another, the inner one does not check its arguments again. Helpers
+outside the ``__all__`` of a module check nothing. Callbacks from inside, such as a hook for
+warnings, must not call a public function.
 
 The package docstring of `rotedu` states how dtypes are chosen and how object arrays are treated.
 """
@@ -52,9 +52,9 @@ class Kind:
         Shapes that the trailing axes may have. A letter stands for any length, the same in all
         arguments of a call.
     components : int
-        How many of the last axes are moved to the front inside.
+        Number of trailing axes that the body expects at the front.
     prepare : callable
-        Checks and prepares an array. It also gets the name of the argument.
+        Function of the argument's name and array that checks and prepares the array.
     """
 
     shapes: tuple[Shape, ...]
@@ -90,7 +90,7 @@ def unit_vectors(name: str, vectors: Array) -> Array:
 
 
 def rotations(name: str, matrices: Array) -> Array:
-    """Replace matrices that are rotations to half of their digits by the nearest rotations."""
+    """Replace matrices that are rotations to half of their digits with the nearest rotations."""
     if matrices.dtype == object:
         return matrices
     # Eight decimals of float64 are enough.
@@ -117,7 +117,7 @@ def rotations(name: str, matrices: Array) -> Array:
 
 def _three_at_least(name: str, number: int) -> None:
     if number < 3:
-        raise ValueError(f"{name} must be at least 3 to make a closed curve; got {number}")
+        raise ValueError(f"{name} must number at least 3 to make a closed curve; got {number}")
 
 
 def _points_of_a_closed_curve(name: str, points: Array) -> Array:
@@ -194,12 +194,12 @@ Count = Annotated[int, "a positive integer"]
 
 
 def checked(function: Callable[..., Result]) -> Callable[..., Result]:
-    """Check the arguments of a public function and put components where its body expects them.
+    """Check the arguments of a public function and move components to where its body expects them.
 
     Parameters
     ----------
     function : callable
-        Its annotations are those of this module.
+        A function with the annotations of this module.
 
     Returns
     -------
@@ -218,7 +218,7 @@ def checked(function: Callable[..., Result]) -> Callable[..., Result]:
         if _checked_already.get():
             return function(*args, **kwargs)
         if len(args) == len(names) and not kwargs:
-            # Most calls. Binding would take longer than everything that follows.
+            # The most frequent case. Binding would take longer than everything that follows.
             values = dict(zip(names, args, strict=True))
         else:
             try:
@@ -260,7 +260,7 @@ def prepared(arguments: dict[str, tuple[Any, Kind]]) -> dict[str, Array]:
 
 
 def positive_integer(name: str, value: Any) -> int:
-    """Check a number of samples."""
+    """Return an argument as an integer, or refuse it if it is not a positive integer."""
     try:
         count = operator.index(value)
     except TypeError:
@@ -271,7 +271,7 @@ def positive_integer(name: str, value: Any) -> int:
 
 
 def place(mask: Any) -> str:
-    """Say where a mask is first true, unless there is only one place."""
+    """Describe the first place where a mask is true, unless there is only one place."""
     if not np.ndim(mask):
         return ""
     return f" at index {tuple(int(i) for i in np.argwhere(mask)[0])}"
@@ -280,7 +280,7 @@ def place(mask: Any) -> str:
 def named(pair: str, mask: Any, sequence: str = "") -> str:
     """Name a pair by the first place where a mask is true.
 
-    In `pair`, {h}, {i} and {j} stand for three neighbours in the argument called `sequence`.
+    In `pair`, {h}, {i} and {j} stand for three neighbours in the argument named by `sequence`.
     """
     if not sequence:
         return pair + place(mask)
@@ -310,7 +310,7 @@ def _outside(hint: Any) -> Callable[[Any], Any]:
 def _matching(
     name: str, array: Array, shapes: tuple[Shape, ...], lengths: dict[int | str, int]
 ) -> Shape:
-    """Find the shape that the trailing axes match, and note the length of each letter in it."""
+    """Find the shape that the trailing axes match, and record the length of each letter in it."""
     for shape in shapes:
         trailing = array.shape[max(0, array.ndim - len(shape)) :]
         if trailing == shape:
@@ -342,7 +342,7 @@ def _require_broadcasting(
 
 def _require_finite(name: str, array: Array) -> None:
     """Refuse infinities and NaN, except in object arrays."""
-    # The fastest test: a finite sum of squares means finite numbers. Otherwise look at each.
+    # The fastest test: if the sum of squares is finite, so are all numbers.
     if array.dtype.kind == "O" or math.isfinite(np.vdot(array, array)):
         return
     finite = np.isfinite(array)
@@ -355,7 +355,7 @@ def _require_finite(name: str, array: Array) -> None:
 def _of_one_dtype(values: dict[str, Any]) -> dict[str, Array]:
     """Make arrays of one dtype.
 
-    It is float32 if an argument is float32 and no array has another floating type.
+    The dtype is float32 if an argument is float32 and no array has another floating type.
     """
     arrays = {name: _numbers(name, value) for name, value in values.items()}
     single = double = False
@@ -382,7 +382,7 @@ def _numbers(name: str, value: Any) -> Array:
 
 
 def _floats_if_numbers(objects: Array) -> Array:
-    """Convert big integers and fractions to floats; leave symbols and the like alone."""
+    """Convert big integers and fractions to floats, but leave symbols and the like alone."""
     if any(isinstance(element, NO_REAL_NUMBERS) for element in objects.flat):
         raise ValueError
     try:

@@ -1,9 +1,9 @@
 """Section 5, first part: arcs on the unit sphere, (5-1) to (5-3).
 
-The notation is that of the equations: p and q are unit vectors, theta is the angle between them,
-and t is the part of the way from p to q. Only the forms with an axis need three dimensions; all
-others work in any number. On unit vectors with four components, read as quaternions, `slerp` is
-the one that computer graphics knows.
+The notation follows the equations: p and q are unit vectors, theta is the angle between them, and
+t is the fraction of the arc from p to q. Only the forms with an axis need three dimensions; the
+others work in any number of dimensions. For unit vectors with four components, read as quaternions,
+`slerp` is the slerp of computer graphics.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ __all__ = ["angle_between", "arc_axis", "nlerp", "slerp", "slerp_by_rotation"]
 
 @checked
 def angle_between(p: Unit, q: Unit) -> Number:
-    """Angle between two vectors.
+    """Return the angle between two vectors.
 
     Parameters
     ----------
@@ -30,7 +30,7 @@ def angle_between(p: Unit, q: Unit) -> Number:
     Returns
     -------
     ndarray, shape (...)
-        Angles in radians, from 0 to pi, each with an error of about 1e-16.
+        Angles in radians, from 0 to pi. In float64 the error stays below 1e-15.
 
     Raises
     ------
@@ -39,8 +39,8 @@ def angle_between(p: Unit, q: Unit) -> Number:
 
     Notes
     -----
-    The arc cosine of p . q would lose half of the digits near 0 and pi, the arc sine of the cross
-    product near pi / 2.
+    The arc cosine of p . q would lose half of the digits near 0 and pi, and the arc sine of
+    abs(p x q) would lose them near pi / 2.
 
     References
     ----------
@@ -56,7 +56,7 @@ def angle_between(p: Unit, q: Unit) -> Number:
 
 @checked
 def arc_axis(p: Unit3, q: Unit3) -> Vector:
-    """Axis about which the arc from p to q turns: the unit vector along p x q (5-1).
+    """Return the axis of the arc from p to q, the unit vector along p x q (5-1).
 
     Parameters
     ----------
@@ -66,22 +66,22 @@ def arc_axis(p: Unit3, q: Unit3) -> Vector:
     Returns
     -------
     ndarray, shape (..., 3)
-        Unit vectors. If the angle is within x of 0 or pi, rounding of the points tilts the axis by
-        about 1e-16 / x.
+        Unit vectors. If the angle is within x of 0 or pi, the rounding of the points tilts the
+        axis by about 1e-16 / x.
 
     Raises
     ------
     ValueError
         If an argument is not finite, has the wrong shape, or is zero.
     rotedu.errors.DegenerateError
-        If p and q coincide (to within rounding) or are antipodal (to half of the digits): then
+        If p and q coincide (to within rounding) or are antipodal (to half of the digits), because
         many axes would do.
 
     Notes
     -----
-    This is (5-1), (5-6), (5-9), (5-12) and (5-15). In (5-9) the paper has the operands in the
-    wrong order, which reverses the axis (erratum E2): the arc runs from the reflected point to
-    P_{i+1}, and so must the product.
+    The equations (5-1), (5-6), (5-9), (5-12) and (5-15) all have this form. In (5-9) the paper
+    has the operands in the wrong order, which reverses the axis (erratum E2). The arc runs from the
+    reflected point to P_{i+1}, so the reflected point comes first.
 
     References
     ----------
@@ -100,20 +100,20 @@ def arc_axis(p: Unit3, q: Unit3) -> Vector:
 
 @checked
 def slerp(p: Unit, q: Unit, t: Number) -> Vector:
-    """Point of the shortest arc from p to q (5-2).
+    """Return a point of the shortest arc from p to q (5-2).
 
     Parameters
     ----------
     p, q : array_like, shape (..., d)
         Unit vectors of any dimension.
     t : array_like, shape (...)
-        Part of the way: 0 is p, 1 is q; outside, the great circle goes on.
+        Fraction of the arc: 0 gives p, 1 gives q. Beyond them the point follows the great circle.
 
     Returns
     -------
     ndarray, shape (..., d)
         Unit vectors. If the angle is within x of pi, moving an end by e moves the arc by up to
-        e / x; the computation itself adds no more than rounding.
+        e / x. The computation itself adds only rounding.
 
     Raises
     ------
@@ -124,21 +124,21 @@ def slerp(p: Unit, q: Unit, t: Number) -> Vector:
 
     See Also
     --------
-    slerp_by_rotation : the same in the other form (5-3).
-    nlerp : along the chord instead.
+    slerp_by_rotation : the same point by (5-3).
+    nlerp : follows the chord instead.
 
     Notes
     -----
-    As printed, (5-2) divides by sin(theta): 0/0 where p = q, and off the sphere near pi. From the
-    midpoint of the arc, m, the way leads along the direction of the chord, c. These two are at
-    right angles, so nothing cancels in ``cos((t - 1/2) theta) m + sin((t - 1/2) theta) c``. Cosine
-    and sine come from the tangent h of half their angle, which NumPy finds ten times as fast.
+    As printed, (5-2) divides by sin(theta), so it is 0/0 where p = q and leaves the sphere near pi.
+    The code combines m, the midpoint of the arc, with c, the direction of the chord:
+    ``cos((t - 1/2) theta) m + sin((t - 1/2) theta) c``. These two vectors are perpendicular, so
+    nothing cancels. The tangent of half the angle gives both the cosine and the sine.
 
-    The formula is slerp. The paper says that slerp can have no form with a matrix like (5-3)
-    (erratum E7); for points of the sphere (5-3) is one.
+    The formula is slerp. The paper says that slerp has no matrix form like (5-3) (erratum E7). For
+    points of the sphere, (5-3) is such a form.
 
-    Of two unit quaternions, p and q, the arc turns the short way if p . q is positive. If it is
-    negative, take -q, which is the same rotation.
+    If p and q are unit quaternions, the arc is the shorter turn if p . q is positive. If p . q is
+    negative, use -q, which is the same rotation.
 
     References
     ----------
@@ -169,19 +169,19 @@ def slerp(p: Unit, q: Unit, t: Number) -> Vector:
 
 @checked
 def slerp_by_rotation(p: Unit3, q: Unit3, t: Number) -> Vector:
-    """Point of the shortest arc from p to q: p, rotated by t theta about the axis (5-3).
+    """Return a point of the shortest arc: p, rotated by t theta about the axis (5-3).
 
     Parameters
     ----------
     p, q : array_like, shape (..., 3)
         Unit vectors.
     t : array_like, shape (...)
-        Part of the way: 0 is p, 1 is q; outside, the great circle goes on.
+        Fraction of the arc: 0 gives p, 1 gives q. Beyond them the point follows the great circle.
 
     Returns
     -------
     ndarray, shape (..., 3)
-        Unit vectors; p, where p = q, though there is no axis (5-1).
+        Unit vectors. Where p = q there is no axis (5-1), and the result is p.
 
     Raises
     ------
@@ -192,11 +192,11 @@ def slerp_by_rotation(p: Unit3, q: Unit3, t: Number) -> Vector:
 
     See Also
     --------
-    slerp : the same in the other form (5-2), with fewer operations, in any dimension.
+    slerp : the same point by (5-2), with fewer operations and in any dimension.
 
     References
     ----------
-    Cheng et al. (2023), Eq. (5-3); its matrix is that of (4-7), not (3-3) (erratum E9)
+    Cheng et al. (2023), Eq. (5-3), whose matrix is (4-7), not (3-3) (erratum E9)
 
     Examples
     --------
@@ -210,21 +210,21 @@ def slerp_by_rotation(p: Unit3, q: Unit3, t: Number) -> Vector:
 
 @checked
 def nlerp(p: Unit, q: Unit, t: Number) -> Vector:
-    """Point of the chord from p to q, pulled back to the sphere.
+    """Return a point of the chord from p to q, projected onto the sphere.
 
     Parameters
     ----------
     p, q : array_like, shape (..., d)
         Unit vectors of any dimension.
     t : array_like, shape (...)
-        Part of the chord: 0 is p, 1 is q; outside, its line goes on, and on the sphere the points
-        approach those of its direction.
+        Fraction of the chord: 0 gives p, 1 gives q. Beyond them the point follows the line of the
+        chord, and its image on the sphere approaches the direction of that line.
 
     Returns
     -------
     ndarray, shape (..., d)
-        Unit vectors on the arc of `slerp`. At t = 0, 1/2 and 1 they are its points; between these
-        they are ahead or behind, since the speed is greatest in the middle.
+        Unit vectors on the great circle of `slerp`. At t = 0, 1/2 and 1 both functions agree. The
+        speed is greatest in the middle, so `nlerp` is behind before t = 1/2 and ahead after it.
 
     Raises
     ------
@@ -235,15 +235,15 @@ def nlerp(p: Unit, q: Unit, t: Number) -> Vector:
 
     See Also
     --------
-    slerp : at constant speed.
+    slerp : moves at constant speed.
 
     Notes
     -----
-    The paper does not have it; computer graphics calls it normalised linear interpolation.
+    The paper does not use it. Computer graphics calls it normalised linear interpolation.
 
     Examples
     --------
-    A quarter of the way along the chord is less than a quarter of the arc:
+    A quarter of the chord covers less than a quarter of the arc:
 
     >>> point = nlerp([1, 0, 0], [0, 1, 0], 1 / 4)
     >>> print(np.degrees(angle_between([1, 0, 0], point)).round(1), "of 22.5 degrees")
@@ -254,9 +254,9 @@ def nlerp(p: Unit, q: Unit, t: Number) -> Vector:
 
 
 def turn_between(p: Array, q: Array) -> tuple[Array, Array]:
-    """Axis (5-1) and angle of the turn from p to q.
+    """Return the axis (5-1) and the angle of the turn from p to q.
 
-    Where p x q vanishes, the axis is zero; then the turn leaves p where it is, as it should.
+    Where p x q vanishes, the axis is zero, and the turn leaves p in place, as it should.
     """
     return unit(cross(p + q, q - p)), angle_between(p, q)
 
@@ -274,7 +274,7 @@ def refuse_antipodal(theta: Array, pair: str = "p and q", sequence: str = "") ->
 
 
 def refuse_two_ways(theta: Array, tolerance: float, pair: str, sequence: str, apart: str) -> None:
-    """Refuse an angle of pi, which can be turned either way."""
+    """Refuse an angle of pi, because the turn could go either way."""
     if tolerance and (ambiguous := theta >= np.pi - tolerance).any():
         ends = named(pair, ambiguous, sequence)
         raise DegenerateError(f"{ends} are {apart}: no unique arc joins them")

@@ -21,14 +21,14 @@ BLOCK = 8000
 
 @checked
 def de_casteljau(control: Control, u: Number) -> Vector:
-    """Point of a Bezier curve on the unit sphere, by arcs of arcs.
+    """Evaluate a Bezier curve on the unit sphere by arcs of arcs.
 
     Parameters
     ----------
     control : array_like, shape (..., m + 1, d)
         Control points of a curve of degree m, unit vectors of any dimension.
     u : array_like, shape (...)
-        Parameter: 0 is the first control point, 1 the last; outside, the curve goes on.
+        Parameter: 0 gives the first control point, 1 the last. Beyond them the curve goes on.
 
     Returns
     -------
@@ -40,12 +40,12 @@ def de_casteljau(control: Control, u: Number) -> Vector:
     ValueError
         If an argument is not finite or has the wrong shape, or if a control point is zero.
     rotedu.errors.DegenerateError
-        If an arc has antipodal ends (to half of the digits). For u from 0 to 1 it can only be an
-        arc between control points: the arcs between points on them are no longer than the longest.
+        If an arc has antipodal ends (to half of the digits). For u from 0 to 1 this can happen
+        only between two control points, because no later arc is longer than the longest of theirs.
 
     See Also
     --------
-    de_casteljau_levels : all points of the construction.
+    de_casteljau_levels : returns all points of the construction.
 
     References
     ----------
@@ -62,31 +62,31 @@ def de_casteljau(control: Control, u: Number) -> Vector:
 
 @checked
 def de_casteljau_levels(control: Control, u: Number) -> list[Control]:
-    """All points of de Casteljau's construction, level by level.
+    """Return all points of de Casteljau's construction, level by level.
 
     Parameters
     ----------
     control : array_like, shape (..., m + 1, d)
         Control points of a curve of degree m, unit vectors of any dimension.
     u : array_like, shape (...)
-        Parameter.
+        Parameter, as for `de_casteljau`.
 
     Returns
     -------
     list of ndarray, shapes (..., m + 1, d), (..., m, d) ... (..., 1, d)
-        The control points, then the points on the arcs between those, and so on to the point of
-        the curve.
+        The control points, then the points on the arcs between them, and so on down to the point
+        of the curve.
 
     Raises
     ------
     ValueError, rotedu.errors.DegenerateError
-        As `de_casteljau`.
+        As for `de_casteljau`.
 
     Notes
     -----
-    The pseudocode of the paper computes each level from itself, which is not there yet, instead of
-    from the one before (erratum E4), gives the sine of an angle beyond 90 degrees a minus sign
-    (E4b), and never computes the angle (E4c).
+    The paper's pseudocode computes each level from itself instead of from the level before it
+    (erratum E4). It also gives the sine of an angle beyond 90 degrees a minus sign (E4b), and it
+    never computes the angle (E4c).
 
     References
     ----------
@@ -116,35 +116,36 @@ def closed_curve(points: ClosedPoints, samples: Count = 100, fraction: Fraction 
     Parameters
     ----------
     points : array_like, shape (..., n, d)
-        Unit vectors P_0 ... P_{n-1} of any dimension, at least 3, the first not repeated at the
-        end (erratum E12).
+        At least 3 unit vectors P_0 ... P_{n-1} of any dimension. Do not repeat the first point at
+        the end (erratum E12).
     samples : int
-        Points for each segment, at u = 0, 1/samples, 2/samples ...
+        Number of points on each segment, at u = 0, 1/samples, 2/samples ...
     fraction : float
         As for `rotedu.control_points.control_points`.
 
     Returns
     -------
     ndarray, shape (..., n * samples, d)
-        Unit vectors, from P_0 = C_1(0) on. Each ``samples``-th is one of the given points, to
-        within rounding; the next would be the first again.
+        Unit vectors, starting with P_0 = C_1(0). To within rounding, every ``samples``-th one is a
+        given point. The first point is not repeated at the end.
 
     Raises
     ------
     ValueError, rotedu.errors.DegenerateError
-        As `rotedu.control_points.control_points`; also if the two inner control points of a
+        As for `rotedu.control_points.control_points`, and if the two inner control points of a
         segment are antipodal.
 
     Warns
     -----
     UserWarning
-        If they are within a degree of that: then the curve changes sides when the data move a
-        little.
+        If two such control points are within a degree of antipodal. A small change in the data can
+        then move the curve to the other side.
 
     Notes
     -----
-    Segment C_i has the control points P_{i-1}, a_{i-1}, b_i, P_i. The curve is C1, and C'(P_i) is
-    3 times the tangent vector from P_i to a_i; it is neither C2 nor, in general, G2.
+    Segment C_i has the control points P_{i-1}, a_{i-1}, b_i, P_i. The curve is C1, with a
+    derivative at P_i of 3 times the tangent vector from P_i to a_i. It is neither C2 nor, in
+    general, G2.
 
     References
     ----------
@@ -168,20 +169,22 @@ def closed_curve(points: ClosedPoints, samples: Count = 100, fraction: Fraction 
 def sampled(
     arc: Callable[[Array, Array, Array], Array], control: list[Array], samples: int
 ) -> Array:
-    """Sample the segments of a curve by de Casteljau's construction, with any kind of arcs.
+    """Sample the segments of a curve by de Casteljau's construction, with any kind of arc.
 
     Parameters
     ----------
     arc : callable
-        Joins two arrays of points, or of matrices: `rotedu.arcs.slerp`, for example.
+        Joins two arrays of points or of matrices, like `rotedu.arcs.slerp`.
     control : list of ndarray, shape (..., n)
-        The first control points of n segments, their second ones, and so on; components first.
+        The first control points of all n segments, then their second ones, and so on, with
+        components first.
     samples : int
-        Points for each segment, at u = 0, 1/samples, 2/samples ...
+        Number of points on each segment, at u = 0, 1/samples, 2/samples ...
 
     Returns
     -------
     ndarray, shape (..., n * samples)
+        The samples of one segment after the other.
     """
     first, *_ = control
     u = np.arange(samples, dtype=first.dtype) / samples
@@ -202,5 +205,5 @@ def warn_of_two_ways(theta: Array, pair: str, sequence: str, apart: str) -> None
     if np.any(nearly):
         text = f"{named(pair, nearly, sequence)} are almost {apart}"
         warnings.warn(
-            f"{text}: data that move a little move the curve a lot", UserWarning, stacklevel=4
+            f"{text}: a small change in the data moves the curve a lot", UserWarning, stacklevel=4
         )

@@ -1,6 +1,6 @@
 """Section 5, second part: Double, Bisect and the control points, (5-4) to (5-15).
 
-Each step has two forms: a sum of vectors, in any dimension, and a rotation, in three.
+Each step has two forms: a sum of vectors in any dimension, and a rotation in three dimensions.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ __all__ = ["bisect", "bisect_by_rotation", "control_points", "double", "double_b
 
 @checked
 def double(p: Unit, q: Unit) -> Vector:
-    """Reflect p in q: go on from q as far as it is from p to q (5-4), (5-13).
+    """Reflect p in q: continue beyond q by the arc from p to q (5-4), (5-13).
 
     Parameters
     ----------
@@ -27,7 +27,7 @@ def double(p: Unit, q: Unit) -> Vector:
     Returns
     -------
     ndarray, shape (..., d)
-        Unit vectors: 2 cos(theta) q - p. There is no case without an answer.
+        Unit vectors, 2 cos(theta) q - p. Every pair of points has an answer.
 
     Raises
     ------
@@ -36,12 +36,12 @@ def double(p: Unit, q: Unit) -> Vector:
 
     Notes
     -----
-    In (5-13) the paper has the operands exchanged. It computes Double(P_i, a_i), which leads back
-    to the midpoint of the second step (erratum E3). Its text, and (5-14), have Double(a_i, P_i),
-    as here.
+    In (5-13) the paper exchanges the operands. It computes Double(P_i, a_i), which leads back to
+    the midpoint of the second step (erratum E3). Its text and (5-14) have Double(a_i, P_i), as
+    here.
 
-    The way from p to its reflection is 2 theta along the great circle. If theta is more than 90
-    degrees, that is not the angle between the two (erratum E11).
+    Along the great circle, p and its reflection are 2 theta apart. If theta is more than 90
+    degrees, this is not the angle between them (erratum E11).
 
     References
     ----------
@@ -67,7 +67,7 @@ def double_by_rotation(p: Unit3, q: Unit3) -> Vector:
     Returns
     -------
     ndarray, shape (..., 3)
-        Unit vectors; p, where q is p or -p, though there is no axis (5-6).
+        Unit vectors. Where q is p or -p there is no axis (5-6), and the result is p.
 
     Raises
     ------
@@ -76,7 +76,7 @@ def double_by_rotation(p: Unit3, q: Unit3) -> Vector:
 
     See Also
     --------
-    double : the same in the other form, in any dimension.
+    double : the same point as a sum of vectors, in any dimension.
 
     References
     ----------
@@ -93,7 +93,7 @@ def double_by_rotation(p: Unit3, q: Unit3) -> Vector:
 
 @checked
 def bisect(p: Unit, q: Unit) -> Vector:
-    """Midpoint of the shortest arc from p to q (5-7), (5-10).
+    """Return the midpoint of the shortest arc from p to q (5-7), (5-10).
 
     Parameters
     ----------
@@ -103,7 +103,7 @@ def bisect(p: Unit, q: Unit) -> Vector:
     Returns
     -------
     ndarray, shape (..., d)
-        Unit vectors: (p + q) / abs(p + q).
+        Unit vectors, (p + q) / abs(p + q).
 
     Raises
     ------
@@ -114,9 +114,9 @@ def bisect(p: Unit, q: Unit) -> Vector:
 
     Notes
     -----
-    The paper's factor, sin(theta / 2) / sin(theta), is 1 / abs(p + q). It is 0/0 where p = q,
-    as it always is for equally spaced points of a great circle. (In the extracted text of the
-    paper, the denominators lack the bar that marks the angle between these two points.)
+    The paper's factor, sin(theta / 2) / sin(theta), equals 1 / abs(p + q). It is 0/0 where p = q,
+    which always happens for equally spaced points of a great circle. (Text extracted from the paper
+    loses the bar in the denominators, which marks the angle between these two points.)
 
     References
     ----------
@@ -133,7 +133,7 @@ def bisect(p: Unit, q: Unit) -> Vector:
 
 @checked
 def bisect_by_rotation(p: Unit3, q: Unit3) -> Vector:
-    """Midpoint of the shortest arc: p, rotated by theta / 2 about the axis (5-8), (5-11).
+    """Return the midpoint of an arc: p, rotated by theta / 2 about the axis (5-8), (5-11).
 
     Parameters
     ----------
@@ -143,7 +143,7 @@ def bisect_by_rotation(p: Unit3, q: Unit3) -> Vector:
     Returns
     -------
     ndarray, shape (..., 3)
-        Unit vectors; p, where p = q, though there is no axis (5-9).
+        Unit vectors. Where p = q there is no axis (5-9), and the result is p.
 
     Raises
     ------
@@ -154,11 +154,11 @@ def bisect_by_rotation(p: Unit3, q: Unit3) -> Vector:
 
     See Also
     --------
-    bisect : the same in the other form, in any dimension.
+    bisect : the same point as a sum of vectors, in any dimension.
 
     Notes
     -----
-    With the axis of (5-9) as printed, (5-8) turns away from P_{i+1} (erratum E2). See
+    With the axis (5-9) as printed, (5-8) turns away from P_{i+1} (erratum E2). See
     `rotedu.arcs.arc_axis`.
 
     References
@@ -177,22 +177,22 @@ def bisect_by_rotation(p: Unit3, q: Unit3) -> Vector:
 
 @checked
 def control_points(points: ClosedPoints, fraction: Fraction = 1 / 2) -> tuple[Vector, Vector]:
-    """Control points a_i after, and b_i before, each point of a closed curve.
+    """Return the control points a_i after and b_i before each point of a closed curve.
 
     Parameters
     ----------
     points : array_like, shape (..., n, d)
-        Unit vectors P_0 ... P_{n-1} of any dimension, at least 3, the first not repeated at the
-        end (erratum E12): P_n is P_0.
+        At least 3 unit vectors P_0 ... P_{n-1} of any dimension. P_n is P_0; do not repeat the
+        first point at the end (erratum E12).
     fraction : float
-        How far a_i goes, from 0 to 1, from P_i towards the midpoint: 1/2 is the paper's, which
-        bisects; 1/3 is Shoemake's, as quoted by Geier (2021).
+        How far a_i goes from P_i towards the midpoint, from 0 to 1. The paper bisects, which is
+        1/2; Shoemake takes 1/3, as quoted by Geier (2021).
 
     Returns
     -------
     a, b : ndarray, shape (..., n, d)
-        a_i = Bisect(P_i, Bisect(Double(P_{i-1}, P_i), P_{i+1})) if the fraction is 1/2, and
-        b_i = Double(a_i, P_i).
+        For the fraction 1/2, a_i = Bisect(P_i, Bisect(Double(P_{i-1}, P_i), P_{i+1})). For every
+        fraction, b_i = Double(a_i, P_i).
 
     Raises
     ------
@@ -200,23 +200,23 @@ def control_points(points: ClosedPoints, fraction: Fraction = 1 / 2) -> tuple[Ve
         If an argument is not finite, has the wrong shape or is out of range, or if a point is
         zero.
     rotedu.errors.DegenerateError
-        If two points to be bisected are antipodal (to half of the digits): if P_{i+1} is opposite
-        to Double(P_{i-1}, P_i), or if the points go out and back, P_{i+1} = P_{i-1}, and are 90
-        degrees or more apart. The message names them.
+        If two points to be bisected are antipodal (to half of the digits). This happens if
+        P_{i+1} is opposite to Double(P_{i-1}, P_i), or if the points go out and back,
+        P_{i+1} = P_{i-1}, and are 90 degrees or more apart. The message names the points.
 
     Notes
     -----
-    Three cases need no exception: points equally spaced on a great circle, where the printed
-    formulas are 0/0, repeated points, and gaps beyond 90 degrees. Where the points go out and back
-    by less than 90 degrees, a_i = b_i = P_i, and the curve stops there.
+    Three cases need no special treatment: points equally spaced on a great circle, where the
+    printed formulas are 0/0; repeated points; and gaps beyond 90 degrees. Where the points go out
+    and back by less than 90 degrees, a_i = b_i = P_i, and the curve stops there for a moment.
 
-    Bisect goes the shorter way. On a great circle, with the gaps g_1 and g_2 before and after P_i,
-    a_i is at (g_1 + g_2) / 4 from P_i unless abs(g_1 - g_2) > 180 degrees; there it jumps to the
-    other side. Near such a jump, data that move a little move a_i a lot.
+    Bisect takes the shorter arc. On a great circle, with the gaps g_1 and g_2 before and after P_i,
+    a_i lies (g_1 + g_2) / 4 beyond P_i, unless abs(g_1 - g_2) > 180 degrees. There it jumps to the
+    other side. Near such a jump, a small change in the data moves a_i a lot.
 
     References
     ----------
-    Cheng et al. (2023), Eqs. (5-4) to (5-15); Geier (2021) for 1/3
+    Cheng et al. (2023), Eqs. (5-4) to (5-15); Geier (2021) for the fraction 1/3
 
     Examples
     --------

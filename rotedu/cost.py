@@ -1,7 +1,7 @@
-"""What a computation costs, found by running it.
+"""Operation counts, found by running the code.
 
-`count` calls a function on scalars that note every operation done with them. Nothing is
-estimated: what is counted is the code that otherwise runs on floating-point arrays.
+`count` calls a function on scalars that record every operation done with them. Nothing is
+estimated: the counted code is the code that otherwise runs on floating-point arrays.
 """
 
 import operator
@@ -18,12 +18,12 @@ __all__ = ["OperationCount", "count"]
 
 @dataclass(frozen=True)
 class OperationCount:
-    """Numbers of arithmetic operations, to be added and multiplied by integers.
+    """Numbers of arithmetic operations, which can be added and multiplied by integers.
 
     Attributes
     ----------
     multiplications, additions, divisions, square_roots : int
-        A subtraction is an addition. Changing a sign and comparing cost nothing.
+        A subtraction counts as an addition. Sign changes and comparisons are free.
     trigonometric : int
         Calls of sine, cosine, tangent and their inverses.
 
@@ -56,7 +56,7 @@ def count(function: Callable[..., object], *args: Any) -> OperationCount:
     Parameters
     ----------
     function : callable
-        Function of numbers and arrays, written with operators and numpy.
+        Function of numbers and arrays, written with operators and NumPy.
     *args : float, array_like or any
         Its arguments. Numbers, and the numbers in arrays, lists and tuples, are replaced by
         counting scalars of the same value; other arguments are passed on as they are.
@@ -64,24 +64,24 @@ def count(function: Callable[..., object], *args: Any) -> OperationCount:
     Returns
     -------
     OperationCount
-        What was done with the numbers of `args` and with everything computed from them. Work on
-        other numbers alone, such as constants of the function, is not counted.
+        Operations on the numbers of `args` and on everything computed from them. Operations on
+        other numbers alone, such as constants of the function, are not counted.
 
     Raises
     ------
     Exception
-        Whatever the function raises; in particular `TypeError` if it needs an operation that
-        cannot be counted, such as ``math.cos``, which takes nothing but a float.
+        Whatever the function raises, in particular `TypeError` if it needs an operation that
+        cannot be counted, such as ``math.cos``, which accepts only floats.
 
     Notes
     -----
-    Functions of this package take unit vectors of counting scalars at their word, so the cost of
+    Functions of this package do not normalise unit vectors of counting scalars, so the cost of
     normalising an axis is not part of the cost of the formula.
 
     References
     ----------
-    Cheng et al. (2023), Section 3, gives 24 multiplications and 10 additions for (3-3), 9 and 6
-    for (3-2).
+    Cheng et al. (2023), Section 3, which gives 24 multiplications and 10 additions for (3-3), and
+    9 and 6 for (3-2).
 
     Examples
     --------
@@ -107,7 +107,7 @@ def _binary(kind: str, operation: Callable[[Any, Any], Any]) -> Any:
     """Make a counted operator and its reflection."""
 
     def forward(self: "CountingScalar", other: Any) -> Any:
-        # An array must take over, to come back with its elements one by one.
+        # Leave it to the array, which calls this operator again for each of its elements.
         if not isinstance(other, Real | CountingScalar):
             return NotImplemented
         return self.counted(kind, operation(self.value, self.bare(other)))
@@ -133,11 +133,11 @@ def _comparison(operation: Callable[[Any, Any], bool]) -> Any:
 
 
 class CountingScalar:
-    """A number that enters every operation done with it into a tally.
+    """A number that records every operation done with it in a tally.
 
-    numpy calls the methods ``cos``, ``sqrt`` and so on of the elements of an object array. The
-    value may be a counting scalar of another tally, so that counts can be nested. There is no
-    conversion to float, because what is computed with that would go uncounted.
+    NumPy calls the methods ``cos``, ``sqrt`` and so on of the elements of an object array. The
+    value may be a counting scalar of another tally, so counts can be nested. There is no
+    conversion to float, because operations on a float would go uncounted.
     """
 
     __slots__ = ("tally", "value")
@@ -153,7 +153,7 @@ class CountingScalar:
         return bool(self.value)
 
     def counted(self, kind: str, value: Any) -> "CountingScalar":
-        """Enter an operation into the tally and wrap its result."""
+        """Record an operation in the tally and wrap its result."""
         self.tally[kind] += 1
         return CountingScalar(value, self.tally)
 
@@ -163,7 +163,7 @@ class CountingScalar:
         return other.value if same else other
 
     def __pow__(self, exponent: int) -> "CountingScalar":
-        """Multiply out: only whole positive powers can be counted."""
+        """Multiply out; only positive integer powers can be counted."""
         if not isinstance(exponent, int) or exponent < 1:
             return NotImplemented
         return self if exponent == 1 else self ** (exponent - 1) * self

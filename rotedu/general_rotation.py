@@ -1,6 +1,6 @@
 """Section 4: principal rotations, the one rotation that replaces three, and other transforms.
 
-All matrices are 4x4, for homogeneous coordinates: a point is the column (r_u, r_v, r_w, 1).
+All matrices are 4x4 and act on homogeneous coordinates: a point is the column (r_u, r_v, r_w, 1).
 `compose` multiplies matrices into one, and `rotedu.ordinary_rotation.transform` applies it.
 """
 
@@ -49,7 +49,7 @@ __all__ = [
 
 @checked
 def rotation_u(angle: Number) -> HomogeneousMatrix:
-    """Principal rotation about the U axis, which turns V towards W.
+    """Return the principal rotation about the U axis, which turns V towards W.
 
     Parameters
     ----------
@@ -83,7 +83,7 @@ def rotation_u(angle: Number) -> HomogeneousMatrix:
 
 @checked
 def rotation_v(angle: Number) -> HomogeneousMatrix:
-    """Principal rotation about the V axis, which turns W towards U.
+    """Return the principal rotation about the V axis, which turns W towards U.
 
     Parameters
     ----------
@@ -117,7 +117,7 @@ def rotation_v(angle: Number) -> HomogeneousMatrix:
 
 @checked
 def rotation_w(angle: Number) -> HomogeneousMatrix:
-    """Principal rotation about the W axis, which turns U towards V.
+    """Return the principal rotation about the W axis, which turns U towards V.
 
     Parameters
     ----------
@@ -151,12 +151,12 @@ def rotation_w(angle: Number) -> HomogeneousMatrix:
 
 @checked
 def matrix_from_euler_angles(u: Number, v: Number, w: Number) -> HomogeneousMatrix:
-    """Rotate about U first, then about V, then about W, all fixed: (4-1), multiplied out (4-2).
+    """Return the matrix that rotates about U, then V, then W: (4-1), multiplied out in (4-2).
 
     Parameters
     ----------
     u, v, w : array_like, shape (...)
-        Angles in radians about the three axes, which stay where they are.
+        Angles in radians about the three axes, which stay fixed.
 
     Returns
     -------
@@ -170,8 +170,8 @@ def matrix_from_euler_angles(u: Number, v: Number, w: Number) -> HomogeneousMatr
 
     Notes
     -----
-    Other orders are other rotations. Where cos(v) = 0 only the sum or the difference of the
-    other two angles matters: one degree of freedom is lost (gimbal lock).
+    Another order gives another rotation. Where cos(v) = 0, only the sum or the difference of the
+    other two angles matters, and one degree of freedom is lost (gimbal lock).
 
     References
     ----------
@@ -185,7 +185,7 @@ def matrix_from_euler_angles(u: Number, v: Number, w: Number) -> HomogeneousMatr
      [1. 0. 0.]
      [0. 1. 0.]]
 
-    Gimbal lock:
+    At gimbal lock different angles give the same matrix:
 
     >>> a, b = matrix_from_euler_angles(0.3, turn, 0.1), matrix_from_euler_angles(0.7, turn, 0.5)
     >>> np.allclose(a, b, rtol=0, atol=1e-15)
@@ -201,7 +201,7 @@ def matrix_from_euler_angles(u: Number, v: Number, w: Number) -> HomogeneousMatr
 
 @checked
 def quaternion_from_euler_angles(u: Number, v: Number, w: Number) -> Quaternion:
-    """Quaternion of three principal rotations: alpha, beta, gamma (4-4) and delta (4-6).
+    """Return the quaternion of three principal rotations, given by (4-4) and (4-6).
 
     Parameters
     ----------
@@ -211,7 +211,7 @@ def quaternion_from_euler_angles(u: Number, v: Number, w: Number) -> Quaternion:
     Returns
     -------
     Quaternion, shape (...)
-        [delta, (alpha, beta, gamma)], of norm 1.
+        The unit quaternion [delta, (alpha, beta, gamma)].
 
     Raises
     ------
@@ -220,8 +220,8 @@ def quaternion_from_euler_angles(u: Number, v: Number, w: Number) -> Quaternion:
 
     Notes
     -----
-    The paper introduces these four numbers without the word quaternion. With q_u, q_v and q_w the
-    quaternions of the principal rotations, they are the product q_w q_v q_u.
+    The paper introduces these four numbers without the word quaternion. They are the product
+    q_w q_v q_u of the quaternions of the principal rotations.
 
     References
     ----------
@@ -243,7 +243,7 @@ def quaternion_from_euler_angles(u: Number, v: Number, w: Number) -> Quaternion:
 
 @checked
 def axis_angle_from_euler_angles(u: Number, v: Number, w: Number) -> tuple[Vector, Number]:
-    """Axis and angle of the one rotation that three principal rotations come to, (4-3) to (4-6).
+    """Return the axis and angle of the one rotation that replaces three, (4-3) to (4-6).
 
     Parameters
     ----------
@@ -253,7 +253,7 @@ def axis_angle_from_euler_angles(u: Number, v: Number, w: Number) -> tuple[Vecto
     Returns
     -------
     axis : ndarray, shape (..., 3)
-        Unit vectors; (1, 0, 0) where nothing turns, because any axis would do.
+        Unit vectors. Where nothing turns, any axis would do, and the axis is (1, 0, 0).
     angle : ndarray, shape (...)
         Angles in radians, from 0 to 2 pi.
 
@@ -269,9 +269,9 @@ def axis_angle_from_euler_angles(u: Number, v: Number, w: Number) -> tuple[Vecto
 
     Notes
     -----
-    (4-5) gives the sine of half the angle, (4-6) its cosine; both are needed, since the sine alone
-    cannot tell an angle from the rest of a full turn. (4-3) is 0/0 where nothing turns. There, a
-    rotation smaller than the rounding of the three angles themselves counts as none.
+    (4-5) gives the sine of half the angle and (4-6) its cosine. Both are needed, because the sine
+    alone does not distinguish an angle from the rest of a full turn. (4-3) is 0/0 where nothing
+    turns. A rotation smaller than the rounding of the three angles counts as none.
 
     References
     ----------
@@ -299,34 +299,35 @@ def axis_angle_from_euler_angles(u: Number, v: Number, w: Number) -> tuple[Vecto
 
 @checked
 def euler_angles(matrix: RotationOrPose) -> tuple[Number, Number, Number]:
-    """Angles about U, V and W of a rotation: the way back from `matrix_from_euler_angles`.
+    """Return the angles about U, V and W, the inverse of `matrix_from_euler_angles`.
 
     Parameters
     ----------
     matrix : array_like, shape (..., 3, 3) or (..., 4, 4)
-        Rotation matrices; those with four rows neither move points nor put them in perspective.
+        Rotation matrices. A 4x4 matrix may contain neither a translation nor a perspective.
 
     Returns
     -------
     u, v, w : ndarray, shape (...)
-        Angles in radians; v from -pi/2 to pi/2, the others from -pi to pi. At gimbal lock, where v
-        is -pi/2 or pi/2 and only one combination of the other two matters, w is 0.
+        Angles in radians: v from -pi/2 to pi/2, the others from -pi to pi. At gimbal lock v is
+        -pi/2 or pi/2, and only one combination of u and w matters; then w is 0.
 
     Raises
     ------
     ValueError
         If the matrix is not finite, has the wrong shape, is not orthogonal (to half of the digits
-        of its dtype), or is orthogonal but reflects; the message says how far off it is.
+        of its dtype), is orthogonal but reflects, or is a 4x4 matrix whose fourth row or column
+        differs from the identity. The message says how far off it is.
 
     See Also
     --------
-    matrix_from_euler_angles : the way there.
-    rotedu.ordinary_rotation.axis_angle : one axis and one angle.
+    matrix_from_euler_angles : the inverse.
+    rotedu.ordinary_rotation.axis_angle : finds one axis and one angle.
 
     Notes
     -----
-    The first column of (4-2) gives v and w. The angle u is read off after the turn about W has
-    been undone, so that it keeps its digits near gimbal lock, where w is lost in rounding.
+    The first column of (4-2) gives v and w. The code undoes the turn about W before it reads off
+    u. So u keeps its digits near gimbal lock, where w is lost to rounding.
 
     References
     ----------
@@ -338,7 +339,7 @@ def euler_angles(matrix: RotationOrPose) -> tuple[Number, Number, Number]:
     >>> print(u.round(12), v.round(12), w.round(12))
     0.1 0.2 0.3
 
-    Gimbal lock: turns by 0.3 and 0.1, or by 0.7 and 0.5, or by 0.2 and 0 are the same.
+    At gimbal lock the angles 0.3 and 0.1 about U and W give the same rotation as 0.2 and 0:
 
     >>> u, v, w = euler_angles(matrix_from_euler_angles(0.3, np.pi / 2, 0.1))
     >>> print(u.round(12), v.round(12), w.round(12))
@@ -355,7 +356,7 @@ def euler_angles(matrix: RotationOrPose) -> tuple[Number, Number, Number]:
 
 @checked
 def homogeneous(matrix: Matrix3) -> HomogeneousMatrix:
-    """Write a 3x3 matrix as a 4x4 matrix; of a rotation matrix (3-3) it makes (4-7).
+    """Extend a 3x3 matrix to a 4x4 matrix, which turns (3-3) into (4-7).
 
     Parameters
     ----------
@@ -373,9 +374,9 @@ def homogeneous(matrix: Matrix3) -> HomogeneousMatrix:
 
     Notes
     -----
-    A point has the fourth coordinate 1, a direction 0, so that no translation moves it. The paper
-    gives the axis of (4-7) a fourth coordinate 1; as a direction it is (a_u, a_v, a_w, 0)
-    (erratum E8).
+    A point has the fourth coordinate 1. A direction has 0, so no translation moves it. The paper
+    gives the axis of (4-7) the fourth coordinate 1; as a direction it should be
+    (a_u, a_v, a_w, 0) (erratum E8).
 
     References
     ----------
@@ -394,12 +395,12 @@ def homogeneous(matrix: Matrix3) -> HomogeneousMatrix:
 
 @checked
 def translation(v: Vector3) -> HomogeneousMatrix:
-    """Move points by a vector.
+    """Return the matrix that moves points by a vector.
 
     Parameters
     ----------
     v : array_like, shape (..., 3)
-        The vector.
+        Displacement.
 
     Returns
     -------
@@ -412,7 +413,7 @@ def translation(v: Vector3) -> HomogeneousMatrix:
 
     Examples
     --------
-    The point (0, 0, 1) moves, the direction (0, 0, 1) does not:
+    The point (0, 0, 1) moves; the direction (0, 0, 1) does not:
 
     >>> print(translation([5, 0, 0]) @ [0, 0, 1, 1], translation([5, 0, 0]) @ [0, 0, 1, 0])
     [5. 0. 1. 1.] [0. 0. 1. 0.]
@@ -423,12 +424,12 @@ def translation(v: Vector3) -> HomogeneousMatrix:
 
 @checked
 def scaling(s: OneOrThree) -> HomogeneousMatrix:
-    """Stretch or shrink along the axes, leaving the origin in place.
+    """Return the matrix that stretches or shrinks along the axes.
 
     Parameters
     ----------
     s : array_like, shape () or (..., 3)
-        One factor for all three axes, or a factor for each. Negative factors reflect, 0 flattens.
+        One factor for all three axes, or one for each. A negative factor reflects, 0 flattens.
 
     Returns
     -------
@@ -458,13 +459,13 @@ def shearing(
     wu: Number = 0,
     wv: Number = 0,
 ) -> HomogeneousMatrix:
-    """Add to each coordinate multiples of the other two.
+    """Return the matrix that adds to each coordinate multiples of the other two.
 
     Parameters
     ----------
     uv, uw, vu, vw, wu, wv : array_like, shape (...), optional
-        Entries of the matrix, named by row and column: `uv` times the second coordinate is added
-        to the first.
+        Entries of the matrix, named by row and column. For example, `uv` times the second
+        coordinate is added to the first.
 
     Returns
     -------
@@ -473,11 +474,11 @@ def shearing(
     Raises
     ------
     ValueError
-        If an argument is not finite, or if they do not broadcast.
+        If an argument is not finite, or if the arguments do not broadcast.
 
     Examples
     --------
-    A pile of cards leans towards U, by half of its height along W:
+    A pile of cards leans towards U by half of its height along W:
 
     >>> print(shearing(uw=0.5) @ [0, 0, 10, 1])
     [ 5.  0. 10.  1.]
@@ -487,17 +488,17 @@ def shearing(
 
 @checked
 def reflection(normal: Unit3) -> HomogeneousMatrix:
-    """Reflect points in a plane through the origin.
+    """Return the matrix that reflects points in a plane through the origin.
 
     Parameters
     ----------
     normal : array_like, shape (..., 3)
-        Normal of the plane, of any length but zero.
+        Normal of the plane; any length but zero.
 
     Returns
     -------
     ndarray, shape (..., 4, 4)
-        Of determinant -1: no rotation does this, and no unit quaternion by q r q*.
+        Matrices with determinant -1. No rotation does this, and no unit quaternion q by q r q*.
 
     Raises
     ------
@@ -519,18 +520,18 @@ def reflection(normal: Unit3) -> HomogeneousMatrix:
 
 @checked
 def perspective(distance: NotZero) -> HomogeneousMatrix:
-    """Show points as an eye on the W axis sees them in the plane w = 0.
+    """Return the matrix that shows points as an eye on the W axis sees them in the plane w = 0.
 
     Parameters
     ----------
     distance : array_like, shape (...)
-        Where on the W axis the eye is. Points of the plane stay where they are.
+        Position of the eye on the W axis. Points in the plane stay in place.
 
     Returns
     -------
     ndarray, shape (..., 4, 4)
-        The third coordinate is kept, as depth: what was behind is still behind. Without it, and
-        after the division by the fourth, the first two are the picture.
+        After the division by the fourth coordinate, the first two coordinates are the picture and
+        the third is a depth, which keeps the order from front to back.
 
     Raises
     ------
@@ -539,16 +540,16 @@ def perspective(distance: NotZero) -> HomogeneousMatrix:
 
     See Also
     --------
-    rotedu.ordinary_rotation.transform : does the division, and refuses points at the eye's depth.
+    rotedu.ordinary_rotation.transform : divides, and refuses points at the depth of the eye.
 
     Notes
     -----
-    This is the one transform here that leaves a fourth coordinate other than 1. It can go into
-    one matrix with all the others; the division cannot.
+    Of the transforms in this module, only this one gives a fourth coordinate other than 1. It can
+    be multiplied into one matrix with the others; the division remains as a separate step.
 
     Examples
     --------
-    From a distance of 4, what is 4 behind the plane looks half as large:
+    Seen from a distance of 4, an object 4 behind the plane looks half as large:
 
     >>> print(perspective(4) @ [1, 1, -4, 1])
     [ 1.  1. -4.  2.]
@@ -557,23 +558,23 @@ def perspective(distance: NotZero) -> HomogeneousMatrix:
 
 
 def compose(*matrices: npt.ArrayLike) -> Array:
-    """Multiply matrices into one: ``compose(a, b, c)`` does c first, then b, then a.
+    """Multiply matrices into one; ``compose(a, b, c)`` applies c first, then b, then a.
 
     Parameters
     ----------
     *matrices : array_like, shape (..., 4, 4) or (..., 3, 3)
-        As written in an equation, the last one next to the point. Those with three rows are made
-        `homogeneous`; the leading axes broadcast.
+        The factors in the order of the equation, the last one next to the point. `homogeneous`
+        extends 3x3 matrices. The leading axes broadcast.
 
     Returns
     -------
     ndarray, shape (..., 4, 4)
-        The identity, if no matrix is given.
+        The product; the identity if there are no matrices.
 
     Raises
     ------
     ValueError
-        If a matrix is not finite or has the wrong shape.
+        If a matrix is not finite or has the wrong shape, or if the leading axes do not broadcast.
 
     References
     ----------
@@ -581,7 +582,7 @@ def compose(*matrices: npt.ArrayLike) -> Array:
 
     Examples
     --------
-    A point that is doubled, then moved, is not one that is moved, then doubled:
+    Scaling a point and then moving it differs from moving it and then scaling it:
 
     >>> print(compose(translation([1, 0, 0]), scaling(2)) @ [1, 1, 1, 1])
     [3. 2. 2. 1.]
@@ -596,7 +597,7 @@ def compose(*matrices: npt.ArrayLike) -> Array:
 
 
 def from_rows(*rows: list[Any]) -> Array:
-    """Make 4x4 matrices of entries that broadcast; a fourth row not given is (0, 0, 0, 1)."""
+    """Make 4x4 matrices from entries that broadcast; a missing fourth row is (0, 0, 0, 1)."""
     entries = [entry for row in (*rows, [0, 0, 0, 1])[:4] for entry in row]
     dtype = np.result_type(*(np.asarray(e) for e in entries if not isinstance(e, int)))
     matrix = np.stack(np.broadcast_arrays(*entries), dtype=dtype)
@@ -604,5 +605,5 @@ def from_rows(*rows: list[Any]) -> Array:
 
 
 def embedded(matrix: Array) -> Array:
-    """Write a 3x3 matrix as a 4x4 matrix, components first."""
+    """Extend a 3x3 matrix to a 4x4 matrix, components first."""
     return from_rows(*([*row, 0] for row in matrix))

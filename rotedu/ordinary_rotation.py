@@ -1,6 +1,6 @@
 """Section 3: rotation about an axis, as a formula and as a matrix.
 
-The notation is that of the equations: r is the vector, n the unit axis, theta the angle.
+The notation follows the equations: r is the vector, n the unit axis, theta the angle.
 """
 
 from __future__ import annotations
@@ -24,21 +24,21 @@ __all__ = ["axis_angle", "rotate", "rotation_matrix", "sixteen_products", "trans
 
 @checked
 def rotate(points: Vector3, axis: Unit3, angle: Number) -> Vector3:
-    """Rotate points about an axis through the origin: Rodrigues' formula (3-1), second line.
+    """Rotate points about an axis through the origin by Rodrigues' formula (3-1).
 
     Parameters
     ----------
     points : array_like, shape (..., 3)
-        The points, or vectors, to rotate.
+        Points or vectors to rotate.
     axis : array_like, shape (..., 3)
-        Direction of the axis, of any length but zero.
+        Direction of the axis; any length but zero.
     angle : array_like, shape (...)
-        Angle in radians, counterclockwise seen from the tip of the axis.
+        Angle in radians, counterclockwise as seen from the tip of the axis.
 
     Returns
     -------
     ndarray, shape (..., 3)
-        The rotated points; the leading axes of the three arguments are broadcast.
+        The rotated points. The leading axes of the three arguments broadcast.
 
     Raises
     ------
@@ -51,7 +51,7 @@ def rotate(points: Vector3, axis: Unit3, angle: Number) -> Vector3:
 
     References
     ----------
-    Cheng et al. (2023), Eq. (3-1)
+    Cheng et al. (2023), Eq. (3-1), second line
 
     Examples
     --------
@@ -73,19 +73,19 @@ def rotate(points: Vector3, axis: Unit3, angle: Number) -> Vector3:
 
 @checked
 def rotation_matrix(axis: Unit3, angle: Number) -> Rotation:
-    """Matrix of the rotation about an axis through the origin, entry by entry as in (3-3).
+    """Return the matrix of a rotation about an axis, entry by entry as in (3-3).
 
     Parameters
     ----------
     axis : array_like, shape (..., 3)
-        Direction of the axis, of any length but zero.
+        Direction of the axis; any length but zero.
     angle : array_like, shape (...)
-        Angle in radians, counterclockwise seen from the tip of the axis.
+        Angle in radians, counterclockwise as seen from the tip of the axis.
 
     Returns
     -------
     ndarray, shape (..., 3, 3)
-        Orthogonal matrices of determinant 1, to be multiplied with column vectors.
+        Orthogonal matrices with determinant 1, which multiply column vectors.
 
     Raises
     ------
@@ -94,14 +94,14 @@ def rotation_matrix(axis: Unit3, angle: Number) -> Rotation:
 
     See Also
     --------
-    axis_angle : the way back.
-    transform : the matrix applied to points.
+    axis_angle : the inverse.
+    transform : applies the matrix to points.
 
     Notes
     -----
-    ``1 - cos(theta)`` is computed once and nothing else is shared: the code costs what the paper
-    says its matrix costs, as `rotedu.cost.count` shows. For angles below about 1e-8 it rounds to
-    0, an error smaller than the rounding of the diagonal.
+    The code computes ``1 - cos(theta)`` once and shares nothing else, so it needs exactly as many
+    operations as the paper states; `rotedu.cost.count` counts them. For angles below about 1e-8
+    the difference rounds to 0, an error smaller than the rounding of the diagonal.
 
     References
     ----------
@@ -116,7 +116,7 @@ def rotation_matrix(axis: Unit3, angle: Number) -> Rotation:
            [1., 0., 0.],
            [0., 1., 0.]])
 
-    Degrees mistaken for radians are no error, but another rotation:
+    Degrees in place of radians raise no error, but they give another rotation:
 
     >>> rotation_matrix([0, 0, 1], 90)[:, 0].round(3)
     array([-0.448,  0.894,  0.   ])
@@ -137,17 +137,18 @@ def rotation_matrix(axis: Unit3, angle: Number) -> Rotation:
 def transform(matrix: Matrix, points: Vector3) -> Vector3:
     """Multiply points, as column vectors, by a matrix (3-2).
 
-    A 4x4 matrix acts on homogeneous coordinates: the point gets the fourth coordinate 1, and the
-    result is divided by its fourth coordinate unless the last row of the matrix, (0, 0, 0, 1),
-    makes that 1 again.
+    A 4x4 matrix acts on homogeneous coordinates: each point gets the fourth coordinate 1, and the
+    result is divided by its fourth coordinate. A last row of (0, 0, 0, 1) makes that coordinate 1
+    again and saves the division.
 
     Parameters
     ----------
     matrix : array_like, shape (..., 3, 3) or (..., 4, 4)
         One matrix for all points, or a stack whose leading axes broadcast against those of the
-        points. To apply each of k matrices to each of n points, give shape (k, 1, 3, 3).
+        points. To apply each of k matrices to each of n points, give the stack the shape
+        (k, 1, 3, 3).
     points : array_like, shape (..., 3)
-        The points.
+        Points to transform.
 
     Returns
     -------
@@ -159,11 +160,11 @@ def transform(matrix: Matrix, points: Vector3) -> Vector3:
     ValueError
         If an argument is not finite or has the wrong shape.
     rotedu.errors.DegenerateError
-        If the perspective divide would be by zero, that is, if a point is sent to infinity.
+        If the fourth coordinate of a result is zero, that is, if a point goes to infinity.
 
     References
     ----------
-    Cheng et al. (2023), Eq. (3-2); with 4x4 matrices, Eq. (4-7)
+    Cheng et al. (2023), Eq. (3-2), and Eq. (4-7) for 4x4 matrices
 
     Examples
     --------
@@ -196,7 +197,7 @@ def transform(matrix: Matrix, points: Vector3) -> Vector3:
 
 @checked
 def sixteen_products(matrix: Rotation) -> Matrix:
-    """Table of the products 4 q_i q_j of a rotation's quaternion, from the entries of its matrix.
+    """Return the products 4 q_i q_j of a rotation's quaternion, given its matrix.
 
     Parameters
     ----------
@@ -206,9 +207,9 @@ def sixteen_products(matrix: Rotation) -> Matrix:
     Returns
     -------
     ndarray, shape (..., 4, 4)
-        Four times q q^T, where q = (q_0, ..., q_3) is the unit quaternion of the rotation: the
-        cosine of half the angle, then the axis times the sine of half the angle. q and -q have
-        the same products.
+        The matrices 4 q q^T, where q = (q_0, ..., q_3) is the unit quaternion of the rotation:
+        the cosine of half the angle, then the axis times the sine of half the angle. q and -q
+        have the same products.
 
     Raises
     ------
@@ -217,7 +218,7 @@ def sixteen_products(matrix: Rotation) -> Matrix:
 
     See Also
     --------
-    axis_angle : reads the row with the largest diagonal entry.
+    axis_angle : uses the row with the largest diagonal entry.
 
     References
     ----------
@@ -246,7 +247,7 @@ def sixteen_products(matrix: Rotation) -> Matrix:
 
 @checked
 def axis_angle(matrix: Rotation) -> tuple[Vector3, Number]:
-    """Axis and angle of a rotation matrix: the inverse of `rotation_matrix`.
+    """Return the axis and angle of a rotation matrix, the inverse of `rotation_matrix`.
 
     Parameters
     ----------
@@ -256,9 +257,9 @@ def axis_angle(matrix: Rotation) -> tuple[Vector3, Number]:
     Returns
     -------
     axis : ndarray, shape (..., 3)
-        Unit vectors. Where the matrix leaves everything in place any axis would do: it is
-        (1, 0, 0). At a half turn, to within rounding, n and -n both serve: it is the one whose
-        first component other than zero is positive.
+        Unit vectors. For the identity any axis would do, and the result is (1, 0, 0). At a half
+        turn, to within rounding, both n and -n would do, and the result is the one whose first
+        nonzero component is positive.
     angle : ndarray, shape (...)
         Angles in radians, from 0 to pi.
 
@@ -266,19 +267,19 @@ def axis_angle(matrix: Rotation) -> tuple[Vector3, Number]:
     ------
     ValueError
         If the matrix is not finite, has the wrong shape, is not orthogonal (to half of the digits
-        of its dtype), or is orthogonal but reflects; the message says how far off it is.
+        of its dtype), or is orthogonal but reflects. The message says how far off it is.
 
     Notes
     -----
     Each row of `sixteen_products` is a multiple of the rotation's unit quaternion. Shepperd's
-    method takes the row with the largest diagonal entry, which is at least 1, so that no digits
-    are lost. The textbook's ``arccos((trace - 1) / 2)`` loses half of them near 0 and pi, and
-    dividing the skew part by ``2 sin(theta)`` loses the axis near pi.
+    method takes the row with the largest diagonal entry. That entry is at least 1, so no digits
+    are lost. The textbook formula ``arccos((trace - 1) / 2)`` loses half of them near 0 and pi, and
+    dividing the skew-symmetric part by ``2 sin(theta)`` loses the axis near pi.
 
     References
     ----------
     Shepperd (1978), "Quaternion from rotation matrix", J. Guidance and Control 1(3), 223-224.
-    Cheng et al. (2023) have no such formula; (4-3) to (4-6) start from three angles instead.
+    Cheng et al. (2023) give no such formula; their (4-3) to (4-6) start from three angles.
 
     Examples
     --------
@@ -300,7 +301,7 @@ def axis_angle(matrix: Rotation) -> tuple[Vector3, Number]:
 
 
 def refuse_infinite(w: Array) -> None:
-    """Refuse a fourth coordinate of zero, by which the perspective divide cannot divide."""
+    """Refuse a fourth coordinate of zero, because nothing can be divided by it."""
     infinite = np.asarray(w == 0)
     if infinite.any():
         raise DegenerateError(

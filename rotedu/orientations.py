@@ -1,7 +1,7 @@
 """Section 5, fourth part: orientations, interpolated with matrices alone.
 
-A point of the sphere says where a camera looks, not how it is turned about its line of sight. The
-curve of Section 5 is made of points; here the same construction runs on rotation matrices.
+A point of the sphere says where a camera looks, but not how it is turned about its line of sight.
+The curve of Section 5 consists of points; here the same construction runs on rotation matrices.
 """
 
 from __future__ import annotations
@@ -29,14 +29,14 @@ __all__ = ["closed_rotation_curve", "nearest_rotation", "slerp_rotations"]
 
 @checked
 def slerp_rotations(r1: Rotation, r2: Rotation, t: Number) -> Rotation:
-    """Orientation on the shortest way from one to another: R1 Exp(t Log(R1^T R2)).
+    """Return an orientation on the shortest turn from R1 to R2: R1 Exp(t Log(R1^T R2)).
 
     Parameters
     ----------
     r1, r2 : array_like, shape (..., 3, 3)
         Rotation matrices.
     t : array_like, shape (...)
-        Part of the way: 0 is R1, 1 is R2; outside, the turning goes on.
+        Fraction of the turn: 0 gives R1, 1 gives R2. Beyond them the turn goes on.
 
     Returns
     -------
@@ -46,16 +46,17 @@ def slerp_rotations(r1: Rotation, r2: Rotation, t: Number) -> Rotation:
     Raises
     ------
     ValueError
-        If an argument is not finite, has the wrong shape or is no rotation.
+        If an argument is not finite, has the wrong shape or is not a rotation.
     rotedu.errors.DegenerateError
-        If R1 and R2 are half a turn apart (to within rounding): then there are two ways.
+        If R1 and R2 are half a turn apart (to within rounding), because two turns are shortest.
 
     Notes
     -----
-    R1^T R2 is the turn from R1 to R2; its axis and angle are its logarithm, a part of that angle
-    about the same axis the exponential (3-3). This is slerp of quaternions, of which the two signs
-    are gone: the way is always the shorter one. The paper promises this and does not give it:
-    points on the sphere, which its Section 5 interpolates, are not orientations.
+    R1^T R2 is the turn from R1 to R2, and its axis and angle are its logarithm. The exponential
+    (3-3) of the same axis and a fraction of the angle is part of that turn. The result is slerp of
+    quaternions without the choice of sign: the turn is always the shorter one. The paper claims
+    this but gives no formula; its Section 5 interpolates points on the sphere, which are not
+    orientations.
 
     References
     ----------
@@ -77,27 +78,27 @@ def slerp_rotations(r1: Rotation, r2: Rotation, t: Number) -> Rotation:
 def closed_rotation_curve(
     rotations: ClosedRotations, samples: Count = 100, fraction: Fraction = 1 / 2
 ) -> Rotation:
-    """Draw a closed curve through orientations, as `closed_curve`, with matrices alone.
+    """Draw a closed curve through orientations with matrices alone.
 
     Parameters
     ----------
     rotations : array_like, shape (..., n, 3, 3)
-        Rotation matrices, at least 3, the first not repeated at the end.
+        At least 3 rotation matrices. Do not repeat the first one at the end.
     samples : int
-        Orientations for each segment, at u = 0, 1/samples, 2/samples ...
+        Number of orientations on each segment, at u = 0, 1/samples, 2/samples ...
     fraction : float
         As for `rotedu.control_points.control_points`.
 
     Returns
     -------
     ndarray, shape (..., n * samples, 3, 3)
-        Rotation matrices, from the first one given on.
+        Rotation matrices, starting with the first given one.
 
     Raises
     ------
     ValueError
-        If an argument is not finite, has the wrong shape or is out of range, or if a matrix is no
-        rotation.
+        If an argument is not finite, has the wrong shape or is out of range, or if a matrix is
+        not a rotation.
     rotedu.errors.DegenerateError
         If two orientations to be joined by an arc are half a turn apart (to within rounding). The
         message names them.
@@ -105,19 +106,20 @@ def closed_rotation_curve(
     Warns
     -----
     UserWarning
-        If the inner control points of a segment are within a degree of that.
+        If the inner control points of a segment are within a degree of half a turn apart.
 
     Notes
     -----
-    The construction is that of the points, with `slerp_rotations` for arcs and, for
-    Double(R1, R2), R2 R1^T R2. It has no signs to choose: a body that turns right round and comes
-    back to where it was is as good as any other data.
+    The construction is the same as for points, with `slerp_rotations` for the arcs and
+    Double(R1, R2) = R2 R1^T R2. It has no signs to choose, so a body may turn right round and come
+    back to where it was.
 
-    As long as no two orientations that it joins by an arc are more than half a turn apart, this is
-    the curve of `rotedu.closed_curve.closed_curve` for quaternions whose signs agree all the way
-    round. Beyond that the two differ, or this one does not exist. A quaternion tells a turn by 190
-    degrees from one by -170; a matrix does not, and goes the shorter way. About one axis that
-    happens where successive turns differ by more than 180 degrees (quaternions: 360).
+    Compare this curve with `rotedu.closed_curve.closed_curve` for quaternions whose signs agree all
+    the way round. The two are the same as long as no arc of the quaternions turns by more than half
+    a turn. Otherwise they differ, or this one does not exist. A quaternion distinguishes a turn
+    by 190 degrees from a turn by -170 degrees; a matrix does not, and takes the shorter one. For
+    turns about one axis this happens where successive turns differ by more than 180 degrees (for
+    quaternions, 360).
 
     Examples
     --------
@@ -144,31 +146,31 @@ def closed_rotation_curve(
 
 @checked
 def nearest_rotation(matrix: Matrix3) -> Rotation:
-    """Rotation matrix that differs least from a given matrix.
+    """Return the rotation matrix that differs least from a given matrix.
 
     Parameters
     ----------
     matrix : array_like, shape (..., 3, 3)
-        Any matrices, such as rotations that rounding or averaging has worn.
+        Any matrices, such as rotations spoilt by rounding or averaging.
 
     Returns
     -------
     ndarray, shape (..., 3, 3)
-        The rotations R for which the sum of the squared entries of R - M is least.
+        The rotations R that minimise the sum of the squared entries of R - M.
 
     Raises
     ------
     ValueError
         If the matrix is not finite or has the wrong shape.
     rotedu.errors.DegenerateError
-        If several rotations are equally near (to half of the digits): if M flattens space to a
-        line or a point, or if it reflects and stretches least in more than one direction, as -I.
+        If several rotations are equally near (to half of the digits). This happens if M flattens
+        space to a line or a point, or if M reflects and its smallest singular value is repeated,
+        as for -I.
 
     Notes
     -----
-    With the singular values s1 >= s2 >= s3 of M = U S V^T, the answer is U V^T, or, where that
-    reflects, U diag(1, 1, -1) V^T. It is unique as long as s2 + s3 > 0, s3 with a minus sign where
-    M reflects.
+    Let s1 >= s2 >= s3 be the singular values of M = U S V^T. The answer is U V^T or, if that
+    reflects, U diag(1, 1, -1) V^T. It is unique if s2 + s3 > 0, or s2 - s3 > 0 if M reflects.
 
     References
     ----------
@@ -195,12 +197,12 @@ APART = "half a turn apart"
 
 
 def double_rotations(r1: Array, r2: Array) -> Array:
-    """Go on from R2 for as far as from R1 to R2: R2 R1^T R2."""
+    """Continue beyond R2 by the turn from R1 to R2: R2 R1^T R2."""
     return product(product(r2, transpose(r1)), r2)
 
 
 def angle_of_turn(r1: Array, r2: Array) -> Array:
-    """Angle of the turn from R1 to R2."""
+    """Return the angle of the turn from R1 to R2."""
     _, theta = axis_angle(product(transpose(r1), r2))
     return theta
 

@@ -1,8 +1,8 @@
-"""Section 2: quaternions, and the rotations they make.
+"""Section 2: quaternions and the rotations they represent.
 
-The notation is that of the equations: a quaternion q = [w, v] is a scalar w and a vector v. All of
-them make a space of four dimensions; those of norm 1 are the unit sphere S^3 in it. (The paper
-writes S^3 for the space and S^2 for the sphere, one dimension too few each: erratum E1.)
+The notation follows the equations: a quaternion q = [w, v] has a scalar part w and a vector part v.
+The quaternions form a space of four dimensions, and those of norm 1 form its unit sphere S^3. (The
+paper calls the space S^3 and the sphere S^2, one dimension too few in each case: erratum E1.)
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ Result = TypeVar("Result")
 def of_quaternions(
     operation: Callable[[Quaternion, Quaternion], Result],
 ) -> Callable[[Quaternion, Any], Result]:
-    """Let an operation take a real number w for the quaternion [w, 0], as the paper does."""
+    """Let an operation accept a real number w as the quaternion [w, 0], as the paper does."""
 
     @wraps(operation)
     def widened(self: Quaternion, other: Any) -> Result:
@@ -60,21 +60,23 @@ def of_quaternions(
 
 @dataclass(frozen=True, slots=True)
 class Quaternion:
-    """Quaternions q = [w, v], one or an array of them (2-1).
+    """Quaternion q = [w, v], or an array of quaternions (2-1).
 
     Parameters
     ----------
     w : array_like, shape (...)
         Scalar parts.
     v : array_like, shape (..., 3)
-        Vector parts; the leading axes broadcast against those of `w`.
+        Vector parts. Their leading axes broadcast against `w`.
 
     Attributes
     ----------
     w : ndarray, shape (...)
+        Scalar parts, read-only like the other attributes.
     v : ndarray, shape (..., 3)
+        Vector parts.
     components : ndarray, shape (..., 4)
-        Scalar first: ``[w, x, y, z]``. All three are read-only.
+        All components, scalar first: ``[w, x, y, z]``.
 
     Raises
     ------
@@ -83,9 +85,10 @@ class Quaternion:
 
     Notes
     -----
-    ``+ - * /`` follow (2-2), (2-3) and (2-5), between quaternions and with real numbers, a number
-    w being the quaternion [w, 0]; arrays broadcast over the leading axes. ``p == q`` compares
-    quaternion by quaternion and has shape (...). ``p / q`` is division from the right.
+    ``+``, ``-``, ``*`` and ``/`` follow (2-2), (2-3) and (2-5). Either operand may be a real
+    number, which stands for the quaternion [w, 0]. Arrays broadcast over the leading axes.
+    ``p == q`` compares quaternion by quaternion and has shape (...). ``p / q`` divides from the
+    right and raises `rotedu.errors.DegenerateError` if q is zero.
 
     References
     ----------
@@ -93,7 +96,7 @@ class Quaternion:
 
     Examples
     --------
-    The products of the units do not commute, and all three together are -1:
+    The products of the units do not commute, and the product of all three is -1:
 
     >>> i, j, k = (Quaternion(0, unit) for unit in np.eye(3))
     >>> i * j == k, j * i == -k, i * j * k == -1
@@ -120,9 +123,9 @@ class Quaternion:
         Parameters
         ----------
         axis : array_like, shape (..., 3)
-            Direction of the axis, of any length but zero.
+            Direction of the axis; any length but zero.
         angle : array_like, shape (...)
-            Angle in radians. A full turn more changes the sign of the quaternion.
+            Angle in radians. One more full turn changes the sign of the quaternion.
 
         Returns
         -------
@@ -135,11 +138,12 @@ class Quaternion:
 
         References
         ----------
-        Cheng et al. (2023), Section 2.2, for the U axis
+        Cheng et al. (2023), Section 2.2 (for the U axis)
 
         Examples
         --------
-        Two turns make one quaternion round trip; one turn is rotation enough, yet gives -1:
+        A full turn brings every point back, but it takes the quaternion from 1 to -1. Only the
+        second full turn brings the quaternion back:
 
         >>> Quaternion.from_axis_angle([0, 0, 1], [0, 2 * np.pi, 4 * np.pi]).w
         array([ 1., -1.,  1.])
@@ -148,7 +152,7 @@ class Quaternion:
 
     @classmethod
     def from_matrix(cls, matrix: npt.ArrayLike) -> Quaternion:
-        """Make the unit quaternion of a rotation matrix: of the two, the one with w >= 0.
+        """Make the unit quaternion of a rotation matrix, choosing the sign for which w >= 0.
 
         Parameters
         ----------
@@ -158,7 +162,7 @@ class Quaternion:
         Returns
         -------
         Quaternion, shape (...)
-            At a half turn, where w = 0, the first component of v other than zero is positive.
+            At a half turn, where w = 0, the first nonzero component of v is positive.
 
         Raises
         ------
@@ -167,7 +171,13 @@ class Quaternion:
 
         See Also
         --------
-        rotedu.ordinary_rotation.axis_angle : does the work.
+        rotedu.ordinary_rotation.axis_angle : finds the axis and the angle.
+
+        Examples
+        --------
+        >>> q = Quaternion.from_matrix([[0, 0, 1], [1, 0, 0], [0, 1, 0]])
+        >>> print(q.components.round(12))
+        [0.5 0.5 0.5 0.5]
         """
         return cls.from_axis_angle(*ordinary_rotation.axis_angle(matrix))
 
@@ -183,32 +193,32 @@ class Quaternion:
 
     @of_quaternions
     def __add__(self, other: Quaternion) -> Quaternion:
-        """Sum, component by component (2-2)."""
+        """Add component by component (2-2)."""
         (w1, v1), (w2, v2) = parts(self, other)
         return joined(w1 + w2, v1 + v2)
 
     @of_quaternions
     def __sub__(self, other: Quaternion) -> Quaternion:
-        """Difference, component by component (2-2)."""
+        """Subtract component by component (2-2)."""
         (w1, v1), (w2, v2) = parts(self, other)
         return joined(w1 - w2, v1 - v2)
 
     @of_quaternions
     def __mul__(self, other: Quaternion) -> Quaternion:
-        """Hamilton's product (2-3)."""
+        """Multiply by Hamilton's rule (2-3)."""
         (w1, v1), (w2, v2) = parts(self, other)
         return joined(w1 * w2 - dot(v1, v2), w1 * v2 + w2 * v1 + cross(v1, v2))
 
     @of_quaternions
     def __truediv__(self, other: Quaternion) -> Quaternion:
-        """Division from the right, q1 q2^-1 (2-5)."""
+        """Divide from the right, q1 q2^-1 (2-5)."""
         return self * other.inverse()
 
     def __neg__(self) -> Quaternion:
         ((w, v),) = parts(self)
         return joined(-w, -v)
 
-    # The only left operand that comes here is a real number, which commutes with everything.
+    # Only real numbers get here as left operands, and they commute with every quaternion.
     __radd__ = __add__
     __rmul__ = __mul__
 
@@ -220,12 +230,12 @@ class Quaternion:
 
     @of_quaternions
     def __eq__(self, other: Quaternion) -> Any:
-        """Whether all four components are equal, quaternion by quaternion."""
+        """Tell for each quaternion whether all four components are equal."""
         return (self.components == other.components).astype(bool).all(axis=-1)
 
     @of_quaternions
     def __ne__(self, other: Quaternion) -> Any:
-        """Whether any component differs, quaternion by quaternion."""
+        """Tell for each quaternion whether any component differs."""
         return ~(self == other)
 
     def __repr__(self) -> str:
@@ -235,7 +245,7 @@ class Quaternion:
         return f"Quaternion({w}," + (f"\n{' ' * 11}" if self.w.ndim else " ") + f"{v})"
 
     def conjugate(self) -> Quaternion:
-        """Conjugate q* = [w, -v].
+        """Return the conjugate q* = [w, -v].
 
         Returns
         -------
@@ -250,7 +260,7 @@ class Quaternion:
         return joined(w, -v)
 
     def norm(self) -> Array:
-        """Norm abs(q), the root of q q*.
+        """Return the norm abs(q), the square root of q q*.
 
         Returns
         -------
@@ -264,7 +274,7 @@ class Quaternion:
         return np.asarray(safe_length(np.moveaxis(self.components, -1, 0)))
 
     def inverse(self) -> Quaternion:
-        """Inverse q* / abs(q)^2 (2-4).
+        """Return the inverse q* / abs(q)^2 (2-4).
 
         Returns
         -------
@@ -287,20 +297,19 @@ class Quaternion:
         norm = self.norm()
         refuse_zero(norm)
         ((w, v),) = parts(self.conjugate())
-        # Divided twice: the square of the norm could overflow or underflow.
+        # Divide twice, because the square of the norm could overflow or underflow.
         return joined(w / norm / norm, v / norm / norm)
 
     def axis_angle(self) -> tuple[Array, Array]:
-        """Axis and angle of the rotation: the inverse of `from_axis_angle`.
+        """Return the axis and angle of the rotation, the inverse of `from_axis_angle`.
 
         Returns
         -------
         axis : ndarray, shape (..., 3)
-            Unit vectors; (1, 0, 0) where q is 1 or -1 times a positive number, since any axis
-            would do.
+            Unit vectors. Where v = 0, any axis would do, and the axis is (1, 0, 0).
         angle : ndarray, shape (...)
-            Angles in radians, from 0 to 2 pi. The sign matters: q turns about
-            n by an angle, -q about -n by the rest of a full turn, and both come to the same.
+            Angles in radians, from 0 to 2 pi. The sign of q matters: if q turns about n by an
+            angle, then -q turns about -n by the rest of a full turn. Both are the same rotation.
 
         Raises
         ------
@@ -309,8 +318,8 @@ class Quaternion:
 
         Notes
         -----
-        The angle is ``2 * arctan2(abs(v), w)``; ``2 * arccos(w)`` would lose half of the digits
-        of a small angle. Quaternions that are not unit are normalised.
+        The angle is ``2 * arctan2(abs(v), w)``, because ``2 * arccos(w)`` would lose half of the
+        digits of a small angle. Quaternions of any other norm are normalised first.
 
         Examples
         --------
@@ -325,13 +334,14 @@ class Quaternion:
         return np.moveaxis(axis, 0, -1), np.asarray(2 * np.arctan2(sine, w))
 
     def rotate(self, points: npt.ArrayLike) -> Array:
-        """Rotate points: the vector part of q [0, r] q*, for any axis (2-6).
+        """Rotate points about any axis by q [0, r] q* (2-6).
 
         Parameters
         ----------
         points : array_like, shape (..., 3)
-            The points, or vectors, to rotate. Their leading axes broadcast against those of the
-            quaternions: to turn n points by each of k quaternions, give these shape (k, 1).
+            Points or vectors to rotate. Their leading axes broadcast against those of the
+            quaternions. To turn n points by each of k quaternions, give the quaternions the
+            shape (k, 1).
 
         Returns
         -------
@@ -345,12 +355,12 @@ class Quaternion:
         See Also
         --------
         matrix : cheaper for many points and one rotation.
-        rotate_about_u : what the paper derives.
+        rotate_about_u : the case that the paper derives.
 
         Notes
         -----
-        Quaternions that are not unit are normalised, which is to say that q [0, r] q^-1 is
-        computed. Multiplied out it is r + 2 w v x r + 2 v x (v x r).
+        Quaternions of any other norm are normalised first, so the method computes q [0, r] q^-1.
+        For a unit quaternion the product is [0, r + 2 w v x r + 2 v x (v x r)].
 
         References
         ----------
@@ -369,7 +379,7 @@ class Quaternion:
         return np.moveaxis(r + w * twice + cross(v, twice), 0, -1)
 
     def matrix(self) -> Array:
-        """Matrix of the rotation, the same as (3-3).
+        """Return the matrix of the rotation, the same as (3-3).
 
         Returns
         -------
@@ -382,11 +392,11 @@ class Quaternion:
 
         See Also
         --------
-        from_matrix : the way back.
+        from_matrix : the inverse.
 
         Notes
         -----
-        Quaternions that are not unit are normalised; q and -q have the same matrix.
+        Quaternions of any other norm are normalised first. q and -q have the same matrix.
 
         Examples
         --------
@@ -411,14 +421,14 @@ class Quaternion:
 
 @checked
 def rotate_about_u(points: Vector3, angle: Number) -> Vector:
-    """Rotate points about the U axis: what q [0, r] q* comes to (2-6), last line.
+    """Rotate points about the U axis by the last line of (2-6).
 
     Parameters
     ----------
     points : array_like, shape (..., 3)
-        The points, or vectors, to rotate.
+        Points or vectors to rotate.
     angle : array_like, shape (...)
-        Angle in radians, counterclockwise seen from the tip of the U axis.
+        Angle in radians, counterclockwise as seen from the tip of the U axis.
 
     Returns
     -------
@@ -431,8 +441,8 @@ def rotate_about_u(points: Vector3, angle: Number) -> Vector:
 
     Notes
     -----
-    The last line lacks a comma and has the angle about V in one place; it is computed here as the
-    line before it demands, with one angle and three components.
+    In print, the last line lacks a comma and has the angle about V in one place. The code follows
+    the line before it, with one angle and three components.
 
     References
     ----------
@@ -450,19 +460,19 @@ def rotate_about_u(points: Vector3, angle: Number) -> Vector:
 
 
 def parts(*quaternions: Quaternion) -> list[tuple[Array, Array]]:
-    """Scalar and vector parts, components first, with enough axes to broadcast."""
+    """Return scalar and vector parts, components first, with enough axes to broadcast."""
     axes = max(q.w.ndim for q in quaternions)
     components = [VECTOR.inside(q.components, axes) for q in quaternions]
     return [(q[0], q[1:]) for q in components]
 
 
 def joined(w: Array, v: Array) -> Quaternion:
-    """Make a quaternion of its parts, components first."""
+    """Make a quaternion from its parts, components first."""
     return _of(np.stack(np.broadcast_arrays(w, *v)))
 
 
 def refuse_zero(norm: Array) -> None:
-    """Refuse a norm of zero, by which nothing can be divided."""
+    """Refuse a norm of zero, because nothing can be divided by it."""
     if np.any(norm == 0):
         zero = place(norm == 0)
         found = f"; found{zero}" if zero else ""
@@ -470,12 +480,12 @@ def refuse_zero(norm: Array) -> None:
 
 
 def unit_components(q: Quaternion) -> Array:
-    """Components of the quaternion of norm 1, components first."""
+    """Return the components of the normalised quaternion, on the first axis."""
     return prepared({"quaternion": (q.components, UNIT)})["quaternion"]
 
 
 def unit_parts_and(q: Quaternion, points: npt.ArrayLike) -> tuple[tuple[Array, Array], Array]:
-    """Parts of the quaternion of norm 1, and points, with enough axes to broadcast."""
+    """Return the parts of the normalised quaternion and the points, ready to broadcast."""
     given = {"quaternion": (q.components, UNIT), "points": (points, VECTOR3)}
     unit, r = prepared(given).values()
     return (unit[0], unit[1:]), r

@@ -1,4 +1,4 @@
-"""What is written on the pages of the book, for tests that look labels up."""
+"""The text of the pages of the book, for tests that look up labels."""
 
 import functools
 import re
@@ -12,7 +12,7 @@ BOOK = Path(__file__).parents[1] / "book"
 
 @functools.cache
 def pages() -> dict[str, str]:
-    """What is written on each page; of a notebook, its text cells."""
+    """The text of each page; for a notebook, the text of its Markdown cells."""
     texts = {file.name: file.read_text("utf-8") for file in BOOK.glob("*.md")}
     for file in BOOK.glob("*.ipynb"):
         cells = nbformat.read(file, as_version=4).cells
@@ -21,7 +21,7 @@ def pages() -> dict[str, str]:
 
 
 def found(pattern: re.Pattern[str]) -> Iterator[tuple[str, ...]]:
-    """What a pattern finds on all pages."""
+    """All matches of a pattern on all pages."""
     for text in pages().values():
         for match in pattern.finditer(text):
             yield tuple(group for group in match.groups() if group is not None)

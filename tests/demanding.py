@@ -1,4 +1,4 @@
-"""A scene that asks for all that the figures need: a glass ball, arcs, points, twenty labels."""
+"""A scene with everything that the figures need: a glass ball, arcs, points, twenty labels."""
 
 import numpy as np
 import pyvista
@@ -75,7 +75,7 @@ def demanding_scene() -> pyvista.Plotter:
 
 
 def scene_of_all_looks() -> pyvista.Plotter:
-    """Draw one of everything that a surface, a line or a point can be."""
+    """Draw one of each kind of surface, line and point."""
     plotter = new_plotter()
     places = np.array([(0, y, z) for z in (0.75, -0.55) for y in (-1.2, -0.4, 0.4, 1.2)])
     round_ball = pyvista.Sphere(radius=0.33, theta_resolution=40, phi_resolution=40)

@@ -1,4 +1,4 @@
-"""Points of the unit sphere for the tests of Section 5, and checks of them."""
+"""Points of the unit sphere for the tests of Section 5, and checks of such points."""
 
 from typing import Any
 
@@ -14,7 +14,7 @@ Array = np.ndarray[Any, Any]
 
 RNG = np.random.default_rng(515)
 E1, E2, E3 = np.eye(3)
-# At 60 and 90 degrees, where a bar lost from a theta is noticed; the octant would hide it.
+# At 60 and 90 degrees a test notices a bar lost from a theta; the octant would hide it.
 BEFORE, HERE, AFTER = E1, np.array([0.5, 0.75**0.5, 0]), E3
 FRACTIONS = [1 / 2, 1 / 3]
 
@@ -25,14 +25,14 @@ def random_units(*shape: int, rng: np.random.Generator = RNG) -> Array:
 
 
 def great_circle(degrees: Any) -> Array:
-    """Points at these angles in a plane that is not one of the axes'."""
+    """Points at these angles in a plane that contains no coordinate axis."""
     angle = np.radians(degrees)[..., None]
     m = rotation_matrix([1, 2, 3], 0.8)
     return np.asarray(np.cos(angle) * m[0] + np.sin(angle) * m[1])
 
 
 def where(points: Array) -> Array:
-    """Tell the angles of such points, in degrees, from -180 to 180."""
+    """The angles of such points, in degrees, from -180 to 180."""
     m = rotation_matrix([1, 2, 3], 0.8)
     close(points @ m[2], 0, 1e-12)
     return np.asarray(np.degrees(np.arctan2(points @ m[1], points @ m[0])))
@@ -69,7 +69,7 @@ CURVES = [
     for k, fraction in zip("23", FRACTIONS, strict=True)
 ]
 
-# Lengths of arcs: where a sine or cosine loses digits, and on both sides of `NEAR_PI`, 2.4981.
+# Lengths of arcs, where a sine or cosine loses digits and on both sides of `NEAR_PI`, 2.4981.
 LENGTHS = [1e-16, 1e-9, 1e-8, 3e-8, 1e-7, 1e-4, 0.1, 1, 2, 2.498, 2.4982, 2.6, 3, np.pi - 1e-2]
 LENGTHS_AND_DTYPES = [
     *((length, np.float64) for length in [*LENGTHS, np.pi - 1e-4, np.pi - 1e-7]),
@@ -80,14 +80,14 @@ UNEQUAL_GAPS = [(*gaps, 2 * np.pi - sum(gaps)) for gaps in [(1, 2.5), (2.6, 2.6)
 
 
 def segments(points: Array, fraction: float) -> list[Array]:
-    """Control points of each segment, put together by hand."""
+    """The control points of each segment, collected by hand."""
     a, b = control_points(points, fraction)
     n = len(points)
     return [np.array([points[i - 1], a[i - 1], b[i % n], points[i % n]]) for i in range(1, n + 1)]
 
 
 def bezier(points: Array, fraction: float, u: Array) -> Array:
-    """Do the same with straight lines: points of the segments, of shape (n, samples, d)."""
+    """The same with straight lines: points of the segments, shape (n, samples, d)."""
     before, after = np.roll(points, 1, axis=0), np.roll(points, -1, axis=0)
     handle = fraction * (after - before) / 2
     control = points, points + handle, after - np.roll(handle, -1, axis=0), after
@@ -96,9 +96,9 @@ def bezier(points: Array, fraction: float, u: Array) -> Array:
 
 
 def turning(gaps: tuple[float, ...], fraction: float, u: Array) -> Array:
-    """Angles along the curve through three points of a circle with these gaps between them."""
+    """Angles along the curve through three points of a circle, given the gaps between them."""
     at = np.cumsum([0.0, *gaps])
-    # The last is the first again.
+    # The last point is the first one again.
     handle = fraction * (np.roll(gaps, 1) + gaps)[[0, 1, 2, 0]] / 2
     control = np.array([at[:-1], (at + handle)[:-1], (at - handle)[1:], at[1:]])
     weights = np.array([(1 - u) ** 3, 3 * u * (1 - u) ** 2, 3 * u**2 * (1 - u), u**3])

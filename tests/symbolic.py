@@ -1,4 +1,4 @@
-"""Numbers that numpy can compute with and sympy can prove things about."""
+"""Numbers with which numpy can compute and sympy can prove identities."""
 
 import operator
 from typing import Any
@@ -68,7 +68,7 @@ def symbolic(*values: Any) -> Any:
 
 
 def matrix(array: Any) -> sp.Matrix:
-    """Take what was computed back to sympy."""
+    """Turn the results of a computation back into sympy expressions."""
     array = np.asarray(array)
     return sp.Matrix(np.frompyfunc(bare, 1, 1)(array if array.ndim else array[None]))
 

@@ -69,7 +69,7 @@ class TestAxis:
         close(arc_axis(E1, [np.cos(theta), np.sin(theta), 0]), E3, 1e-15)
         p = HERE
         q = rotate(p, arc_axis(p, [1, 2, 3]), theta)
-        # The points are rounded to 1e-16.
+        # The points themselves are rounded to 1e-16.
         close(arc_axis(p, q), arc_axis(p, [1, 2, 3]), 4e-16 / np.sin(theta))
 
 
@@ -210,7 +210,7 @@ class TestNlerp:
             close(nlerp(p, q, t), expected, 1e-12)
 
     def test_where_it_is_on_the_arc(self) -> None:
-        # Seen from the centre, the chord's point t is at this angle from the midpoint of the arc.
+        # Seen from the centre, the point t of the chord has this angle to the midpoint of the arc.
         p, q = PAIRS
         for t in [-1, 0.1, 0.25, 0.8, 3]:
             theta = angle_between(p, q)
@@ -242,7 +242,7 @@ class TestSlerpHasAMatrix:
 
 
 class TestProofs(TwoPoints):
-    """The code itself, run on symbols."""
+    """The same code, run on symbols."""
 
     @pytest.mark.equation("5-2")
     def test_slerp_is_5_2(self) -> None:

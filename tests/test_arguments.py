@@ -36,7 +36,7 @@ from rotedu.ordinary_rotation import rotate, rotation_matrix
 from rotedu.orientations import closed_rotation_curve, nearest_rotation, slerp_rotations
 from rotedu.quaternions import Quaternion
 
-# Warnings of curves that are unstable are tested where they are due.
+# The warnings about unstable curves have tests of their own.
 pytestmark = pytest.mark.filterwarnings("ignore:.* are almost .*:UserWarning")
 
 
@@ -133,7 +133,7 @@ class TestCounts:
         assert count(lambda r: closed_rotation_curve(r, 2), turns).multiplications > 0
 
     def test_out_and_back_costs_as_much_as_other_ways(self) -> None:
-        """There a_i is P_i: angles are zero, and arrays of floats are clipped."""
+        """Here a_i is P_i: angles are zero, and arrays of floats are clipped."""
         out_and_back = np.array([E1, UNEVEN[1], E1, UNEVEN[2]]) * (1 + 1e-15)
         with np.errstate(invalid="ignore"):
             found = count(lambda p: closed_curve(p, 2), out_and_back)
@@ -173,7 +173,7 @@ VECTORS = [(f, name) for f, name in ARGUMENTS if name in ("p", "q", "points", "c
 
 
 class TestListings:
-    """What a page shows with `source` is the function that is called, and its body is short."""
+    """A page shows with `source` the very function that it calls, and its body is short."""
 
     @pytest.mark.parametrize("module", MATHEMATICS)
     def test_every_public_function_is_checked_by_its_annotations(self, module: str) -> None:
@@ -273,7 +273,7 @@ class TestRefusals:
 
     @pytest.mark.parametrize("n", [0, 1, 2])
     def test_fewer_than_three_points(self, n: int) -> None:
-        match = f"must be at least 3 to make a closed curve; got {n}$"
+        match = f"must number at least 3 to make a closed curve; got {n}$"
         for f in [control_points, closed_curve]:
             with pytest.raises(ValueError, match=f"^points {match}"):
                 f(np.eye(3)[:n])

@@ -24,7 +24,7 @@ def parse(page: Path) -> BeautifulSoup:
 
 @functools.cache
 def anchors(page: Path) -> set[str]:
-    """Everything on a page that can be linked to."""
+    """All targets of links on a page."""
     return {element["id"] for element in parse(page).find_all(id=True)}
 
 
@@ -43,7 +43,7 @@ def references(soup: BeautifulSoup) -> Iterator[str]:
 
 
 def loads(soup: BeautifulSoup) -> Iterator[str]:
-    """What a page loads without being asked."""
+    """Everything that a page loads by itself."""
     yield from (element["src"] for element in soup.find_all(src=True))
     yield from (element["href"] for element in soup.find_all("link", href=True))
 
@@ -165,7 +165,7 @@ def test_a_browser_finds_everything_here(
 
 
 def test_pages_can_be_read_from_the_file_system(browser: Any, book: Path) -> None:
-    """Without a server, text and formulas have their fonts and posters are seen."""
+    """Without a server, text and formulas have their fonts, and posters are visible."""
     page = browser.new_page()
     page.goto((book / "book" / "03-ordinary-rotation.html").as_uri())
     page.locator(".scene-poster").first.scroll_into_view_if_needed()
@@ -270,7 +270,7 @@ def test_what_scrolls_sideways_can_be_reached_with_the_keyboard(
 ) -> None:
     page = browser.new_page(viewport={"width": 390, "height": 900})
     seen = set()
-    # The root only sends readers on, meanwhile.
+    # Meanwhile, the root only redirects readers.
     for name in pages.keys() - {"index.html"}:
         page.goto(f"{site}/{name}")
         page.evaluate("for (const box of document.querySelectorAll('details')) box.open = true")

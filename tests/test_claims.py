@@ -1,4 +1,4 @@
-"""The claims of the paper: none is missing, and each is judged alike wherever it is judged."""
+"""The claims of the paper: none is missing, and each has the same verdict everywhere."""
 
 import json
 import re

@@ -1,4 +1,4 @@
-"""De Casteljau's construction and the closed curve: against the package splines and their laws."""
+"""De Casteljau's construction and the closed curve, against `splines` and their own laws."""
 
 import math
 import warnings
@@ -41,7 +41,7 @@ from rotedu.control_points import (
 )
 from rotedu.errors import DegenerateError
 
-# Warnings of curves that are unstable are tested where they are due.
+# The warnings about unstable curves have tests of their own.
 pytestmark = pytest.mark.filterwarnings("ignore:.* are almost .*:UserWarning")
 
 coordinates = st.floats(-1, 1, allow_subnormal=False)
@@ -131,7 +131,7 @@ class TestClosedCurve:
     @pytest.mark.parametrize("d", [2, 3, 4])
     @pytest.mark.parametrize(("theta", "dtype"), LENGTHS_AND_DTYPES)
     def test_arcs_of_any_length(self, theta: float, dtype: Any, d: int) -> None:
-        # Control points P, P, Q, Q, which fraction 0 makes: u is followed by 3 u^2 - 2 u^3.
+        # Fraction 0 gives the control points P, P, Q, Q, and the angle follows 3 u^2 - 2 u^3.
         single = dtype == np.float32
         u, rng = np.arange(20) / 20, np.random.default_rng(d)
         for _ in range(10):
@@ -143,7 +143,7 @@ class TestClosedCurve:
             assert found.dtype == dtype
             on_the_sphere(found, 2e-6 if single else 4e-15)
             turn = (theta * (3 * u**2 - 2 * u**3))[:, None]
-            # The points are rounded, which matters more, the nearer to pi.
+            # The rounding of the points matters more near pi.
             rounding = (1e-6 if single else 2e-15) / min(1, np.pi - theta)
             close(found[:20], np.cos(turn) * p + np.sin(turn) * x, rounding)
 
@@ -321,12 +321,14 @@ class TestClosedCurve:
     def test_nearly_antipodal_inner_control_points_are_warned_of(self, rest: float) -> None:
         points = self.with_inner_control_points(rest)
         which = r"control points a and b between points\[0\] and points\[1\]"
-        with pytest.warns(UserWarning, match=f"^{which} are almost antipodal: data") as caught:
+        with pytest.warns(
+            UserWarning, match=f"^{which} are almost antipodal: a small change"
+        ) as caught:
             curve = closed_curve(points)
         assert caught[0].filename == __file__
         on_the_sphere(curve)
         close(curve[::100], points, 1e-15)
-        # Across the line the curve changes sides.
+        # Beyond the limit the curve changes sides.
         with pytest.warns(UserWarning, match="almost"):
             other = closed_curve(self.with_inner_control_points(-rest))
         assert angle_between(curve[50], other[50]) > 2

@@ -39,7 +39,7 @@ from rotedu.errors import DegenerateError
 from rotedu.ordinary_rotation import rotate, rotation_matrix
 from rotedu.quaternions import Quaternion
 
-# Warnings of curves that are unstable are tested where they are due.
+# The warnings about unstable curves have tests of their own.
 pytestmark = pytest.mark.filterwarnings("ignore:.* are almost .*:UserWarning")
 
 
@@ -78,7 +78,7 @@ class TestBisect:
         p, q = random_units(2, 500, d)
         middle = bisect(p, q)
         on_the_sphere(middle)
-        # Rounding of the points, which matters more, the nearer they are to antipodal.
+        # The rounding of the points matters more if they are nearly antipodal.
         rounding = 1e-14 / np.minimum(1, np.pi - angle_between(p, q))
         assert (np.abs(angle_between(p, middle) - angle_between(p, q) / 2) < rounding).all()
         assert (np.abs(angle_between(middle, q) - angle_between(p, q) / 2) < rounding).all()
@@ -95,7 +95,7 @@ class TestBisect:
 
 
 class TestSteps:
-    """The steps from three points to a_i and b_i, on data that hide no lost bar."""
+    """The steps from three points to a_i and b_i, with data that reveal a lost bar."""
 
     before, here, after = BEFORE, HERE, AFTER
     reflected = double(before, here)
@@ -209,7 +209,7 @@ class TestControlPoints:
 
     def test_repeated_points(self) -> None:
         a, b = control_points([E1, E1, E2, E3])
-        # Neighbours P, P, Q: Double is P, Bisect is half the way to Q.
+        # For neighbours P, P, Q, Double gives P, and Bisect gives the point halfway to Q.
         close(a[1], slerp(E1, E2, 0.25))
         close(a[0], slerp(E1, double(E3, E1), 0.25))
         close(control_points([E1, E1, E1])[0], [E1] * 3)
@@ -276,7 +276,7 @@ class TestControlPoints:
 
 
 class TestProofs(TwoPoints):
-    """The code itself, run on symbols."""
+    """The same code, run on symbols."""
 
     def test_double_is_twice_the_arc(self) -> None:
         assert vanishes(self.back(double(self.p, self.q)) - self.of_5_2(2))

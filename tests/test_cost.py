@@ -1,4 +1,4 @@
-"""The counts of the paper come out of the code that runs."""
+"""The counts of the paper, found by running the code."""
 
 import math
 from concurrent.futures import ThreadPoolExecutor
@@ -19,7 +19,7 @@ def homogeneous(last_row: tuple[float, ...]) -> np.ndarray[Any, Any]:
 
 
 def counted_result(function: Any, *args: Any) -> Any:
-    """What the function returns while it is counted, as floats."""
+    """The result of a function under count, as floats."""
     results = []
     count(lambda *counting: results.append(function(*counting)), *args)
     return np.vectorize(lambda scalar: scalar.value, otypes=[float])(results[0])
@@ -156,7 +156,7 @@ class TestIndependence:
             inner.append(count(lambda y: y * y + 1, x))
             return x * x
 
-        # The inner function works on the outer one's numbers: the outer tally has it all.
+        # The inner function works on the outer one's numbers, so the outer tally has everything.
         assert count(outer, 3.0) == OperationCount(2, 1)
         assert inner == [OperationCount(1, 1)]
 

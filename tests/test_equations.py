@@ -1,4 +1,4 @@
-"""The tables of equations and figures: nothing is missing, every row points somewhere."""
+"""The tables of equations and figures: nothing is missing, and every row has a target."""
 
 import ast
 import functools
@@ -31,7 +31,7 @@ LINK = re.compile(r"\]\(#([\w-]+)\)")
 
 
 def marked() -> Iterator[tuple[str, str]]:
-    """Number and name of each test that is marked with an equation."""
+    """Number and name of each test that has the mark of an equation."""
     for file in Path(__file__).parent.glob("test_*.py"):
         for node in ast.walk(ast.parse(file.read_text("utf-8"))):
             for mark in getattr(node, "decorator_list", []):
@@ -41,7 +41,7 @@ def marked() -> Iterator[tuple[str, str]]:
 
 
 def function(name: str) -> Callable[..., Any]:
-    """Import what a dotted name inside the package stands for."""
+    """Import the object with a dotted name inside the package."""
     module, *path = name.split(".")
     result: Any = functools.reduce(getattr, path, importlib.import_module(f"rotedu.{module}"))
     assert callable(result)

@@ -1,4 +1,4 @@
-"""The list of errata: each has its section, which says and computes what is wrong."""
+"""The list of errata: each has a section that states the error and computes it."""
 
 import re
 

@@ -1,4 +1,4 @@
-"""The figures of the book as data: what is in a glTF file, where labels are, what hides them."""
+"""The figures of the book as data: the glTF file, the places of labels, and what hides them."""
 
 import base64
 import io
@@ -26,7 +26,7 @@ SCENES = [demanding_scene, scenes.figure_1, scenes.rotated_mesh]
 
 
 class Gltf:
-    """A binary glTF file, read by the letter of the standard."""
+    """A binary glTF file, read exactly as the standard says."""
 
     def __init__(self, content: bytes) -> None:
         magic, version, length = struct.unpack_from("<4sII", content)
@@ -77,7 +77,7 @@ def single(mesh: pyvista.DataSet, **looks: Any) -> tuple[Gltf, Any, Any, Any]:
 
 
 def faces_of(strip: np.ndarray) -> list[tuple[int, int, int]]:
-    """The triangles of a strip, each from its smallest corner on, without those of no area."""
+    """The triangles of a strip with an area, each starting at its smallest corner."""
     faces = []
     for i in range(len(strip) - 2):
         a, b, c = (int(x) for x in strip[i : i + 3])
@@ -110,7 +110,7 @@ class TestGltf:
             assert faces_of(gltf.array(primitive["indices"]).ravel()) == given
 
     def test_positions_survive_what_add_mesh_does_to_a_mesh(self) -> None:
-        """The array of the caller itself, in 64 bits, against the file."""
+        """Compare the caller's own array, in 64 bits, with the file."""
         points = np.random.default_rng(1).normal(size=(50, 3))
         mesh = pyvista.PolyData(points).delaunay_3d().extract_surface(algorithm=None)
         given = np.asarray(mesh.points).copy()
@@ -338,5 +338,5 @@ class TestStillPicture:
         picture = Image.open(io.BytesIO(base64.b64decode(shown.outputs[0].data["image/png"])))
         assert picture.size == parts.SIZE
         assert np.asarray(picture).std() > 1
-        # As conftest.py sets PYVISTA_JUPYTER_BACKEND, other backends were not loaded.
+        # conftest.py sets PYVISTA_JUPYTER_BACKEND, so other backends were not loaded.
         assert after.outputs[0].text == "None False\n"

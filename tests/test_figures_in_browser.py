@@ -1,4 +1,4 @@
-"""Scenes in a real browser: those of the book, and a small book of demanding ones."""
+"""Scenes in a real browser: the book's own, and a small book of demanding ones."""
 
 import base64
 import functools
@@ -22,12 +22,12 @@ from rotedu.figures.backend import BookFigure, book_figure
 
 ROOT = Path(__file__).parents[1]
 AXE = ROOT / "node_modules" / "axe-core" / "axe.min.js"
-# Mean difference, of 255, between the poster and the first frame: of the whole picture, and
-# away from edges, where both are surely inside the same part. WebP alone accounts for 1.
+# Mean difference, out of 255, between the poster and the first frame: over the whole picture, and
+# away from edges, where both surely show the same part. WebP alone accounts for 1.
 TOLERANCE, TOLERANCE_INSIDE = 1.0, 4.0
 MANY = 18
 Open = Callable[..., Any]
-# A theme with no looks of its own: all that is seen comes with the scenes.
+# A theme without styles of its own, so everything visible comes with the scenes.
 CONFIGURATION = """
 extensions = ["browser_libraries", "myst_nb", "rotedu.figures.pages", "sphinxcontrib.katex"]
 root_doc = "one"
@@ -108,7 +108,7 @@ class Strict(SimpleHTTPRequestHandler):
 
 
 def notebook_of(figures: list[BookFigure]) -> nbformat.NotebookNode:
-    """A notebook that was run and has shown figures."""
+    """A notebook that has run and shows figures."""
     outputs = [
         nbformat.v4.new_output("display_data", figure._repr_mimebundle_()) for figure in figures
     ]
@@ -123,7 +123,7 @@ def notebook_of(figures: list[BookFigure]) -> nbformat.NotebookNode:
 
 @pytest.fixture(scope="module")
 def small_book(book: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Build pages with one and with many demanding scenes, as the pages of the book are built."""
+    """Build pages with one and with many demanding scenes, in the same way as the book."""
     source = tmp_path_factory.mktemp("small")
     (source / "conf.py").write_text(CONFIGURATION)
     figure, looks = book_figure(demanding_scene()), book_figure(scene_of_all_looks())
@@ -153,7 +153,7 @@ def strict_site(small_book: Path) -> Iterator[str]:
 
 @pytest.fixture
 def open_page(browser: Any) -> Iterator[Open]:
-    """Open pages, each in a context of its own; a complaint of any is a failure."""
+    """Open pages, each in a context of its own; any complaint is a failure."""
     complaints: list[str] = []
     contexts = []
 
@@ -194,14 +194,14 @@ def one(strict_site: str, open_page: Open) -> Open:
 
 
 def come_to(scene: Any) -> None:
-    """Come to a scene, as a reader does."""
+    """Scroll to a scene, as a reader does."""
     scene.evaluate("element => element.scrollIntoView({block: 'center'})")
     scene.page.mouse.move(3, 3)
     scene.page.mouse.move(5, 5)
 
 
 def bring_live(scene: Any) -> Any:
-    """Come to a scene and wait until it is live."""
+    """Scroll to a scene and wait until it is live."""
     come_to(scene)
     scene.page.wait_for_function(
         "element => ['live', 'failed'].includes(element.dataset.state)",
@@ -213,7 +213,7 @@ def bring_live(scene: Any) -> Any:
 
 
 def settle(page: Any) -> None:
-    """Wait until what was asked for is drawn."""
+    """Wait until the browser has drawn the requested frame."""
     page.evaluate("() => new Promise(done => requestAnimationFrame(() => setTimeout(done, 60)))")
 
 
@@ -234,12 +234,12 @@ def on_white(picture: np.ndarray) -> np.ndarray:
 
 
 def difference(a: np.ndarray, b: np.ndarray) -> float:
-    """The mean difference of two pictures as seen on white."""
+    """The mean difference of two pictures on a white page."""
     return float(np.abs(on_white(a) - on_white(b)).mean())
 
 
 def inside(a: np.ndarray, b: np.ndarray, depth: int = 3) -> np.ndarray:
-    """Where both pictures show something, some pixels away from any edge."""
+    """The places where both pictures show something, some pixels away from any edge."""
     both = (a[..., 3] > 0) & (b[..., 3] > 0)
     steps = range(-depth, depth + 1)
     return np.logical_and.reduce(
@@ -258,14 +258,14 @@ def compare_with_poster(scene: Any, where: str) -> np.ndarray:
 
 
 def cut_off(picture: np.ndarray) -> float:
-    """The part of the border of a picture on which something is seen."""
+    """The fraction of the border of a picture that is not empty."""
     opacity = picture[..., 3]
     border = np.concatenate([opacity[0], opacity[-1], opacity[:, 0], opacity[:, -1]])
     return float((border > 0).mean())
 
 
 def assert_labels_stay(scene: Any, at_rest: list[dict[str, Any]]) -> None:
-    """Check that the labels are where they were, and that as many are seen."""
+    """Check that the labels keep their places, and that as many are visible."""
     for now, before in zip(scene.evaluate(LABELS), at_rest, strict=True):
         assert now["text"]
         assert now["seen"] == before["seen"], now
@@ -291,7 +291,7 @@ def drag(scene: Any, dx: float, dy: float) -> None:
 
 
 def lost_contexts(page: Any) -> list[bool]:
-    """Tell of each WebGL context of a page whether it is lost."""
+    """Tell for each WebGL context of a page whether it is lost."""
     return page.evaluate("contexts.map(context => context.isContextLost())")
 
 
@@ -303,16 +303,16 @@ def loaded(page: Any) -> list[str]:
 
 @pytest.mark.parametrize("turned", ["first", pytest.param("all", marks=pytest.mark.slow)])
 def test_every_scene_of_the_book_lives(book: Path, site: str, open_page: Open, turned: str) -> None:
-    """It shows its labels; it is drawn as on its poster, turns and comes back; one context serves.
+    """Each scene shows its labels, looks like its poster, turns and comes back, in one context.
 
-    By default the first scene of each page is turned; ``make test-slow`` turns all.
+    By default the test turns the first scene of each page; ``make test-slow`` turns all.
     """
     files = {file.relative_to(book).as_posix(): file for file in sorted(book.rglob("*.html"))}
     names = [name for name, file in files.items() if 'class="scene"' in file.read_text("utf-8")]
     assert len(names) >= 10
     for name in names:
         page = open_page(f"{site}/{name}", CONTEXTS, device_scale_factor=2)
-        # At the poster's own size, for to scale it is to blur its edges.
+        # Use the poster's own size, because scaling would blur its edges.
         page.add_style_tag(
             content=".scene { width: 45rem !important; max-width: none !important; }"
         )
@@ -357,7 +357,7 @@ def test_all_looks_are_those_of_the_poster(strict_site: str, open_page: Open) ->
 
 
 def test_many_scenes_share_one_context(strict_site: str, open_page: Open) -> None:
-    """The policy of this site forbids inline scripts and eval; a breach would be a complaint."""
+    """The policy of this site forbids inline scripts and eval; a breach causes a complaint."""
     page = open_page(f"{strict_site}/many.html", CONTEXTS)
     scenes = page.locator(".scene").all()
     assert len(scenes) == MANY
@@ -415,7 +415,7 @@ def test_keys(one: Open) -> None:
     page.keyboard.press("f")
     page.wait_for_function("() => document.fullscreenElement?.className === 'scene'")
     page.wait_for_function("() => document.querySelector('.scene-canvas').width === innerWidth")
-    # All of the poster fits in.
+    # The whole poster fits in.
     labels = scene.evaluate(LABELS)
     assert all(0 < label["left"] < 1 and 0 < label["top"] < 1 for label in labels)
     page.keyboard.press("f")
@@ -445,7 +445,7 @@ def test_the_wheel_scrolls_the_page_and_zooms_with_ctrl(one: Open) -> None:
 
 
 def swipe(page: Any, fingers: list[list[tuple[float, float]]]) -> None:
-    """Move fingers over the screen; each path has as many places as the others."""
+    """Move fingers over the screen; all paths have the same number of places."""
     session = page.context.new_cdp_session(page)
     for i, places in enumerate(zip(*fingers, strict=True)):
         points = [{"x": x, "y": y, "id": k} for k, (x, y) in enumerate(places)]
@@ -453,7 +453,7 @@ def swipe(page: Any, fingers: list[list[tuple[float, float]]]) -> None:
         session.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
         page.wait_for_timeout(20)
     session.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
-    # A page may go on scrolling for a moment.
+    # A page may continue to scroll for a moment.
     page.wait_for_function(AT_REST, polling=100)
     settle(page)
 
@@ -501,7 +501,7 @@ def test_without_scripts_there_are_posters(strict_site: str, open_page: Open) ->
 
 
 def failure(scene: Any) -> str:
-    """Come to a scene that cannot go live, and return what the page says."""
+    """Scroll to a scene that cannot go live, and return the message on the page."""
     come_to(scene)
     line = scene.page.locator(".scene-message[role=status]").first
     line.wait_for(timeout=20_000)
@@ -578,7 +578,7 @@ def test_a_lost_context_comes_back(one: Open) -> None:
 def test_a_live_scene_is_accessible(one: Open) -> None:
     if not AXE.exists():
         pytest.skip("axe is not installed: make audit does it")
-    # The policy of this site would not let the test's own script in.
+    # The policy of this site would block the test's own script.
     scene = bring_live(one(bypass_csp=True))
     scene.hover()
     scene.page.add_script_tag(path=AXE)

@@ -1,4 +1,4 @@
-"""Section 4: (4-1) to (4-7) and the transforms that go along, against sympy and scipy."""
+"""Section 4: (4-1) to (4-7) and the other transforms, against sympy and scipy."""
 
 from functools import reduce
 from itertools import permutations
@@ -434,7 +434,7 @@ class TestRefusals:
 
 
 class TestProofs:
-    """The code itself, run on symbols."""
+    """The same code, run on symbols."""
 
     angles = sp.symbols("u v w", real=True)
 

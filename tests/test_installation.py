@@ -1,6 +1,6 @@
-"""What a user installs: the built wheel with each extra, in an environment and a folder of its own.
+"""A user's installation: the built wheel with each extra, in a new environment and folder.
 
-Nothing here can reach the checkout, so a file of the package that read it would fail.
+Nothing here can reach the checkout, so any code of the package that reads it fails.
 """
 
 import json
@@ -35,7 +35,7 @@ def run(*command: str | Path, cwd: Path) -> str:
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Another folder, with the notebooks and nothing else."""
+    """Another folder that contains only the notebooks."""
     folder = tmp_path_factory.mktemp("elsewhere")
     for name in NOTEBOOKS:
         shutil.copy(ROOT / "book" / name, folder)
@@ -44,7 +44,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The wheel, made from the source distribution."""
+    """The wheel, built from the source distribution."""
     folder = tmp_path_factory.mktemp("dist")
     run(find_uv_bin(), "build", "--quiet", "--out-dir", folder, ROOT, cwd=folder)
     assert len(list(folder.glob("rotedu-*.tar.gz"))) == 1
@@ -116,7 +116,7 @@ def free_port() -> int:
 def lab(install: Callable[[str], Path], folder: Path) -> Iterator[str]:
     """JupyterLab, as `jupyter lab` starts it, without a browser window."""
     port = free_port()
-    # jupyter_server's client of another server sends neither token nor cookie with its socket.
+    # jupyter_server's client for another server sends neither token nor cookie on its socket.
     open_to_all = ["--IdentityProvider.token=", "--ServerApp.disable_check_xsrf=True"]
     options = ["--no-browser", f"--port={port}", *open_to_all]
     if hasattr(os, "geteuid") and os.geteuid() == 0:

@@ -1,4 +1,4 @@
-"""The committed notebooks, so that nbval compares what a reader sees."""
+"""The committed notebooks, whose outputs nbval must be able to compare."""
 
 import json
 import re
@@ -24,7 +24,7 @@ class TestNotebook:
         nbformat.validate(nbformat.read(file, as_version=4))
 
     def test_was_run_from_top_to_bottom(self, file: Path) -> None:
-        """A cell without a count is not compared at all."""
+        """Nbval does not compare a cell without a count."""
         counts = [cell.execution_count for cell in code_cells(file)]
         assert counts == list(range(1, len(counts) + 1))
 

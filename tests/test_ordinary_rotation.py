@@ -1,4 +1,4 @@
-"""Section 3: (3-1), (3-2), (3-3) and the way back, against sympy, scipy and their own laws."""
+"""Section 3: (3-1), (3-2), (3-3) and the inverse, against sympy, scipy and their own laws."""
 
 from collections.abc import Callable, Iterator
 from fractions import Fraction
@@ -235,11 +235,11 @@ class TestSixteenProducts:
         matrices = rotation_matrix(AXES, 3.0)
         table = sixteen_products(matrices.round(8))
         close(table, sixteen_products(matrices), 1e-7)
-        # Of one quaternion: all rows are parallel.
+        # All rows belong to one quaternion, so they are parallel.
         close(table[:, 0, 0] * table[:, 3, 3], table[:, 0, 3] ** 2, 1e-13)
 
     def test_row_worked_in_chapter_3(self) -> None:
-        """By hand from four decimals, where the textbook's row is all but lost."""
+        """By hand from four decimals, where the textbook's row is almost lost."""
         matrix = rotation_matrix([2, 6, 9], np.radians(179.9)).round(4)
         (_, _, uw), (_, _, vw), (wu, wv, _) = matrix
         row = [
@@ -611,10 +611,10 @@ class TestRefusals:
 
 
 class TestProofs:
-    """The code itself, run on symbols: what holds here holds for all axes and angles."""
+    """The same code, run on symbols, so the results hold for all axes and angles."""
 
     class Angle(sp.Symbol):
-        """An angle whose cosine numpy can ask for: it calls these methods of an object."""
+        """An angle with the methods that numpy calls for the cosine and sine of an object."""
 
         def cos(self) -> Any:
             return sp.cos(self)
@@ -627,7 +627,7 @@ class TestProofs:
     theta = Angle("theta", real=True)
 
     def is_zero(self, expression: Any) -> bool:
-        """Whether it vanishes modulo |n| = 1 and cos^2 + sin^2 = 1."""
+        """Whether an expression vanishes modulo |n| = 1 and cos^2 + sin^2 = 1."""
         c, s = sp.symbols("c s")
         polynomial = sp.expand(expression.subs({sp.cos(self.theta): c, sp.sin(self.theta): s}))
         laws = [sum(x**2 for x in self.n) - 1, c**2 + s**2 - 1]

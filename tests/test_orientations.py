@@ -26,7 +26,7 @@ from rotedu.ordinary_rotation import axis_angle, rotation_matrix
 from rotedu.orientations import closed_rotation_curve, nearest_rotation, slerp_rotations
 from rotedu.quaternions import Quaternion
 
-# Warnings of curves that are unstable are tested where they are due.
+# The warnings about unstable curves have tests of their own.
 pytestmark = pytest.mark.filterwarnings("ignore:.* are almost .*:UserWarning")
 
 
@@ -92,7 +92,7 @@ class TestOrientations:
 
     @pytest.mark.parametrize(("theta", "dtype"), LENGTHS_AND_DTYPES)
     def test_closed_curve_with_turns_of_any_size(self, theta: float, dtype: Any) -> None:
-        # As for points: the turns of the first segment are of 3 u^2 - 2 u^3 times theta.
+        # As for points, the angles in the first segment are 3 u^2 - 2 u^3 times theta.
         u, axes = np.arange(20) / 20, random_units(20, 3, rng=np.random.default_rng(20))
         for start, axis in zip(self.R1[:20], axes, strict=True):
             turn = theta * np.array([0, 1, 0.6])
@@ -107,7 +107,7 @@ class TestOrientations:
     @pytest.mark.parametrize("gaps", UNEQUAL_GAPS)
     @pytest.mark.parametrize("fraction", [0.2, 1 / 2, 1])
     def test_closed_curve_about_one_axis(self, gaps: tuple[float, ...], fraction: float) -> None:
-        # With 1 an arc at the start, and so one of each level, is longer than 2.5.
+        # With 1, one of the first arcs is longer than 2.5, and so is one of each level.
         start, axis = self.R1[0], [2, 3, 6]
         rotations = rotation_matrix(axis, np.cumsum([0, *gaps[:2]])) @ start
         turn = turning(gaps, fraction, np.arange(20) / 20)
@@ -187,7 +187,7 @@ class TestOrientations:
         close(closed_rotation_curve(matrices, 8, fraction), np.array(expected), 1e-13)
 
     def test_an_arc_between_directions_leaves_the_roll_to_chance(self) -> None:
-        # Carried to where the other looks, the rest is a turn about the line of sight, of any size.
+        # Once both look the same way, they differ by a turn of any size about the line of sight.
         off = []
         for r1, r2 in zip(self.R1, self.R2, strict=True):
             p, q = r1[:, 2], r2[:, 2]
@@ -199,10 +199,10 @@ class TestOrientations:
 
     @staticmethod
     def on_a_circle(at: Any, fraction: float, samples: int, around: float) -> Array:
-        """Do the same with numbers on a circle that measures `around`."""
+        """Do the same with numbers on a circle of circumference `around`."""
 
         def arc(p: Array, q: Array, t: Any) -> Array:
-            # The shorter way round.
+            # Take the shorter way round.
             return p + t * ((q - p + around / 2) % around - around / 2)
 
         here = np.array(at, dtype=float)
@@ -250,7 +250,7 @@ class TestOrientations:
             closed_rotation_curve(rotation_matrix(E3, swing))
 
     def test_random_loops_part_where_an_arc_is_longer_than_half_a_turn(self) -> None:
-        # Against slerp and products of SciPy and of numbers, with no function of the package.
+        # Against SciPy's slerp and products, and plain numbers, without functions of the package.
         def on_the_sphere(p: Array, q: Array, t: Any) -> Array:
             cosine = np.sum(p * q, axis=-1, keepdims=True)
             theta = np.arccos(np.clip(cosine, -1, 1))
@@ -321,7 +321,7 @@ class TestOrientations:
             closed_curve(q.components)
 
     def test_a_point_carried_along_is_not_the_curve_of_the_points(self) -> None:
-        # Twist about the pointing vector is lost on the sphere.
+        # On the sphere, the twist about the pointing vector is lost.
         twisted = rotation_matrix(E3, [0, 0.5, 1.0])
         close(closed_curve(twisted[:, :, 2], 10), [E3] * 30, 1e-15)
         assert np.abs(closed_rotation_curve(twisted, 10) - np.eye(3)).max() > 0.8
@@ -399,7 +399,7 @@ class TestNearestRotation:
 
 
 class TestRoundedInput:
-    """Matrices that are rotations to half of their digits are taken to the nearest rotations."""
+    """Matrices that are rotations to half of their digits become the nearest rotations."""
 
     @pytest.mark.parametrize("decimals", [8, 10, 12])
     def test_what_is_accepted_is_computed_with(self, decimals: int) -> None:

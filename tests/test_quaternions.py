@@ -402,7 +402,7 @@ class TestRefusals:
 
 
 class TestProofs:
-    """The code itself, run on symbols."""
+    """The same code, run on symbols."""
 
     w1, x1, y1, z1, w2, x2, y2, z2, w3, x3, y3, z3 = sp.symbols(
         "w1 x1 y1 z1 w2 x2 y2 z2 w3 x3 y3 z3"
@@ -412,7 +412,7 @@ class TestProofs:
     third = Quaternion(w3, [x3, y3, z3])
 
     def same(self, left: Quaternion, right: Quaternion, law: Any = 0) -> bool:
-        """Whether they are equal, modulo that the law is zero."""
+        """Whether two expressions are equal if the law is zero."""
         differences = [sp.expand(x) for x in left.components - right.components]
         if law == 0:
             return all(x == 0 for x in differences)

@@ -57,7 +57,7 @@ def test_no_page_takes_longer_than_half_an_hour(page: Path) -> None:
 
 @pytest.mark.parametrize("page", CHAPTERS, ids=lambda page: page.stem)
 def test_a_chapter_says_how_long_it_takes(page: Path) -> None:
-    # python tools/reading_time.py writes the line anew.
+    # python tools/reading_time.py updates this line.
     assert count(page).time in text_of(page)
 
 

@@ -1,4 +1,4 @@
-"""The figures in three dimensions: what they show is what they say."""
+"""The figures in three dimensions: they show what their functions promise."""
 
 import numpy as np
 import pytest
@@ -122,7 +122,7 @@ def test_construction_of_figures_3_to_7_is_that_of_control_points() -> None:
 
 
 def test_their_points_hide_no_lost_bar() -> None:
-    """Each bisected angle differs from the one named without the bar."""
+    """Each bisected angle differs from the angle of the same name without the bar."""
     p = construction.neighbours(construction.NEIGHBOURS)
     pairs = (
         ((construction.REFLECTED, construction.AFTER), (construction.BEFORE, construction.HERE)),

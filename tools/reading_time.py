@@ -1,4 +1,4 @@
-"""How long a page takes to read: a count, not a wish.
+"""Count how long each page takes to read.
 
 200 words take a minute, a line of shown code 5 seconds, a displayed formula 20, a figure 30. Folded
 text counts as if it were open; folded code does not count. Each exercise states its own minutes.
@@ -64,7 +64,7 @@ def lines_in(code: str) -> int:
 
 
 def shown(cell: Any) -> str:
-    """Return what a reader sees of a cell, as Markdown."""
+    """Return the visible part of a cell, as Markdown."""
     if cell.cell_type == "markdown":
         return "" if "remove-cell" in cell.metadata.get("tags", []) else str(cell.source)
     tags = set(cell.metadata.get("tags", []))
@@ -76,14 +76,14 @@ def shown(cell: Any) -> str:
 
 
 def text_of(page: Path) -> str:
-    """Return all that is seen of a page."""
+    """Return the visible part of a page."""
     if page.suffix == ".md":
         return page.read_text("utf-8")
     return "\n\n".join(map(shown, nbformat.read(page, as_version=4).cells))
 
 
 def count(page: Path) -> Count:
-    """Count what is read on a page."""
+    """Count what there is to read on a page."""
     text = text_of(page)
     minutes = sum(map(int, EXERCISE.findall("".join(EXERCISES.findall(text)))))
     text = EXERCISES.sub("", text)
@@ -96,13 +96,13 @@ def count(page: Path) -> Count:
 
 
 def pages() -> list[Path]:
-    """Return the pages that are read from top to bottom."""
+    """Return the pages that readers read from top to bottom."""
     files = sorted([*BOOK.glob("*.ipynb"), *BOOK.glob("*.md")])
     return [file for file in files if file.stem not in LOOKED_UP]
 
 
 def main() -> None:
-    """Print a line for each page, and bring its own line up to date."""
+    """Print a line for each page, and update the line **Time** on it."""
     print(f"{'page':24} words  code  formulas  figures  minutes  exercises")
     for page in pages():
         counted = count(page)

@@ -1,7 +1,7 @@
 """Run the notebooks of the book and store them as they are committed.
 
-Execution counts and printed outputs are kept, and the tests compare them. Pictures are dropped,
-because they are made when the book is built. Name notebooks to run only those.
+The notebooks keep execution counts and printed outputs, which the tests compare. They lose their
+pictures, because the build of the book draws them again. Name notebooks to run only those.
 """
 
 import os
@@ -36,7 +36,7 @@ def run(file: Path) -> None:
 
 
 if __name__ == "__main__":
-    # A picture without a window, whatever the machine.
+    # Draw without a window on every machine.
     os.environ["PYVISTA_JUPYTER_BACKEND"] = "still"
     for file in map(Path, sys.argv[1:] or sorted(BOOK.glob("*.ipynb"))):
         print(f"running {file.name}", flush=True)

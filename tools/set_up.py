@@ -1,9 +1,9 @@
 """Set up everything that the Makefile's targets need, inside the checkout.
 
-``python3 tools/set_up.py`` makes the virtual environment ``.venv`` from requirements.txt and
-makes sure that VTK can draw; with ``--browser`` it also looks for a browser for the tests of
-the built book. Only where the system lacks an OpenGL library or a browser, and where apt and
-the rights are there, is anything installed outside the checkout.
+``python3 tools/set_up.py`` makes the virtual environment ``.venv`` from requirements.txt and makes
+sure that VTK can draw. With ``--browser`` it looks instead for a browser for the tests of the built
+book. It installs something outside the checkout only if the system lacks an OpenGL library or a
+browser, and only if it may use apt.
 """
 
 import os
@@ -18,7 +18,7 @@ VENV = ROOT / ".venv"
 PYTHON = VENV / "bin" / "python"
 OLDEST, NEWEST = (3, 11), (3, 13)
 
-# In a process of its own: without an OpenGL library VTK ends in a segmentation fault.
+# Runs in a process of its own, because VTK crashes without an OpenGL library.
 TRIAL_RENDER = """
 import pyvista
 from rotedu import scenes
@@ -44,7 +44,7 @@ def say(text: str) -> None:
 
 
 def apt_install(package: str) -> bool:
-    """Install a Debian package if apt and the rights to use it are there."""
+    """Install a Debian package if apt is there and this user may use it."""
     if not shutil.which("apt-get") or os.geteuid() != 0:
         return False
     say(f"installing the system package {package}")
@@ -55,7 +55,7 @@ def apt_install(package: str) -> bool:
 
 
 def refuse_other_pythons() -> None:
-    """Stop at a Python that the locked packages are not for."""
+    """Stop if the locked packages do not support this Python."""
     if not OLDEST <= sys.version_info[:2] <= NEWEST:
         here, oldest, newest = ("{}.{}".format(*v) for v in (sys.version_info, OLDEST, NEWEST))
         sys.exit(
@@ -65,7 +65,7 @@ def refuse_other_pythons() -> None:
 
 
 def made_by_this_python() -> bool:
-    """Tell whether .venv is there and whole, and has the version of the Python that runs this."""
+    """Tell whether .venv is complete and has the same Python version as this process."""
     show = [PYTHON, "-c", "import pip, sys; print(*sys.version_info[:2])"]
     try:
         version = subprocess.run(show, capture_output=True, text=True, check=True).stdout
@@ -82,7 +82,7 @@ def make_environment() -> None:
     say("installing the packages of requirements.txt into .venv")
     pip = [PYTHON, "-m", "pip", "install", "-qq", "--disable-pip-version-check"]
     subprocess.run([*pip, "uv"], check=True)
-    # The list names rotedu relative to the checkout.
+    # The list gives the path of rotedu relative to the checkout.
     uv = [PYTHON, "-m", "uv", "pip", "install", "--quiet", "--python", PYTHON]
     subprocess.run([*uv, "-r", "requirements.txt"], cwd=ROOT, check=True)
 
@@ -91,13 +91,13 @@ def can_draw() -> bool:
     """Tell whether VTK draws a picture on this machine."""
     trial = subprocess.run([PYTHON, "-c", TRIAL_RENDER], stderr=subprocess.PIPE, check=False)
     if trial.returncode > 0:
-        # Python itself gave up: no library would mend that.
+        # Python itself raised an error, which no library can fix.
         sys.exit(trial.stderr.decode())
     return trial.returncode == 0
 
 
 def make_vtk_draw() -> None:
-    """Find out whether VTK draws; install an OpenGL library or say how."""
+    """Find out whether VTK draws; if not, install an OpenGL library or say how to."""
     say("drawing a first picture")
     if can_draw() or any(apt_install(package) and can_draw() for package in OPENGL_PACKAGES):
         return

@@ -1,7 +1,7 @@
 /*
  * node build.js <folder> bundles the viewer into <folder>/scene/:
- *   loader.js        on every page with scenes, a classic script, so that it runs from files too
- *   viewer-HASH.js   a module, fetched when the first scene goes live
+ *   loader.js        a classic script on every page with scenes, which also runs from files
+ *   viewer-HASH.js   a module that is fetched when the first scene goes live
  *   scene.css        the styles of both
  */
 import { copyFile, mkdir } from "node:fs/promises";

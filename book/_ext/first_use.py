@@ -1,6 +1,6 @@
-"""The first use of each glossary term on a page is a link to its explanation.
+"""Link the first use of each glossary term on a page to its explanation.
 
-So the notebooks need no marks for it, which JupyterLab would show as they are.
+The notebooks therefore need no markup for these links, which JupyterLab would show as plain text.
 """
 
 import re
@@ -28,19 +28,19 @@ NOT_PROSE = (
 
 
 def spellings(term: str) -> list[str]:
-    """Return the ways to write a term: ``C1, C2`` are two, and each has a plural."""
+    """Return all spellings of a term: ``C1, C2`` are two terms, and each has a plural."""
     return [form for name in term.split(", ") for form in (name, PLURALS.get(name, f"{name}s"))]
 
 
 def pattern(spelling: str) -> str:
-    """Return what finds a spelling in a text, also where it begins a sentence or a line."""
+    """Return a pattern that finds a spelling in a text, also at the start of a sentence or line."""
     first, rest = spelling[0], re.escape(spelling[1:])
     rest = rest.replace("'", "['\N{RIGHT SINGLE QUOTATION MARK}]").replace(r"\ ", r"\s+")
     return f"[{first.upper()}{first}]{rest}"
 
 
 def is_prose(node: nodes.Node) -> bool:
-    """Tell whether a node is part of a running text, in which a link may be."""
+    """Tell whether a node is part of running text, which may contain links."""
     inside_paragraph = False
     while node := node.parent:
         if isinstance(node, NOT_PROSE):
@@ -50,9 +50,9 @@ def is_prose(node: nodes.Node) -> bool:
 
 
 class LinkFirstUses(SphinxPostTransform):
-    """Link the terms of the glossary, the longer before the shorter."""
+    """Link the terms of the glossary, longer terms before shorter ones."""
 
-    # When captions have become captions.
+    # After the paragraphs of captions have become captions.
     default_priority = 6
 
     def run(self, **_: Any) -> None:

@@ -1,6 +1,6 @@
-"""What belongs together stays on one line: a formula and its comma or brackets, (4-1), 18 + 12.
+"""Keep on one line what belongs together: a formula and its comma or brackets, (4-1), 18 + 12.
 
-Browsers break a line after any formula, as after a picture; no character prevents it.
+Browsers may break a line after any formula, as after a picture, and no character prevents it.
 """
 
 import re
@@ -15,7 +15,7 @@ MARKS = re.compile(r"[.,;:!?)\N{RIGHT DOUBLE QUOTATION MARK}]+")
 UNSEEN = re.compile(r"\\textcolor\{[^}]*\}|\\[A-Za-z]+|[\\{}^_\s]")
 # Numbers of equations, counts of operations, shapes.
 NUMBERS = re.compile(r"(\(\d-\d+\)|\d+ [+×] \d+)")
-# A longer formula has to break somewhere, on a phone.
+# On a phone, a longer formula must be able to break.
 SHORT = 16
 
 
@@ -30,11 +30,11 @@ class KeepTogether(SphinxPostTransform):
     default_priority = 5
 
     def run(self, **_: Any) -> None:
-        """Look at all texts, and at what stands around each formula."""
+        """Treat the numbers in all texts, and the marks around each formula."""
         for text in list(self.document.findall(nodes.Text)):
             if not isinstance(text.parent, nodes.paragraph | nodes.emphasis | nodes.strong):
                 continue
-            # Every other part is one that the pattern found.
+            # Every second part is a match of the pattern.
             parts = [nodes.Text(part) for part in NUMBERS.split(text)]
             parts[1::2] = map(unbroken, parts[1::2])
             if len(parts) > 1:
@@ -58,6 +58,6 @@ class KeepTogether(SphinxPostTransform):
 
 
 def setup(app: Sphinx) -> dict[str, Any]:
-    """Come before links are made of words."""
+    """Register the step, which runs before words become links."""
     app.add_post_transform(KeepTogether)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

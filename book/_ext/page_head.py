@@ -1,6 +1,6 @@
-"""Below its title, a page that is a notebook offers the notebook; its head says what it is about.
+"""Offer each notebook for download below the title of its page, and describe the page in its head.
 
-So no notebook needs a link to itself.
+A notebook therefore needs no link to itself.
 """
 
 import textwrap
@@ -16,7 +16,7 @@ DESCRIPTION_LENGTH = 160
 
 
 class WritePageHead(SphinxTransform):
-    """Add both to the document, before Sphinx collects the files to download."""
+    """Add the link and the description, before Sphinx collects the files to download."""
 
     default_priority = 400
 
@@ -37,7 +37,7 @@ class WritePageHead(SphinxTransform):
 
 
 def setup(app: Sphinx) -> dict[str, Any]:
-    """Register the step, and set what furo makes known too late for _config.yml."""
+    """Register the step, and set an option that furo adds too late for _config.yml."""
     app.config.pygments_dark_style = "github-dark-high-contrast"
     app.add_transform(WritePageHead)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -1,4 +1,4 @@
-"""Equations carry the numbers of the paper: the label ``eq-3-1`` is numbered (3-1)."""
+"""Give equations the numbers of the paper: the label ``eq-3-1`` gets the number (3-1)."""
 
 from typing import Any
 
@@ -12,7 +12,7 @@ PREFIX = "eq-"
 
 
 class PaperMathDomain(MathDomain):
-    """Sphinx's domain for formulas, with numbers read from the labels."""
+    """Sphinx's domain for formulas, with numbers taken from the labels."""
 
     def note_equation(self, docname: str, labelid: str, location: Any = None) -> None:
         """Give an equation the number that follows ``eq-`` in its label."""
@@ -23,12 +23,12 @@ class PaperMathDomain(MathDomain):
 
 
 class IndexNumbers(SphinxTransform):
-    """Let the search find an equation by its number."""
+    """Make equations searchable by their numbers."""
 
     default_priority = 400
 
     def apply(self, **_: Any) -> None:
-        """Put an entry for the index before each numbered equation."""
+        """Insert an index entry before each numbered equation."""
         for equation in list(self.document.findall(nodes.math_block)):
             if label := equation.get("label"):
                 number = label.removeprefix(PREFIX)
@@ -38,7 +38,7 @@ class IndexNumbers(SphinxTransform):
 
 
 def setup(app: Sphinx) -> dict[str, Any]:
-    """Put the domain in the place of Sphinx's own."""
+    """Replace Sphinx's own domain, and register the step."""
     app.add_domain(PaperMathDomain, override=True)
     app.add_transform(IndexNumbers)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -1,9 +1,9 @@
-"""What has changed decides what is done again: running notebooks, or only writing pages.
+"""Decide from what has changed whether to run notebooks again, or only to write pages again.
 
-MyST-NB's cache compares the code of a notebook alone. A page would go on showing what an
-older `rotedu` computed, so the digest of the package names the cache. Sphinx compares the
-sources and templates alone. So a digest of their frame (styles, extensions, viewer, glossary)
-is a setting: when it changes, all pages are written anew.
+MyST-NB's cache compares only the code of a notebook, so a page could go on showing what an older
+`rotedu` computed. Therefore a digest of the package names the cache. Sphinx compares only sources
+and templates. Therefore a digest of the frame (styles, extensions, viewer, glossary) is a setting:
+when it changes, Sphinx writes all pages again.
 """
 
 import hashlib
@@ -34,7 +34,7 @@ def digest(files: Iterable[Path]) -> str:
 
 
 def note(app: Sphinx, config: Config) -> None:
-    """Set both digests and point MyST-NB to the cache of this state of the package."""
+    """Set both digests, and point MyST-NB to the cache for this state of the package."""
     config.package_digest = digest([*ROOT.glob("rotedu/**/*"), ROOT / "requirements.txt"])
     config.frame_digest = digest(file for part in FRAME for file in ROOT.glob(part))
     caches = Path(app.doctreedir).parent / ".jupyter_cache"
@@ -42,7 +42,7 @@ def note(app: Sphinx, config: Config) -> None:
 
 
 def setup(app: Sphinx) -> dict[str, Any]:
-    """Register the digests: one makes Sphinx read every page again, the other write it."""
+    """Register the digests: one makes Sphinx read all pages again, the other write them again."""
     app.add_config_value("package_digest", "", "env")
     app.add_config_value("frame_digest", "", "html")
     app.connect("config-inited", note)

@@ -1,4 +1,4 @@
-// What scrolls sideways can be scrolled with the keyboard.
+// Let the keyboard reach every box that scrolls sideways.
 const boxes = "article :is(pre, .table-wrapper, .text_html, .chart, .katex-display)";
 
 const letReach = () => {
@@ -11,10 +11,10 @@ const letReach = () => {
 for (const event of ["load", "resize"]) addEventListener(event, letReach);
 document.addEventListener("toggle", letReach, true);
 
-// MyST-NB names the buttons of hidden cells by other words than they show.
+// MyST-NB gives the buttons of hidden cells a label that differs from their text.
 for (const button of document.querySelectorAll(".cell summary")) button.removeAttribute("aria-label");
 
-// A page that is opened from a file cannot preload its fonts: there they may come late.
+// A page opened from a file cannot preload its fonts, so there they may load late.
 if (location.protocol === "file:") {
   for (const style of ["normal", "italic"]) {
     const url = new URL(`fonts/source-serif-4-latin-wght-${style}.woff2`, document.currentScript.src);

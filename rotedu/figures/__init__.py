@@ -1,10 +1,10 @@
 """Figures for a book, made from pyvista scenes.
 
 A page in a browser has no Python behind it. This package turns the window that ``Plotter.show()``
-would open into something a page can carry. `backend` makes a poster, labels and an alternative
+would open into something that a page can carry. `backend` makes a poster, labels and an alternative
 text, `gltf` writes the scene to a file, and `pages` puts everything on a page of Sphinx. There the
-viewer in the folder ``viewer`` replaces the poster by the scene, which the reader can turn. Nothing
-here knows what the scenes are about.
+viewer in the folder ``viewer`` replaces the poster with the scene, which the reader can turn.
+Nothing here depends on what the scenes show.
 
 Use in another book
 -------------------
@@ -13,13 +13,13 @@ Use in another book
    (`rotedu.figures.backend.book_figure`), the group ``myst_nb.mime_renderers`` brings
    `rotedu.figures.pages.SceneRenderer`.
 2. Bundle the viewer once, with Node: ``npm install three esbuild``, then ``node
-   viewer/build.js <folder>``; the folder is one of Sphinx's ``html_static_path``. All files
-   come from the book's own host, and no script is inline.
+   viewer/build.js <folder>``; the folder must be one of Sphinx's ``html_static_path``. All
+   files come from the book's own host, and no script is inline.
 3. Add ``rotedu.figures.pages`` to the Sphinx extensions (in Jupyter Book:
    ``sphinx: extra_extensions``). While Sphinx runs, notebooks then use the backend
-   ``book``; anywhere else they keep the one they would have had. Pages with scenes load
-   ``scene/scene.css`` and ``scene/loader.js``; the viewer follows when a scene comes near.
-4. Say in words what a scene shows, then show it as always::
+   ``book``; anywhere else they keep their own. Pages with scenes load ``scene/scene.css`` and
+   ``scene/loader.js``; the viewer follows when a scene comes near the screen.
+4. Describe the scene in words, then show it as usual::
 
        plotter = pyvista.Plotter()
        plotter.add_mesh(pyvista.Sphere())
@@ -27,9 +27,9 @@ Use in another book
        describe(plotter, "A ball with its north pole marked P0.")
        plotter.show()
 
-A label may hold a formula between dollar signs. Meshes added with ``pickable=False``
-never hide a label that stands behind them. What the viewer could not show as the poster does
-(textures, several views, lights that stay in place) is refused with a `ValueError`.
+A label may hold a formula between dollar signs. Meshes added with ``pickable=False`` never hide the
+labels behind them. A scene raises a `ValueError` if the viewer could not show it like the poster:
+if it has textures, several views or lights that stay in place, for example.
 """
 
 from rotedu.figures.backend import describe

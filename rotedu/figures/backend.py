@@ -1,8 +1,8 @@
 """The pyvista backends ``book`` and ``still``: what ``Plotter.show()`` leaves in a notebook.
 
-``book`` makes a poster (a picture with a see-through background, at twice the size it is shown
-at), an alternative text, the labels of the scene as text over the poster, typeset like the
-formulas of the page, and the scene itself as binary glTF. ``still`` makes a picture.
+``book`` makes a poster (a picture with a transparent background, at twice the size shown), an
+alternative text, the labels of the scene as text over the poster, typeset like the formulas of the
+page, and the scene itself as binary glTF. ``still`` makes a picture.
 """
 
 import base64
@@ -22,15 +22,15 @@ from rotedu.figures.gltf import scene_gltf, surface_of
 
 MIME_TYPE = "application/vnd.pyvista.scene+json"
 POSTER_SCALE = 2
-# Across each pixel of the poster, and as many down.
+# Samples across each pixel of the poster, and as many down.
 POSTER_SAMPLES = 2
 
 
 def choose_render_window() -> None:
     """Tell VTK which off-screen window to use where there is no display.
 
-    It would try the display first and complain on stderr, in the middle of the page. OSMesa
-    draws without any device; where it is missing, EGL is next.
+    Otherwise VTK would try the display first and complain on stderr, in the middle of the page.
+    OSMesa draws without any device. Where it is missing, VTK uses EGL.
     """
     if sys.platform != "linux" or os.environ.get("DISPLAY"):
         return
@@ -46,14 +46,14 @@ choose_render_window()
 
 
 def describe(plotter: pyvista.Plotter, alt: str) -> None:
-    """Give a scene the text that stands for it where it cannot be seen.
+    """Give a scene the text that replaces it where it cannot be seen.
 
     Parameters
     ----------
     plotter : pyvista.Plotter
         The scene.
     alt : str
-        What the picture shows, in one to three plain sentences.
+        What the picture shows, in a few plain sentences.
 
     Raises
     ------
@@ -66,7 +66,7 @@ def describe(plotter: pyvista.Plotter, alt: str) -> None:
 
 
 class BookFigure:
-    """A scene as a notebook output: a picture for anyone, and all of it for the book."""
+    """A scene as a notebook output: a picture for any front end, and the scene for the book."""
 
     def __init__(self, scene: dict[str, Any], poster: bytes, gltf: bytes) -> None:
         self.scene = scene
@@ -87,7 +87,7 @@ class BookFigure:
 
 
 def book_figure(plotter: pyvista.Plotter, **_: object) -> BookFigure:
-    """Make the figure of a scene: the handler of the pyvista backend ``book``.
+    """Make the figure of a scene, as the handler of the pyvista backend ``book``.
 
     Parameters
     ----------
@@ -102,7 +102,7 @@ def book_figure(plotter: pyvista.Plotter, **_: object) -> BookFigure:
     Raises
     ------
     ValueError
-        If the scene has no alternative text, or something that no page can show.
+        If the scene has no alternative text, or contains something that a page cannot show.
     """
     alt = getattr(plotter, "alt_text", None)
     if alt is None:
@@ -120,10 +120,10 @@ def book_figure(plotter: pyvista.Plotter, **_: object) -> BookFigure:
 
 
 def still_picture(plotter: pyvista.Plotter, **_: object) -> Image.Image:
-    """Take a picture of a scene: the handler of the pyvista backend ``still``.
+    """Take a picture of a scene, as the handler of the pyvista backend ``still``.
 
-    pyvista's own backend ``static`` keeps every scene open, and each takes 40 MB. Here a scene is
-    closed when its cell has run.
+    pyvista's own backend ``static`` keeps every scene open, and each takes 40 MB. This one closes a
+    scene when its cell has run.
 
     Parameters
     ----------
@@ -141,7 +141,7 @@ def still_picture(plotter: pyvista.Plotter, **_: object) -> Image.Image:
 
 
 def _close_after_cell(plotter: pyvista.Plotter) -> None:
-    """Close a scene when its cell has run: until then pyvista needs it."""
+    """Close a scene when its cell has run, because pyvista needs it until then."""
     shell = get_ipython()
     if shell is None:
         return
@@ -164,7 +164,7 @@ def take_poster(plotter: pyvista.Plotter) -> bytes:
     Returns
     -------
     bytes
-        A PNG file, `POSTER_SCALE` times the size of the scene, see-through where nothing is.
+        A PNG file, `POSTER_SCALE` times the size of the scene, transparent where nothing is drawn.
     """
     scale = POSTER_SCALE * POSTER_SAMPLES
     for actor in plotter.actors.values():
@@ -174,15 +174,15 @@ def take_poster(plotter: pyvista.Plotter) -> bytes:
             actor.prop.point_size *= scale
     for actor in _label_actors(plotter):
         actor.VisibilityOff()
-    # Smooth edges come from samples of our own: VTK's would make lines thinner.
+    # Our own samples make smooth edges; those of VTK would make lines thinner.
     plotter.disable_anti_aliasing()
-    # What is seen through comes in the order of its depth, as in the viewer.
+    # Draw see-through surfaces in the order of their depth, as the viewer does.
     plotter.renderer.enable_depth_peeling(8)  # type: ignore[no-untyped-call]
     # VTK mixes the colour of the background into every edge. Black adds nothing to it.
     plotter.renderer.set_background("black")
     plotter.render()
     width, height = plotter.window_size
-    # A larger window, not a larger scale: VTK would draw tiles, and cut points at their borders.
+    # Enlarge the window, not the scale: VTK would draw tiles and cut points at their borders.
     samples = plotter.screenshot(
         transparent_background=True,
         window_size=(width * scale, height * scale),
@@ -199,19 +199,19 @@ def take_poster(plotter: pyvista.Plotter) -> bytes:
 
 
 def scene_labels(plotter: pyvista.Plotter) -> list[dict[str, Any]]:
-    """Find the labels of a scene and where its camera sees them.
+    """Find the labels of a scene and their places in the picture.
 
     Parameters
     ----------
     plotter : pyvista.Plotter
-        The scene; its labels were added by ``add_point_labels``.
+        The scene, with labels added by ``add_point_labels``.
 
     Returns
     -------
     list of dict
-        For each label ``text``, ``color`` (as ``#rrggbb``), ``position`` (x, y, z),
-        ``left`` and ``top`` (fractions of the picture's width and height) and
-        ``hidden`` (whether a surface stands in front of it).
+        For each label its ``text``, ``color`` (as ``#rrggbb``), ``position`` (x, y, z), ``left``
+        and ``top`` (fractions of the picture's width and height) and ``hidden`` (whether a surface
+        stands in front of it).
     """
     width, height = plotter.window_size
     camera = plotter.camera
@@ -246,15 +246,15 @@ def _label_actors(plotter: pyvista.Plotter) -> list[Any]:
 def _stands_behind(plotter: pyvista.Plotter, eye: np.ndarray, point: np.ndarray) -> bool:
     """Tell whether surfaces come between the eye and a point.
 
-    One opaque surface hides what is behind it. A see-through one does so only where the
-    line of sight goes in and out again: what is inside a glass ball stays labelled.
+    One opaque surface hides everything behind it. A see-through surface does so only where the
+    line of sight goes in and out again, so the inside of a glass ball keeps its labels.
     """
     for actor in plotter.actors.values():
         if not isinstance(actor, pyvista.Actor) or not actor.GetPickable():
             continue
         moved = pyvista.array_from_vtkmatrix(actor.GetMatrix())
         surface = surface_of(actor).transform(moved, inplace=False)
-        # Stop just short of the point, which often lies on a surface itself.
+        # Stop just short of the point, because it often lies on a surface itself.
         hits, _ = surface.ray_trace(eye, eye + (point - eye) * (1 - 1e-3))
         if len(hits) >= (1 if actor.prop.opacity == 1 else 2):
             return True
@@ -262,9 +262,9 @@ def _stands_behind(plotter: pyvista.Plotter, eye: np.ndarray, point: np.ndarray)
 
 
 def announce_chosen_backend() -> None:
-    """Give pyvista the backend it was told to use, if it is one of ours.
+    """Register the backend that pyvista is set to use, if it is one of ours.
 
-    To find it by its name pyvista would load all that are installed, and trame takes 16 MB.
+    To find it by name, pyvista would load all installed backends, and trame takes 16 MB.
     """
     name = pyvista.global_theme.jupyter_backend or ""
     handler = {"book": book_figure, "still": still_picture}.get(name)

@@ -1,12 +1,11 @@
-"""A pyvista scene as binary glTF: what a viewer needs to draw it as pyvista does.
+"""A pyvista scene as binary glTF: all that a viewer needs to draw it as pyvista does.
 
-Surfaces, lines, points, colours, opacity and the camera are where the glTF standard has them.
-VTK's looks go beyond it and travel as ``extras``: the lights and the camera's target with the
-scene, the share of ambient, diffuse and specular light and the widths in pixels with each
-material, and whether a part hides labels with each node (``pickable``).
+Surfaces, lines, points, colours, opacity and the camera are stored as the glTF standard says. VTK's
+looks go beyond the standard and travel as ``extras``. The scene has the lights and the camera's
+target; each material has the shares of ambient, diffuse and specular light and the widths in
+pixels; each node says whether its part hides labels (``pickable``).
 
-Positions are the float32 of what pyvista was given. Normals are rounded to 1/127, colours
-are linear as the standard wants them.
+Positions are float32. Normals are rounded to 1/127. Colours are linear, as the standard requires.
 """
 
 import json
@@ -22,7 +21,7 @@ FLOAT, BYTE, USHORT, UINT = 5126, 5120, 5123, 5125
 COMPONENT_TYPES = {"float32": FLOAT, "int8": BYTE, "uint16": USHORT, "uint32": UINT}
 VERTEX_DATA, INDICES = 34962, 34963
 POINTS, LINES, STRIP = 0, 1, 5
-# glTF keeps the largest index of a type for itself.
+# glTF reserves the largest index of a type.
 USHORT_POINTS = 65535
 
 
@@ -32,7 +31,7 @@ def scene_gltf(plotter: pyvista.Plotter) -> bytes:
     Parameters
     ----------
     plotter : pyvista.Plotter
-        The scene; its labels are left out.
+        The scene. The file leaves out its labels.
 
     Returns
     -------
@@ -42,7 +41,7 @@ def scene_gltf(plotter: pyvista.Plotter) -> bytes:
     Raises
     ------
     ValueError
-        If the scene has something that the file could not carry.
+        If the scene contains something that the file cannot carry.
     """
     _refuse_what_cannot_travel(plotter)
     binary = _Binary()
@@ -55,7 +54,7 @@ def scene_gltf(plotter: pyvista.Plotter) -> bytes:
         primitives = _primitives(actor, binary, len(materials))
         if not primitives:
             continue
-        # Without a name of its own an actor goes by an address in memory.
+        # pyvista names an actor without a name after its address in memory.
         title = f"part {len(meshes)}" if "Addr=" in name else name
         nodes.append(_node(actor, len(meshes), title))
         meshes.append({"name": title, "primitives": primitives})
@@ -79,7 +78,7 @@ def scene_gltf(plotter: pyvista.Plotter) -> bytes:
 
 
 class _Binary:
-    """The numbers of a glTF file; the same array is stored once."""
+    """The numbers of a glTF file, which stores equal arrays only once."""
 
     def __init__(self) -> None:
         self.content = bytearray()
@@ -116,8 +115,8 @@ class _Binary:
 
 
 def surface_of(actor: pyvista.Actor) -> pyvista.PolyData:
-    """Return the surface, lines and points of an actor, where they are before it is moved."""
-    # pyvista may have put filters before the mapper that did not run yet.
+    """Return the surface, lines and points of an actor, before its own matrix moves them."""
+    # pyvista may have put filters before the mapper that have not run yet.
     actor.mapper.update()
     dataset = actor.mapper.dataset
     if isinstance(dataset, pyvista.PolyData):
@@ -126,7 +125,7 @@ def surface_of(actor: pyvista.Actor) -> pyvista.PolyData:
 
 
 def _primitives(actor: pyvista.Actor, binary: _Binary, material: int) -> list[dict[str, Any]]:
-    """Store the geometry of an actor: one primitive for each kind of cell that it draws."""
+    """Store the geometry of an actor, one primitive for each kind of cell that it draws."""
     surface = surface_of(actor)
     colors = _colors(actor)
     corners = {STRIP: _strip(surface), LINES: _segments(surface), POINTS: _vertices(surface)}
@@ -166,9 +165,8 @@ def _primitives(actor: pyvista.Actor, binary: _Binary, material: int) -> list[di
 def _strip(surface: pyvista.PolyData) -> NDArray[np.int64]:
     """Return the corners of all faces as one strip of triangles.
 
-    A third as many numbers as for single triangles. Between the strips that VTK finds lie
-    triangles without area; every strip begins at an even place, so that its faces keep
-    their front.
+    A strip needs a third as many numbers as single triangles. Triangles without area join the
+    strips that VTK finds. Every strip begins at an even place, so that its faces keep their front.
     """
     if not surface.n_faces + surface.n_strips:
         return np.empty(0, np.int64)
@@ -192,7 +190,7 @@ def _cells(connectivity: NDArray[np.int64]) -> Iterator[NDArray[np.int64]]:
 
 
 def _segments(surface: pyvista.PolyData) -> NDArray[np.int64]:
-    """Return the ends of all pieces of all lines, two by two."""
+    """Return the two ends of each piece of each line, one pair after the other."""
     lines = [np.column_stack([line[:-1], line[1:]]) for line in _cells(np.asarray(surface.lines))]
     return np.concatenate([np.empty((0, 2), np.int64), *lines]).ravel()
 
@@ -205,7 +203,7 @@ def _vertices(surface: pyvista.PolyData) -> NDArray[np.int64]:
 
 
 def _colors(actor: pyvista.Actor) -> NDArray[np.uint16] | None:
-    """Return the colours of the points, linear, if they have colours of their own."""
+    """Return the linear colours of the points if they have colours of their own."""
     mapper = actor.mapper
     if not mapper.scalar_visibility:
         return None
@@ -213,7 +211,7 @@ def _colors(actor: pyvista.Actor) -> NDArray[np.uint16] | None:
         raise ValueError("scene: expected colours by point, got colours by cell")
     dataset = mapper.dataset.copy(deep=False)
     dataset.set_active_scalars(mapper.array_name, preference="point")
-    # Otherwise VTK looks the colours of pixels up in a texture, and the points have none.
+    # Otherwise VTK looks up the colours of pixels in a texture, and the points have none.
     mapper.SetInterpolateScalarsBeforeMapping(False)
     rgba = pyvista.convert_array(mapper.MapScalars(dataset, 1.0)) / 255
     linear = np.column_stack([_linear(rgba[:, :3]), rgba[:, 3:]])
@@ -264,7 +262,7 @@ def _node(actor: pyvista.Actor, mesh: int, name: str) -> dict[str, Any]:
 
 
 def _camera(plotter: pyvista.Plotter) -> tuple[dict[str, Any], dict[str, Any]]:
-    """Describe the camera as the standard has it, and its place in the scene."""
+    """Describe the camera as the standard says, and its place in the scene."""
     width, height = plotter.window_size
     near, far = plotter.camera.clipping_range
     view = pyvista.array_from_vtkmatrix(plotter.camera.GetModelViewTransformMatrix())
@@ -283,12 +281,12 @@ def _camera(plotter: pyvista.Plotter) -> tuple[dict[str, Any], dict[str, Any]]:
 
 
 def _surroundings(plotter: pyvista.Plotter) -> dict[str, Any]:
-    """Return what an orbit needs of the camera, and the lights, which go with it."""
+    """Return the camera data that an orbit needs, and the lights, which follow the camera."""
     camera = plotter.camera
     lights = []
     for light in plotter.renderer.lights:
         if light.on:
-            # VTK moves a headlight along with the camera and says where in the scene it is.
+            # VTK moves a headlight along with the camera and stores its place in the scene.
             toward = np.subtract(light.position, light.focal_point)
             if light.is_headlight:
                 toward = np.array([0, 0, 1])
@@ -309,7 +307,7 @@ def _surroundings(plotter: pyvista.Plotter) -> dict[str, Any]:
 
 
 def _refuse_what_cannot_travel(plotter: pyvista.Plotter) -> None:
-    """Complain about what poster and viewer would show differently."""
+    """Refuse a scene that the poster and the viewer would show differently."""
     actors = {name: actor for name, actor in plotter.actors.items() if actor.GetVisibility()}
     parts = [actor for actor in actors.values() if isinstance(actor, pyvista.Actor)]
     others = {
@@ -335,7 +333,7 @@ def _refuse_what_cannot_travel(plotter: pyvista.Plotter) -> None:
 
 
 def _container(document: bytes, binary: bytes) -> bytes:
-    """Join the two parts of the file, each filled up to a multiple of four bytes."""
+    """Join the two parts of the file, each padded to a multiple of four bytes."""
     chunks = b""
     for kind, content in ((b"JSON", document.ljust(-len(document) // 4 * -4)), (b"BIN\0", binary)):
         chunks += struct.pack("<I", len(content)) + kind + content

@@ -1,9 +1,9 @@
-"""The Sphinx side of `rotedu.figures.backend`: the output of a scene becomes part of a page.
+"""The Sphinx side of `rotedu.figures.backend`, which puts the output of a scene on a page.
 
-A scene is a box with the shape of its picture. In it lie the poster and, over the poster,
-one element a label, placed in per cent of the box so that it stays where it belongs at any
-size. No script is needed to see it; on pages with scenes a small one waits for them to come
-near the screen and then makes them live.
+A scene is a box with the shape of its picture. It contains the poster and, over the poster, one
+element for each label, placed in per cent of the box so that it keeps its place at any size. A
+reader sees this without any script. On pages with scenes a small script waits until they come near
+the screen, and then makes them live.
 """
 
 import base64
@@ -25,7 +25,7 @@ NO_SCRIPT = "This figure can be turned where JavaScript is on."
 
 
 class scene(addnodes.download_reference):  # noqa: N801 (docutils names nodes so)
-    """A figure drawn by pyvista: a poster and its labels, and a file, the scene to turn."""
+    """A figure drawn by pyvista: a poster, its labels, and a file with the scene to turn."""
 
 
 class scene_poster(nodes.image):  # noqa: N801
@@ -33,11 +33,11 @@ class scene_poster(nodes.image):  # noqa: N801
 
 
 class scene_label(nodes.inline):  # noqa: N801
-    """A text at a place of the scene."""
+    """A text at a place in the scene."""
 
 
 class SceneRenderer:
-    """Renders the notebook output of a scene, for MyST-NB."""
+    """Renderer of MyST-NB for the notebook output of a scene."""
 
     mime_priority_overrides: ClassVar[list[tuple[str, str, int]]] = [("html", MIME_TYPE, 1)]
 
@@ -70,13 +70,13 @@ def scene_node(renderer: Any, content: dict[str, Any]) -> scene:
 
 
 def write_file(renderer: Any, content: bytes, suffix: str) -> str:
-    """Write a file under a name that changes with its content, and return where it is."""
+    """Write a file under a name that changes with its content, and return its path."""
     digest = hashlib.sha256(content).hexdigest()[:16]
     return str(renderer.write_file([f"scene-{digest}.{suffix}"], content, exists_ok=True))
 
 
 def visit_scene(writer: Any, node: scene) -> None:
-    """Open the box, with the shape of the picture."""
+    """Open the box in the shape of the picture."""
     attributes = {
         "style": f"aspect-ratio: {node['width']} / {node['height']}",
         "data-scene": posixpath.join(writer.builder.dlpath, node["filename"]),
@@ -91,7 +91,7 @@ def depart_scene(writer: Any, node: scene) -> None:
 
 
 def visit_scene_poster(writer: Any, node: scene_poster) -> None:
-    """Write the picture, from where Sphinx keeps the pictures of the book."""
+    """Write the picture with its path among the pictures of the book."""
     source = posixpath.join(writer.builder.imgpath, writer.builder.images[node["uri"]])
     attributes = {key: node[key] for key in ("alt", "width", "height")} | {"loading": "lazy"}
     writer.body.append(writer.emptytag(node, "img", CLASS="scene-poster", src=source, **attributes))
@@ -107,7 +107,7 @@ def visit_scene_label(writer: Any, node: scene_label) -> None:
     if node["hidden"]:
         attributes["data-hidden"] = ""
     writer.body.append(writer.starttag(node, "span", "", CLASS="scene-label", **attributes))
-    # An element of its own: when the viewer moves the other, browsers rewrite its style.
+    # The colour has an element of its own, because the viewer rewrites the style of the outer one.
     writer.body.append(f'<span style="color: {node["color"]}">')
 
 
@@ -130,7 +130,7 @@ def add_viewer(
 
 
 def setup(app: Sphinx) -> dict[str, Any]:
-    """Teach Sphinx the nodes, and the notebooks that it runs the backend ``book``."""
+    """Register the nodes, and choose the backend ``book`` for the notebooks that Sphinx runs."""
     os.environ["PYVISTA_JUPYTER_BACKEND"] = "book"
     app.add_node(scene, html=(visit_scene, depart_scene))
     app.add_node(scene_poster, html=(visit_scene_poster, None))

@@ -1,7 +1,7 @@
 """The figures of the book in three dimensions: one function each, returning a pyvista scene.
 
-A module holds the scenes of the chapter with its name, `parts` what they share, and
-`rotedu.colors` says what a colour means. Each scene shows itself: ``figure_1().show()``.
+Each module holds the scenes of the chapter with the same name. `parts` holds what they share, and
+`rotedu.colors` lists what the colours mean. To show a scene, write ``figure_1().show()``.
 """
 
 from rotedu.scenes.arcs import CAMERA_SEES, CAMERA_TARGETS, camera_arcs, figure_2

@@ -1,4 +1,4 @@
-"""Scenes of Chapter 5, arcs: four directions to look in; two points, their arc and its axis."""
+"""Scenes of Chapter 5, arcs: a camera and its targets; two points, their arc and its axis."""
 
 from collections.abc import Sequence
 
@@ -24,12 +24,12 @@ from rotedu.scenes.parts import (
 )
 
 CAMERA_TARGETS = ((1.0, 0.0, -0.2), (0.3, 1.0, 0.2), (0.2, 0.3, 1.0), (0.3, -0.9, 0.3))
-"""Directions from a camera to a door, a clock, a window and a desk, one after the other."""
+"""Directions from a camera to a door, a clock, a window and a desk, in this order."""
 CAMERA_SEES = ("door", "clock", "window", "desk")
 
 
 def camera(direction: ArrayLike, size: float = 0.3) -> pyvista.PolyData:
-    """Model a camera at the origin: a box with a lens that points in a direction, not vertical."""
+    """Model a camera at the origin: a box whose lens points in a direction that is not vertical."""
     ahead = np.asarray(direction, float) / np.linalg.norm(direction)
     left = arc_axis([0, 0, 1], ahead)
     body = pyvista.Box(bounds=(-0.7, 0.2, -0.35, 0.35, -0.3, 0.3)).triangulate()
@@ -46,14 +46,14 @@ def camera(direction: ArrayLike, size: float = 0.3) -> pyvista.PolyData:
 def camera_arcs(
     targets: ArrayLike = CAMERA_TARGETS, names: Sequence[str] = CAMERA_SEES
 ) -> pyvista.Plotter:
-    """Draw a camera, the directions in which it looks one after the other, and the arcs between.
+    """Draw a camera, the directions in which it looks in turn, and the arcs between them.
 
     Parameters
     ----------
     targets : array_like, shape (n, 3)
         The directions; they are normalised. The path is closed.
     names : sequence of str
-        What is seen in each of them.
+        What the camera sees in each direction.
 
     Returns
     -------
@@ -76,7 +76,7 @@ def camera_arcs(
         plotter,
         "A see-through unit sphere with a camera at its centre. Thin lines lead from the camera to"
         f" {len(points)} points of the sphere: {', '.join(names)}. Arcs of great circles join them"
-        " in this order and lead back to the first; at each point the path has a corner.",
+        " in this order and lead back to the first. At each point the path has a corner.",
     )
     return plotter
 
@@ -99,7 +99,7 @@ def figure_2(
     v1, v2 : array_like, shape (3,)
         The ends of the arc; they are normalised.
     t : float
-        Part of the way at which a point of the arc is shown.
+        Fraction of the arc at which to show a point.
 
     Returns
     -------
@@ -126,7 +126,7 @@ def figure_2(
     describe(
         plotter,
         f"A see-through unit sphere. Two arrows v1 and v2, {angle:.0f} degrees apart, lead from its"
-        " centre to its surface, a third, the axis v, stands at right angles to both. An arc of the"
-        f" great circle joins v1 and v2; a point v(t) on it has gone {t:.0%} of the way.",
+        " centre to its surface. A third arrow, the axis v, is perpendicular to both. An arc of a"
+        f" great circle joins v1 and v2. A point v(t) lies {t:.0%} of the way along this arc.",
     )
     return plotter

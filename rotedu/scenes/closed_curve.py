@@ -1,4 +1,4 @@
-"""Scenes of Chapter 5, closed curve: de Casteljau's arcs, the curve of Figure 8, a camera's way."""
+"""Scenes of Chapter 5, closed curve: de Casteljau's arcs, the curve of Figure 8, a camera."""
 
 from itertools import pairwise
 
@@ -21,7 +21,7 @@ from rotedu.scenes.parts import (
     new_scene,
 )
 
-# Uneven gaps, one of them beyond 90 degrees, and on the side of the camera.
+# Uneven gaps, one of them beyond 90 degrees, and all points on the side of the camera.
 FIGURE_8 = ((0.8, -0.4, 0.4), (0.5, 0.8, -0.4), (0.6, 0.7, 0.4), (0.1, 0.4, 0.9))
 
 
@@ -31,9 +31,9 @@ def figure_8(points: ArrayLike = FIGURE_8, fraction: float = 1 / 2) -> pyvista.P
     Parameters
     ----------
     points : array_like, shape (n, 3)
-        The points P_0 ... P_{n-1}, at least 3; they are normalised.
+        At least 3 points P_0 ... P_{n-1}; they are normalised.
     fraction : float
-        How far ``a_i`` goes from ``P_i`` towards the midpoint; 1/2 is the paper's.
+        How far ``a_i`` goes from ``P_i`` towards the midpoint. The paper takes 1/2.
 
     Returns
     -------
@@ -53,7 +53,7 @@ def figure_8(points: ArrayLike = FIGURE_8, fraction: float = 1 / 2) -> pyvista.P
     for start, end in zip(polygon, after, strict=True):
         add_arc(plotter, start, end, CROSS)
 
-    # Labels stand on the outer side of the corners; the polygon has none at P_i.
+    # Labels go on the outer side of the corners; the polygon has no corner at P_i.
     outwards = 0.35 * (polygon - polygon.mean(axis=0)) + polygon - (before + after) / 2
     outwards /= np.linalg.norm(outwards, axis=1, keepdims=True)
     corners = (("b", RESULT, 0.024), ("P", VECTOR, 0.036), ("a", RESULT, 0.024))
@@ -64,14 +64,14 @@ def figure_8(points: ArrayLike = FIGURE_8, fraction: float = 1 / 2) -> pyvista.P
     describe(
         plotter,
         f"A see-through sphere with a smooth closed green curve through {len(p)} blue points P."
-        " Next to each point stand two small green control points, a after it and b before it."
-        " Thin purple arcs join them all in the order P0, a0, b1, P1, a1 and so on; they follow the"
-        " curve and touch it at the points P.",
+        " Each point has two small green control points beside it, b before it and a after it."
+        " Thin purple arcs join all of them in the order P0, a0, b1, P1, a1 and so on. They follow"
+        " the curve and touch it at the points P.",
     )
     return plotter
 
 
-# Far apart, so that the arcs of all levels can be told from each other.
+# Far apart, so that the arcs of the different levels are easy to distinguish.
 ARCS = ((1.0, 0.0, -0.2), (0.6, -0.2, 0.7), (0.1, 0.6, 0.8), (0.4, 0.9, -0.2))
 
 
@@ -108,15 +108,15 @@ def arcs_of_arcs(control: ArrayLike = ARCS, u: float = 0.4) -> pyvista.Plotter:
     describe(
         plotter,
         f"A see-through sphere with a green curve and the construction of its point for u = {u:g}."
-        " Four blue points, Q00 to Q03, are joined by three blue arcs. On each of these sits a"
-        " purple point, Q11 to Q13; two purple arcs join them. On each of those sits a grey point,"
-        " Q22 and Q23. The grey arc between them meets the curve at the green point Q33.",
+        " Three blue arcs join four blue points, Q00 to Q03. On each blue arc lies a purple point,"
+        " Q11 to Q13, and two purple arcs join these. On each purple arc lies a grey point, Q22 and"
+        " Q23. The grey arc between these two meets the curve at the green point Q33.",
     )
     return plotter
 
 
 def camera_curve(fraction: float = 1 / 2) -> pyvista.Plotter:
-    """Draw where a camera looks on its way past four targets: along arcs, and along the curve.
+    """Draw where a camera looks between four targets: along arcs, and along the curve.
 
     Parameters
     ----------

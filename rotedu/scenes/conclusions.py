@@ -1,4 +1,4 @@
-"""Scene of Chapter 6: what rounding leaves of a rotation."""
+"""Scene of Chapter 6: what rounding does to a rotation."""
 
 import numpy as np
 import pyvista
@@ -14,22 +14,23 @@ from rotedu.scenes.parts import ORIGIN, add_label, add_line, new_scene, teaspoon
 def worn_rotations(
     turns: int = 1000, decimals: int = 2, seed: int = 3
 ) -> list[NDArray[np.float64]]:
-    """Multiply random rotations that should lead back to the start, and round every product.
+    """Multiply random rotations that lead back to the start, and round every product.
 
     Parameters
     ----------
     turns : int
-        How many of them; one more undoes them all.
+        Number of random rotations; one more undoes them all.
     decimals : int
-        To how many decimals every number is rounded after every turn.
+        Number of decimals to which every number is rounded after every turn.
     seed : int
         Seed of the random rotations.
 
     Returns
     -------
     list of ndarray, shape (3, 3)
-        What is left of the identity: the product of the matrices, and the matrix by which the
-        product q of the quaternions takes r to q [0, r] q*. Neither is repaired.
+        Two matrices that would be the identity without rounding: the product of the matrices,
+        and the matrix that takes r to q [0, r] q*, where q is the product of the quaternions.
+        Neither is repaired.
 
     Examples
     --------
@@ -53,12 +54,12 @@ def worn_rotations(
 
 
 def worn_spoons(turns: int = 1000) -> pyvista.Plotter:
-    """Draw what coarse rounding does to a product of matrices, and to one of quaternions.
+    """Draw what coarse rounding does to a product of matrices and a product of quaternions.
 
     Parameters
     ----------
     turns : int
-        Number of random rotations, after which one more leads back to the start.
+        Number of random rotations; one more leads back to the start.
 
     Returns
     -------
@@ -85,9 +86,9 @@ def worn_spoons(turns: int = 1000) -> pyvista.Plotter:
         add_label(plotter, place - np.array([0, 0, 1]), name)
     describe(
         plotter,
-        "Two teaspoons, each in a wire box, both drawn twice: blue at the start, green after"
-        f" {turns} turns that should lead back there. On the left, where matrices were multiplied,"
-        " the green box is askew and its spoon bent with it. On the right, where quaternions were,"
-        " the box is still a cube, but larger, and turned further away from the blue one.",
+        "Two teaspoons, each in a wire box and each drawn twice: blue at the start, and green after"
+        f" {turns} turns that should lead back to the start. On the left, matrices were multiplied:"
+        " the green box is askew, and its spoon is bent. On the right, quaternions were multiplied:"
+        " the green box is still a cube, but it is larger, and turned further from the blue one.",
     )
     return plotter

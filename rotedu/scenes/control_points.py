@@ -1,4 +1,4 @@
-"""Scenes of Chapter 5, control points: their construction, and what the misprint in (5-9) does."""
+"""Scenes of Chapter 5, control points: the construction, and the misprint in (5-9)."""
 
 import numpy as np
 import pyvista
@@ -21,8 +21,8 @@ from rotedu.scenes.parts import (
     new_scene,
 )
 
-# The points of figures 3 to 7: 60 degrees apart, then 90, so that no angle that is bisected
-# equals the one that its name without the bar stands for.
+# The points of figures 3 to 7 are 60 degrees apart, then 90. So no bisected angle equals the angle
+# that its name would mean without the bar.
 NEIGHBOURS = ((1.0, 0.0, 0.0), (0.5, 0.75**0.5, 0.0), (0.0, 0.0, 1.0))
 
 
@@ -30,7 +30,7 @@ BEFORE, HERE, AFTER = "$P_{i-1}$", "$P_i$", "$P_{i+1}$"
 REFLECTED, MIDDLE = r"$\bar P_{i-1}$", r"$\bar P_i$"
 A, B = "$a_i$", "$b_i$"
 NAMES = (BEFORE, HERE, AFTER, REFLECTED, MIDDLE, A, B)
-# The plane of P_i, a_i and b_i would be seen edge on from where the others are drawn.
+# From the camera of the other figures, the plane of P_i, a_i and b_i would be seen edge on.
 SIDE = (-1.35, 5.5, 0.9)
 COLORS = dict(zip(NAMES, (VECTOR, VECTOR, VECTOR, CROSS, CROSS, RESULT, RESULT), strict=True))
 
@@ -46,8 +46,8 @@ def neighbours(points: ArrayLike) -> dict[str, NDArray[np.float64]]:
     Returns
     -------
     dict
-        The three points, the two auxiliary points and the two control points; the names are the
-        labels of figures 3 to 7.
+        The three points, the two auxiliary points and the two control points. Their names are the
+        labels in figures 3 to 7.
     """
     before, here, after = np.asarray(points, float) / np.linalg.norm(points, axis=1, keepdims=True)
     reflected = double(before, here)
@@ -64,7 +64,7 @@ def add_named_point(
     color: str,
     shift: tuple[float, float] = (0.0, 0.12),
 ) -> None:
-    """Add a point and its name, shifted to the right and up as the camera sees it."""
+    """Add a point, and its name shifted to the right and up as the camera sees it."""
     camera = plotter.camera
     back = np.subtract(camera.position, camera.focal_point)
     right = np.cross((0, 0, 1), back)
@@ -81,7 +81,7 @@ def open_neighbours(
     eye: ArrayLike = (1.5, 4.75, 2.9),
     target: ArrayLike = (0, 0, 0.06),
 ) -> tuple[pyvista.Plotter, dict[str, NDArray[np.float64]]]:
-    """Open a scene of the construction with some of its points, their names shifted."""
+    """Open a scene of the construction with some of its points and their shifted names."""
     found = neighbours(points)
     plotter = new_scene(eye, target)
     add_sphere(plotter)
@@ -122,9 +122,10 @@ def figure_3(points: ArrayLike = NEIGHBOURS) -> pyvista.Plotter:
     describe(
         plotter,
         "A unit sphere with three given points P_{i-1}, P_i and P_{i+1}. The arc from P_{i-1} to"
-        " P_i goes on, as long again, to an auxiliary point. Midway from there to P_{i+1} lies a"
-        " second one, and midway from P_i to that the control point a_i. The arc from a_i to P_i"
-        " goes on, as long again, to the control point b_i.",
+        " P_i continues by its own length to an auxiliary point. Midway between this point and"
+        " P_{i+1} lies a second auxiliary point. Midway between P_i and the second one lies the"
+        " control point a_i. The arc from a_i to P_i continues by its own length to the control"
+        " point b_i.",
     )
     return plotter
 
@@ -153,8 +154,8 @@ def figure_4(points: ArrayLike = NEIGHBOURS) -> pyvista.Plotter:
     add_axis(plotter, arc_axis(p[BEFORE], p[HERE]), r"$\hat v_{i-1}$")
     describe(
         plotter,
-        "A unit sphere. An arc from P_{i-1} to P_i goes on, as long again, to P_{i-1} with a bar."
-        " Both halves span the same angle theta_{i-1} at the centre. An axis stands at right angles"
+        "A unit sphere. An arc from P_{i-1} to P_i continues by its own length to P_{i-1} with a"
+        " bar. Both halves span the same angle theta_{i-1} at the centre. An axis is perpendicular"
         " to the plane of the arc.",
     )
     return plotter
@@ -182,8 +183,8 @@ def figure_5(points: ArrayLike = NEIGHBOURS) -> pyvista.Plotter:
     describe(
         plotter,
         "A unit sphere. An arc leads from P_{i-1} with a bar up to P_{i+1}; its midpoint is P_i"
-        " with a bar. The angle of the arc at the centre is theta_{i-1} with a bar. An axis stands"
-        " at right angles to its plane.",
+        " with a bar. The angle of the arc at the centre is theta_{i-1} with a bar. An axis is"
+        " perpendicular to its plane.",
     )
     return plotter
 
@@ -213,8 +214,8 @@ def figure_6(points: ArrayLike = NEIGHBOURS) -> pyvista.Plotter:
     describe(
         plotter,
         "A unit sphere. An arc leads from P_i with a bar to P_i; its midpoint is the control point"
-        " a_i. The angle of the arc at the centre is theta_i with a bar. An axis stands at right"
-        " angles to its plane.",
+        " a_i. The angle of the arc at the centre is theta_i with a bar. An axis is perpendicular"
+        " to its plane.",
     )
     return plotter
 
@@ -244,21 +245,21 @@ def figure_7(points: ArrayLike = NEIGHBOURS) -> pyvista.Plotter:
     add_axis(plotter, arc_axis(p[A], p[HERE]), r"$\hat{\tilde v}_i$")
     describe(
         plotter,
-        "A unit sphere. An arc from a_i to P_i goes on, as long again, to b_i. Both halves span the"
-        " same angle theta_i with a tilde at the centre. An axis stands at right angles to their"
+        "A unit sphere. An arc from a_i to P_i continues by its own length to b_i. Both halves span"
+        " the same angle theta_i with a tilde at the centre. An axis is perpendicular to their"
         " plane.",
     )
     return plotter
 
 
-# Four points with four different gaps, all of them seen from one side.
+# Four points with four different gaps, all visible from one side.
 LOOP = ((1.0, -0.45, 0.0), (0.7, 0.6, -0.35), (0.1, 0.8, 0.5), (0.6, -0.05, 0.95))
 
 
 def astray(points: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Compute all a_i and b_i of unit vectors with the axis of (5-9) as printed."""
     reflected = double(np.roll(points, 1, axis=0), points)
-    # About the reversed axis, half of the angle leads away from the next point.
+    # About the reversed axis, half of the angle turns away from the next point.
     a = bisect(points, slerp(reflected, np.roll(points, -1, axis=0), -0.5))
     return a, double(a, points)
 
@@ -271,7 +272,7 @@ def reversed_axis(points: ArrayLike = LOOP, samples: int = 24) -> pyvista.Plotte
     points : array_like, shape (n, 3)
         The points P_0 ... P_{n-1}; they are normalised.
     samples : int
-        Points drawn for each segment.
+        Number of points drawn on each segment.
 
     Returns
     -------
@@ -297,6 +298,7 @@ def reversed_axis(points: ArrayLike = LOOP, samples: int = 24) -> pyvista.Plotte
     describe(
         plotter,
         f"A unit sphere with {len(p)} points and two closed curves through all of them. Both look"
-        " smooth. The red one leaves the points in other directions and makes detours.",
+        " smooth. The red one, which is wrong, passes the points in other directions and makes"
+        " detours.",
     )
     return plotter

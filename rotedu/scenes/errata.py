@@ -1,4 +1,4 @@
-"""Scene of the errata: a right curve, and a wrong one."""
+"""Scene of the errata: a right curve and a wrong one."""
 
 import numpy as np
 import pyvista
@@ -12,16 +12,16 @@ from rotedu.scenes.parts import add_label, add_line, add_point, add_sphere, new_
 def two_curves(
     points: ArrayLike, right: ArrayLike, wrong: ArrayLike, difference: str
 ) -> pyvista.Plotter:
-    """Draw the right curve through points of the sphere, and one that an error makes of it.
+    """Draw the right curve through points of the sphere, and a wrong one for comparison.
 
     Parameters
     ----------
     points : array_like, shape (n, 3)
         Points of the unit sphere that both curves pass through.
     right, wrong : array_like, shape (m, 3)
-        Points of the closed curves, in their order.
+        Points along each closed curve.
     difference : str
-        A sentence for those who cannot see it: what the wrong curve does.
+        Sentence for the alternative text that says how the wrong curve differs.
 
     Returns
     -------

@@ -34,7 +34,7 @@ from rotedu.scenes.parts import (
 
 
 def two_rows() -> tuple[pyvista.Plotter, NDArray[np.float64]]:
-    """Open a scene with places for two rows of four teaspoons, shape (2, 4, 3)."""
+    """Open a scene for two rows of four teaspoons; return it and their places, (2, 4, 3)."""
     back = np.array([0.49, -0.77, 0.42])
     right = np.cross((0, 0, 1), back)
     right /= np.linalg.norm(right)
@@ -49,7 +49,7 @@ def two_rows() -> tuple[pyvista.Plotter, NDArray[np.float64]]:
 def add_turned_spoon(
     plotter: pyvista.Plotter, matrix: ArrayLike, place: ArrayLike, color: object
 ) -> None:
-    """Add a small teaspoon, moved by a matrix and put at a place."""
+    """Add a small teaspoon, turned by a matrix and put at a place."""
     spoon = teaspoon(stations=41, around=16)
     spoon.points = transform(matrix, spoon.points) + np.asarray(place)
     plotter.add_mesh(spoon, color=color, smooth_shading=True)
@@ -58,7 +58,7 @@ def add_turned_spoon(
 def add_turn(
     plotter: pyvista.Plotter, center: ArrayLike, axis: ArrayLike, angle: float, radius: float = 0.36
 ) -> None:
-    """Add a bent arrow that shows an angle about an axis, on the side of the eye."""
+    """Add a bent arrow on the side of the eye that shows an angle about an axis."""
     n = np.asarray(axis, float)
     view = np.subtract(plotter.camera.position, center)
     spoke = view - (view @ n) * n
@@ -88,9 +88,9 @@ def add_steps(
     plotter : pyvista.Plotter
         The scene.
     row : array_like, shape (n + 1, 3)
-        Where the spoon is shown: before the first turn and after each.
+        Where to show the spoon: before the first turn, and after each turn.
     turns : sequence of (str, array_like, float)
-        Name, axis and angle in radians of each turn. The axes are directions in space.
+        Name, axis and angle in radians of each turn. The axes are fixed in space.
     """
     start, *after = np.asarray(row, float)
     so_far = np.eye(3)
@@ -137,7 +137,7 @@ def principal_orders(
 def fixed_and_carried(
     angles: ArrayLike = (5 * np.pi / 12, -np.pi / 4, np.pi / 3),
 ) -> pyvista.Plotter:
-    """Draw (4-1) read in two ways: about fixed axes, and about axes that the spoon carries along.
+    """Draw two readings of (4-1): about fixed axes, and about axes that the spoon carries along.
 
     Parameters
     ----------
@@ -162,7 +162,8 @@ def fixed_and_carried(
         plotter,
         "Two rows of four teaspoons. In the upper row the spoon is turned about the fixed axes U,"
         " V and W. In the lower row it is turned about W, then about its own axis V', which has"
-        " moved along, then about its own axis U''. The last spoons of both rows stand alike.",
+        " moved along, then about its own axis U''. The last spoons of both rows have the same"
+        " orientation.",
     )
     return plotter
 
@@ -171,7 +172,7 @@ def one_for_three(
     angles: ArrayLike = (5 * np.pi / 12, np.pi / 3, 11 * np.pi / 18),
     vector: ArrayLike = (0.77, 0.26, 0.59),
 ) -> pyvista.Plotter:
-    """Draw the way of a point under three principal rotations, and the one rotation (4-7).
+    """Draw the path of a point under three principal rotations and under the one rotation (4-7).
 
     Parameters
     ----------
@@ -211,7 +212,7 @@ def one_for_three(
         plotter,
         "A see-through sphere. Three purple arcs, around the U, the V and the W axis, lead from the"
         " tip of r to the tip of r'. One green arc, part of a circle around the axis a, leads there"
-        " at once.",
+        " directly.",
     )
     return plotter
 
@@ -219,12 +220,12 @@ def one_for_three(
 def gimbals(
     theta_v: ArrayLike = (np.pi / 7, np.pi / 2), theta_w: float = np.deg2rad(-15)
 ) -> pyvista.Plotter:
-    """Draw a teaspoon in two rings, each turning in the next, for several angles about V.
+    """Draw a teaspoon in two rings, each turning within the next, for several angles about V.
 
     Parameters
     ----------
     theta_v : array_like, shape (n,)
-        The angles about V in radians; at a quarter turn the rings lie in one plane.
+        The angles about V in radians. At a quarter turn the rings lie in one plane.
     theta_w : float
         The angle about W in radians.
 
@@ -260,9 +261,9 @@ def gimbals(
             add_label(plotter, place + far * axis, f"${name}$", AXIS)
     describe(
         plotter,
-        "A teaspoon spins on an axis in a ring, the ring turns on an axis in a larger ring, and"
-        " that turns about a vertical axis W. On the left the three axes point in different"
-        " directions. On the right the inner ring is turned until its axis is vertical, too: both"
+        "A teaspoon spins on an axis in a ring. The ring turns on an axis in a larger ring, which"
+        " turns about a vertical axis W. On the left the three axes point in different directions."
+        " On the right the inner ring has turned until the axis of the spoon is vertical, too: both"
         " rings lie in one plane.",
     )
     return plotter
@@ -274,8 +275,8 @@ def stages(steps: Sequence[ArrayLike] | None = None) -> pyvista.Plotter:
     Parameters
     ----------
     steps : sequence of array_like, shape (4, 4), optional
-        Scaling, shear, rotation, translation and perspective, in the
-        order in which they are done.
+        Scaling, shear, rotation, translation and perspective, in the order of their
+        application.
 
     Returns
     -------
@@ -328,8 +329,9 @@ def stages(steps: Sequence[ArrayLike] | None = None) -> pyvista.Plotter:
     add_label(plotter, eye + spots[-1] + 0.3 * right, "eye", AXIS)
     describe(
         plotter,
-        "A teaspoon in its box at six stages: at the start, scaled, sheared and rotated; moved"
-        " below a see-through plane, with lines of sight from an eye above the plane to the corners"
-        " of the box; and as a flat green picture where these lines pass through the plane.",
+        "A teaspoon in its box at six stages. The first four: at the start, scaled, sheared and"
+        " rotated. Then it lies below a see-through plane, with lines of sight from an eye above"
+        " the plane to the corners of the box. Last comes a flat green picture, where these lines"
+        " pass through the plane.",
     )
     return plotter

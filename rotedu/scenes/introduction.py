@@ -21,14 +21,14 @@ from rotedu.scenes.parts import (
 
 
 def turning_spoon(steps: int = 5, angle: float = np.deg2rad(288)) -> pyvista.Plotter:
-    """Draw a teaspoon on its way around an axis: the picture of the title page.
+    """Draw a teaspoon that turns about an axis: the picture of the title page.
 
     Parameters
     ----------
     steps : int
         Number of spoons, at least 2.
     angle : float
-        Angle in radians between the first and the last.
+        Angle in radians between the first and the last spoon.
 
     Returns
     -------
@@ -46,14 +46,14 @@ def turning_spoon(steps: int = 5, angle: float = np.deg2rad(288)) -> pyvista.Plo
     add_label(plotter, 1.1 * n, r"$\hat n$", AXIS)
     describe(
         plotter,
-        f"A teaspoon in {steps} positions, fanned out around an axis n, the first blue,"
-        " the last green.",
+        f"A teaspoon in {steps} positions, fanned out around an axis n. The first is blue, the last"
+        " is green.",
     )
     return plotter
 
 
 def pointing_spoon(stations: int = 81, around: int = 28) -> pyvista.PolyData:
-    """Model a teaspoon that points from the origin along U, 1 unit long, its bowl open upwards."""
+    """Model a teaspoon 1 unit long, from the origin along U, with its bowl open upwards."""
     spoon = teaspoon(stations, around)
     spoon.points = (spoon.points + np.array([1, 0, -0.08])) / 2
     return spoon
@@ -99,7 +99,7 @@ def four_descriptions(
     path = turning(tip, n, angle)
     add_line(plotter, path, AXIS, radius=0.011)
     add_label(plotter, 1.1 * path[len(path) // 2], r"$\theta$", AXIS)
-    # The first of the three turns the spoon about itself: drawn on a small circle ahead of it.
+    # The first turn is about the spoon's own axis; it is drawn as a small circle ahead of the tip.
     roll = turning((1.08, 0, 0.16), (1, 0, 0), theta_u)
     raised = turning(tip, (0, 1, 0), theta_v)
     swung = turning(raised[-1], (0, 0, 1), theta_w)
@@ -110,9 +110,9 @@ def four_descriptions(
         add_line(plotter, part, CROSS, radius=0.011)
     describe(
         plotter,
-        "A blue teaspoon points along the U axis; turned by"
-        f" {np.rad2deg(angle):.0f} degrees about an axis n it becomes a green one. An arc around n"
+        "A blue teaspoon points along the U axis. A turn by"
+        f" {np.rad2deg(angle):.0f} degrees about an axis n takes it to a green one. An arc around n"
         " leads from tip to tip, and so do three arcs around U, V and W. Three thin green arrows"
-        " show where the axes U, V and W have gone.",
+        " show the axes U, V and W after the turn.",
     )
     return plotter

@@ -1,4 +1,4 @@
-"""Scenes of Chapter 3: a vector that is turned, and a mesh."""
+"""Scenes of Chapter 3: a turned vector and a turned mesh."""
 
 import numpy as np
 import pyvista
@@ -83,7 +83,7 @@ def figure_1(
         plotter,
         f"A vector r and its copy r', turned by {np.rad2deg(angle):.0f} degrees about the axis n."
         " The tips of both lie on a circle around the axis. A path of three straight pieces leads"
-        " from the origin to the tip of r': a piece of r, a piece parallel to n, and an arrow"
+        " from the origin to the tip of r': one piece along r, one parallel to n, and an arrow"
         " perpendicular to both.",
     )
     return plotter
@@ -99,7 +99,7 @@ def rotated_mesh(
     Parameters
     ----------
     mesh : pyvista.PolyData, optional
-        The mesh; a `teaspoon` if none is given.
+        The mesh. The default is a `teaspoon`.
     axis : array_like, shape (3,)
         The rotation axis; it is normalised.
     angle : float

@@ -38,9 +38,9 @@ def carried_around(steps: int = 3, size: float = 0.33) -> pyvista.Plotter:
     Parameters
     ----------
     steps : int
-        Arrows on each of the three arcs.
+        Number of arrows on each of the three arcs.
     size : float
-        Their length.
+        Length of the arrows.
 
     Returns
     -------
@@ -68,9 +68,9 @@ def carried_around(steps: int = 3, size: float = 0.33) -> pyvista.Plotter:
     describe(
         plotter,
         "A see-through sphere with a triangle of three quarter circles from e1 to e2, to e3 and"
-        " back to e1. A blue arrow at e1 points to e2. Grey arrows show it on its way: along the"
-        " first side, standing off the second side to the outside, along the third. The"
-        " green arrow that arrives at e1 points to e3, at 90 degrees to the blue one.",
+        " back to e1. A blue arrow at e1 points to e2. Grey arrows show its journey: it points"
+        " forwards along the first side, outwards from the second, and backwards along the third."
+        " The green arrow that arrives at e1 points to e3, at 90 degrees to the blue one.",
     )
     return plotter
 
@@ -85,12 +85,12 @@ def carried_mesh(
     Parameters
     ----------
     rotations : array_like, shape (n, 3, 3), optional
-        The orientations given, at least 3.
+        At least 3 orientations.
     between : int
-        How many interpolated ones to draw between two of them.
+        Number of interpolated orientations to draw between two given ones.
     mesh : pyvista.PolyData, optional
-        The mesh, centred at the origin; a `teaspoon` if none is given. It stands at the point
-        (0, 0, 1), and turns with it about the origin.
+        The mesh, centred at the origin. The default is a `teaspoon`. The scene shifts it to the
+        point (0, 0, 1) and turns both about the origin.
 
     Returns
     -------
@@ -117,9 +117,9 @@ def carried_mesh(
         add_label(plotter, 1.33 * place, f"$R_{k}$", VECTOR)
     describe(
         plotter,
-        f"Teaspoons on a see-through sphere: {len(r)} blue ones, and {between} green ones between"
-        " each two, which turn gradually from one to the next. A green line joins the centres of"
-        " all. A purple line through the centres of the blue ones runs elsewhere in between.",
+        f"Teaspoons on a see-through sphere: {len(r)} blue ones, and {between} green ones from each"
+        " blue one to the next, which turn gradually. A green line joins the centres of all. A"
+        " purple line joins the centres of the blue ones by other paths.",
     )
     return plotter
 
@@ -127,7 +127,7 @@ def carried_mesh(
 def four_ways_between(
     first: ArrayLike = TWO_ORIENTATIONS[0], second: ArrayLike = TWO_ORIENTATIONS[1], beads: int = 8
 ) -> pyvista.Plotter:
-    """Draw the path of a spoon's tip between two orientations, interpolated in several ways.
+    """Draw the path of a spoon's tip between two orientations for several interpolations.
 
     Parameters
     ----------
@@ -135,7 +135,7 @@ def four_ways_between(
         The orientations, as angles about U, V and W in degrees. The Euler angles are interpolated
         as they are given.
     beads : int
-        Equal times, at whose ends slerp and nlerp are compared.
+        Number of equal time steps, after each of which slerp and nlerp are compared.
 
     Returns
     -------
@@ -148,7 +148,7 @@ def four_ways_between(
     q2 = q2 if q1 @ q2 > 0 else -q2
 
     def tips(q: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Where quaternions turn the tip of the spoon, (1, 0, 0)."""
+        """Return where quaternions take the tip of the spoon, (1, 0, 0)."""
         return Quaternion(q[:, 0], q[:, 1:]).rotate([1, 0, 0])
 
     t = np.linspace(0, 1, 97)
@@ -170,7 +170,7 @@ def four_ways_between(
         add_point(plotter, place, RESULT, radius=0.03)
     uneven = tips(nlerp(q1, q2, between))
     for place in uneven:
-        # A little outside, so that a ball at the same place does not hide it.
+        # Slightly outside the sphere, so that a ball at the same place does not hide it.
         bounds = np.repeat(1.02 * place, 2) + 0.02 * np.array([-1, 1, -1, 1, -1, 1])
         add_thin(plotter, pyvista.Box(bounds), CROSS)
     for place, size, name, color in (
@@ -194,7 +194,7 @@ def four_ways_between(
 def add_dashes(
     plotter: pyvista.Plotter, path: NDArray[np.float64], color: str, dash: int, gap: int
 ) -> None:
-    """Add a broken line: so many steps of a path drawn, so many left out, and so on."""
+    """Add a broken line: draw `dash` steps of a path, leave out `gap` steps, and so on."""
     starts = range(0, len(path) - dash, dash + gap)
     dashes = [pyvista.MultipleLines(path[start : start + dash + 1]) for start in starts]
     tubes = [line.tube(radius=0.009, n_sides=8, capping=True) for line in dashes]

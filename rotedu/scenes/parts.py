@@ -1,4 +1,4 @@
-"""What the scenes share: an empty scene, and the parts to put into it."""
+"""What the scenes share: an empty scene and the parts to put into it."""
 
 import numpy as np
 import pyvista
@@ -13,12 +13,12 @@ ORIGIN = np.zeros(3)
 
 
 def new_scene(eye: ArrayLike, target: ArrayLike, view_angle: float = 24.0) -> pyvista.Plotter:
-    """Open an empty scene, the W axis pointing up.
+    """Open an empty scene with the W axis pointing up.
 
     Parameters
     ----------
     eye, target : array_like, shape (3,)
-        Where the camera stands and what it looks at.
+        Position of the camera, and the point it looks at.
     view_angle : float
         Height of the field of view in degrees.
 
@@ -45,7 +45,7 @@ def add_line(
 def add_arrow(
     plotter: pyvista.Plotter, start: ArrayLike, end: ArrayLike, color: str, radius: float = 0.016
 ) -> None:
-    """Add an arrow; its head has the same size whatever its length."""
+    """Add an arrow whose head has the same size at any length."""
     start, end = np.asarray(start, float), np.asarray(end, float)
     length = float(np.linalg.norm(end - start))
     arrow = pyvista.Arrow(
@@ -70,7 +70,7 @@ def add_point(plotter: pyvista.Plotter, point: ArrayLike, color: str, radius: fl
 
 
 def add_thin(plotter: pyvista.Plotter, mesh: pyvista.PolyData, color: str) -> None:
-    """Add a part so thin that it must not hide the labels behind it."""
+    """Add a thin part, which does not hide the labels behind it."""
     plotter.add_mesh(mesh, color=color, smooth_shading=True, split_sharp_edges=True, pickable=False)
 
 
@@ -79,7 +79,7 @@ def add_label(plotter: pyvista.Plotter, point: ArrayLike, text: str, color: str 
     plotter.add_point_labels(
         np.reshape(np.asarray(point, float), (1, 3)),
         [text],
-        # pyvista would name it by a memory address, which the next label may get again.
+        # pyvista would name it after a memory address, which the next label might reuse.
         name=f"label {len(plotter.actors)}",
         text_color=color,
         font_size=20,
@@ -99,14 +99,14 @@ def add_coordinate_axes(plotter: pyvista.Plotter, length: float) -> None:
 
 
 def add_axis(plotter: pyvista.Plotter, axis: ArrayLike, text: str, length: float = 1.3) -> None:
-    """Add the arrow of a rotation axis and its name."""
+    """Add a rotation axis, drawn as an arrow, and its name."""
     axis = np.asarray(axis, float)
     add_arrow(plotter, ORIGIN, length * axis, AXIS)
     add_label(plotter, (length + 0.1) * axis, text, AXIS)
 
 
 def add_sphere(plotter: pyvista.Plotter, opacity: float = 0.18) -> None:
-    """Add the unit sphere, translucent; it hides the labels behind it."""
+    """Add the translucent unit sphere, which hides the labels behind it."""
     ball = pyvista.Sphere(radius=1.0, theta_resolution=48, phi_resolution=32)
     plotter.add_mesh(ball, color=NEUTRAL, opacity=opacity, smooth_shading=True)
 
@@ -142,7 +142,7 @@ def turning(
 
 
 def fan(center: ArrayLike, rim: ArrayLike) -> pyvista.PolyData:
-    """Fill the region between a point, shape (3,), and a rim, shape (n, 3), by triangles."""
+    """Fill the region between a point, shape (3,), and a rim, shape (n, 3), with triangles."""
     points = np.vstack([center, rim])
     second = np.arange(1, len(points) - 1)
     triangles = np.column_stack([np.zeros_like(second), second, second + 1])
@@ -159,22 +159,22 @@ def triangle_mesh(points: ArrayLike, triangles: ArrayLike) -> pyvista.PolyData:
 def teaspoon(stations: int = 121, around: int = 40) -> pyvista.PolyData:
     """Model a teaspoon as a closed surface of ``stations * around`` vertices.
 
-    Every cross-section is a flat closed ring: as wide as the outline of the spoon, sunk in
-    the middle by the depth of the bowl, as thick as the metal.
+    Every cross-section is a flat closed ring. It is as wide as the outline of the spoon and as
+    thick as the metal, and its middle sinks by the depth of the bowl.
 
     Parameters
     ----------
     stations : int
         Number of cross-sections from the end of the handle to the tip of the bowl.
     around : int
-        Vertices in each of them.
+        Number of vertices in each cross-section.
 
     Returns
     -------
     pyvista.PolyData
-        A triangle mesh, about 2 units long, along the U axis, the bowl open upwards.
+        A triangle mesh about 2 units long, along the U axis, with the bowl open upwards.
     """
-    # Close together at both ends, where the outline turns.
+    # Cross-sections are close together at both ends, where the outline turns.
     s = (1 - np.cos(np.linspace(0, np.pi, stations)))[:, np.newaxis] / 2
     bowl = np.clip((s - 0.62) / 0.38, 0, 1)
     ends = np.clip(np.minimum(s / 0.03, (1 - s) / 0.004), 0, 1)

@@ -1,4 +1,4 @@
-"""Scenes of Chapter 2: two mirrors, and the two quaternions of a rotation."""
+"""Scenes of Chapter 2: two mirrors and the two quaternions of a rotation."""
 
 import numpy as np
 import pyvista
@@ -26,9 +26,9 @@ def letter_f(size: float = 0.5, thickness: float = 0.07) -> pyvista.PolyData:
     Parameters
     ----------
     size : float
-        Its height, along V.
+        Height of the letter, along V.
     thickness : float
-        Its extent along W.
+        Extent of the letter along W.
 
     Returns
     -------
@@ -44,7 +44,7 @@ def letter_f(size: float = 0.5, thickness: float = 0.07) -> pyvista.PolyData:
 
 
 def two_mirrors(between: float = np.deg2rad(50), at: float = np.deg2rad(-25)) -> pyvista.Plotter:
-    """Draw a letter that is mirrored twice: it turns by twice the angle between the mirrors.
+    """Draw a letter mirrored twice, which turns by twice the angle between the mirrors.
 
     Parameters
     ----------
@@ -60,7 +60,7 @@ def two_mirrors(between: float = np.deg2rad(50), at: float = np.deg2rad(-25)) ->
     """
 
     def out(angle: float, radius: float = 1.0, height: float = 0.0) -> NDArray[np.float64]:
-        """Go out from the axis in a direction, counted from the first mirror."""
+        """Return a point off the axis; the angle counts from the first mirror."""
         azimuth = angle + (np.pi - between) / 2
         return np.array([radius * np.cos(azimuth), radius * np.sin(azimuth), height])
 
@@ -100,7 +100,7 @@ def two_mirrors(between: float = np.deg2rad(50), at: float = np.deg2rad(-25)) ->
         f"Two upright mirrors meet at an axis n, {np.rad2deg(between):.0f} degrees apart. A blue"
         " letter F lies in front of the first. Its mirror image, purple and in mirror writing, lies"
         " between the mirrors. The mirror image of that in the second mirror is green and reads"
-        f" as an F again: it is the blue one, turned by {2 * np.rad2deg(between):.0f} degrees.",
+        f" as an F again: it is the blue letter, turned by {2 * np.rad2deg(between):.0f} degrees.",
     )
     return plotter
 
@@ -108,13 +108,13 @@ def two_mirrors(between: float = np.deg2rad(50), at: float = np.deg2rad(-25)) ->
 def double_cover(angle: float = np.deg2rad(100), width: float = 0.4) -> pyvista.Plotter:
     """Draw the quaternions [w, s n] of all rotations about one axis: a band with one edge.
 
-    At the place on the ring to which a rotation takes the vector r, its two quaternions stand
-    w = cos(theta / 2) up and s = sin(theta / 2) out: q on one edge, -q on the other.
+    A rotation takes the vector r to a place on the ring. There q lies w = cos(theta / 2) up and
+    s = sin(theta / 2) out, on one edge of the band; -q lies opposite, on the other edge.
 
     Parameters
     ----------
     angle : float
-        Angle in radians of the rotation that is shown.
+        Angle in radians of the rotation to show.
     width : float
         Half the width of the band, for a ring of radius 1.
 
@@ -125,7 +125,7 @@ def double_cover(angle: float = np.deg2rad(100), width: float = 0.4) -> pyvista.
     """
 
     def ring(theta: NDArray[np.float64], side: float) -> NDArray[np.float64]:
-        """Points of the edges (side 1 and -1) and of the ring between them (side 0)."""
+        """Return points of an edge (side 1 or -1) or of the ring between the edges (side 0)."""
         w, s = side * width * np.cos(theta / 2), side * width * np.sin(theta / 2)
         return np.stack([(1 + s) * np.cos(theta), (1 + s) * np.sin(theta), w], axis=-1)
 
@@ -164,10 +164,10 @@ def double_cover(angle: float = np.deg2rad(100), width: float = 0.4) -> pyvista.
         add_label(plotter, ring(place, 1.5 * side), text, color)
     describe(
         plotter,
-        "A ring around an axis n. An arrow r points to it, and a second arrow, turned by"
-        f" {np.rad2deg(angle):.0f} degrees. Along the ring runs a band that makes half a twist on"
-        " its way round. Where it begins, its edges are marked 1, above, and -1, below; at the"
-        " turned arrow q and -q. The green edge that leaves from 1 arrives at -1 after one round,"
-        " where the purple edge goes on, and comes back to 1 after the second.",
+        "A ring around an axis n. Two arrows point to the ring: r, and r turned by"
+        f" {np.rad2deg(angle):.0f} degrees. A band runs along the ring and makes half a twist in"
+        " one round. At r its edges are marked 1, above, and -1, below; at the turned arrow they"
+        " are marked q and -q. The green edge leaves 1 and arrives at -1 after one round. There the"
+        " purple edge takes over and comes back to 1 after a second round.",
     )
     return plotter

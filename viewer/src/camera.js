@@ -1,11 +1,11 @@
-/* Numbers for the camera. */
+/* The geometry of the camera. */
 
 const DEGREES = 180 / Math.PI;
-// Up to here a turned scene may reach: a label needs some room.
+// How far a turned scene may reach: labels need some room at the border.
 const ROOM = 0.93;
 
 /**
- * The height of the field of view, in degrees, that shows all of the poster in a box of another
+ * The height of the field of view, in degrees, that shows the whole poster in a box of another
  * shape.
  * @param {number} viewAngle of the poster, in degrees
  * @param {number} posterAspect width over height of the poster
@@ -17,7 +17,7 @@ export function fieldOfView(viewAngle, posterAspect, aspect) {
 }
 
 /**
- * The nearest and the farthest distance that has something to show.
+ * The nearest and the farthest distance at which there is something to see.
  * @param {number} distance from the camera to the middle of the scene
  * @param {number} radius of the scene
  */
@@ -27,9 +27,9 @@ export function clipping(distance, radius) {
 }
 
 /**
- * Of many points those that reach farthest, each in one of some directions.
+ * For each of some directions, the one of many points that reaches farthest.
  * @param {ArrayLike<number>[]} clouds coordinates, three for each point
- * @param {number[]} center from which they reach
+ * @param {number[]} center the origin of the directions
  * @returns {number[][]} points as seen from the center
  */
 export function outermost(clouds, center, directions = 64) {
@@ -60,7 +60,7 @@ function spread(count) {
 }
 
 /**
- * How far points reach towards the border of the picture: 1 is there, 0 is the middle.
+ * How far points reach towards the border of the picture: 0 is the middle, 1 is the border.
  * @param {number[][]} points as seen from what the camera looks at
  * @param {number[][]} axes of the camera: to the right, up and back, of length 1
  * @param {number} distance from the camera to what it looks at
@@ -79,10 +79,10 @@ export function reach(points, axes, distance, half) {
 }
 
 /**
- * A field of view, in degrees, in which a scene that was turned is as little cut off as at rest.
+ * A field of view, in degrees, that cuts off no more of a turned scene than of the scene at rest.
  * @param {number} angle field of view at rest, in degrees
  * @param {number} now how far the scene reaches, turned
- * @param {number} atRest how far it reached
+ * @param {number} atRest how far it reached at rest
  */
 export function widened(angle, now, atRest) {
   const half = Math.tan(angle / 2 / DEGREES);

@@ -6,11 +6,11 @@ const STEP = Math.PI / 24;
 const ZOOM = 0.9;
 
 /**
- * Let the reader move a camera.
+ * Let the reader move the camera.
  * @param camera
  * @param {HTMLElement} scene
  * @param {HTMLCanvasElement} canvas
- * @param {number[]} target what the camera turns about
+ * @param {number[]} target the point that the camera turns about
  */
 export function takeInHand(camera, scene, canvas, target) {
   const controls = new OrbitControls(camera, canvas);
@@ -23,7 +23,7 @@ export function takeInHand(camera, scene, canvas, target) {
   const isFull = () => document.fullscreenElement === scene;
   const full = () => (isFull() ? document.exitFullscreen() : scene.requestFullscreen());
 
-  // In the page the wheel and a finger moving up or down scroll.
+  // Within the page, the wheel and a finger that moves up or down scroll the page.
   const grip = () => {
     canvas.style.touchAction = isFull() ? "none" : "pan-y";
     controls.touches.TWO = isFull() ? TOUCH.DOLLY_PAN : TOUCH.DOLLY_ROTATE;
@@ -37,7 +37,7 @@ export function takeInHand(camera, scene, canvas, target) {
     },
     { capture: true },
   );
-  // A finger that turns out to scroll the page has moved the figure a little.
+  // A finger that turns out to scroll the page has already moved the figure a little.
   const before = { position: camera.position.clone(), target: controls.target.clone() };
   canvas.addEventListener("pointerdown", () => {
     before.position.copy(camera.position);

@@ -1,8 +1,8 @@
-/* Where labels are on the screen, and which stand behind something. */
+/* Where labels are on the screen, and which of them are hidden. */
 
-// A label often lies on a surface itself: its line of sight ends just short of it.
+// A label often lies on a surface itself, so its line of sight ends just short of it.
 const SHORT = 1 - 1e-3;
-// Two faces crossed this close together are crossed in the edge they share.
+// Two crossings this close together lie on the edge that two faces share.
 const SAME = 1e-6;
 
 /**
@@ -18,7 +18,7 @@ export function project(matrix, [x, y, z]) {
 }
 
 /**
- * Count how often the way from one point to another crosses a surface, up to a limit.
+ * Count how often the segment from one point to another crosses a surface, up to a limit.
  * @param {{positions: ArrayLike<number>, corners: ArrayLike<number>}} surface three corners a face
  * @param {number[]} from
  * @param {number[]} to
@@ -32,7 +32,7 @@ export function crossings({ positions, corners }, from, to, limit = Infinity) {
     const a = 3 * corners[i];
     const b = 3 * corners[i + 1];
     const c = 3 * corners[i + 2];
-    // Möller and Trumbore: the edges e and f, the way from the corner s.
+    // Möller and Trumbore: the edges e and f, and the vector s from their corner.
     const ex = positions[b] - positions[a];
     const ey = positions[b + 1] - positions[a + 1];
     const ez = positions[b + 2] - positions[a + 2];
@@ -61,9 +61,9 @@ export function crossings({ positions, corners }, from, to, limit = Infinity) {
 }
 
 /**
- * Tell whether surfaces come between the eye and a point. One opaque surface hides what is behind
- * it; a see-through one only where the line of sight goes in and out again: what is inside a glass
- * ball stays labelled.
+ * Tell whether surfaces come between the eye and a point. One opaque surface hides all that lies
+ * behind it. A see-through surface does so only where the line of sight goes in and out again, so the
+ * inside of a glass ball keeps its labels.
  */
 export function isHidden(surfaces, eye, point) {
   const end = point.map((value, i) => eye[i] + (value - eye[i]) * SHORT);

@@ -1,7 +1,7 @@
 /*
- * Makes the scenes of a page live when they come near the screen, once a reader is there; where
- * the reader saves data, on a click. Until then, and where that cannot be, posters stay.
- * data-state of a scene: poster, loading, live or failed.
+ * Makes the scenes of a page live when they come near the screen, after the first sign of a reader.
+ * For a reader who saves data, a click does so. Until then, and where it fails, the posters stay.
+ * The data-state of a scene is poster, loading, live or failed.
  */
 /* global VIEWER */
 import { SERVE, onClickOnly, pixels, reason, status } from "./page.js";
@@ -12,7 +12,7 @@ const SIGNS_OF_A_READER = ["pointermove", "pointerdown", "touchstart", "scroll",
 const NEAR = "50% 0%";
 let context;
 
-/** Fetch the viewer and the scene, both at once, and put the first frame over the poster. */
+/** Fetch the viewer and the scene at the same time, and put the first frame over the poster. */
 async function goLive(scene) {
   if (scene.dataset.state !== "poster") return;
   scene.dataset.state = "loading";
@@ -27,7 +27,7 @@ async function goLive(scene) {
   }
 }
 
-/** Open the one WebGL context of the page, as large as its first scene. */
+/** Open the only WebGL context of the page, as large as its first scene. */
 function openWebGL(scene) {
   const canvas = document.createElement("canvas");
   Object.assign(canvas, pixels(scene));
@@ -79,7 +79,7 @@ function begin() {
 
 for (const scene of scenes) scene.dataset.state = "poster";
 if (location.protocol === "file:") {
-  // Browsers fetch nothing for a page that comes from a file.
+  // Browsers fetch nothing for a page opened from a file.
   watch((scene) => fail(scene, SERVE));
 } else if (navigator.connection?.saveData) {
   scenes.forEach((scene) => onClickOnly(scene, goLive));

@@ -1,4 +1,4 @@
-/* The looks of VTK: its light, without gamma, on both sides of a surface. */
+/* The looks of VTK: light without gamma, on both sides of a surface. */
 import {
   Color,
   ColorManagement,
@@ -16,7 +16,7 @@ import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js
 
 ColorManagement.enabled = false;
 
-// The sides of a surface that are drawn.
+// Which sides of a surface to draw.
 const BACK = -1;
 const BOTH = 0;
 const FRONT = 1;
@@ -88,8 +88,8 @@ const FRAGMENT = /* glsl */ `
 `;
 
 /**
- * Everything but lines is drawn by one program: to compile another takes longer than a frame.
- * So three is told that all materials blend and show both sides; what differs are numbers.
+ * One program draws everything but lines, because compiling another takes longer than a frame. So
+ * three believes that all materials blend and show both sides; only numbers differ.
  */
 function shader({ material, geometry, isPoints }, lights, sides = BOTH) {
   const { userData: looks, transparent } = material;
@@ -102,7 +102,7 @@ function shader({ material, geometry, isPoints }, lights, sides = BOTH) {
     specularPower: looks.specularPower,
     pointSize: looks.pointSize,
     sides,
-    // Nor on points, but for those drawn as balls.
+    // Light falls on points only if they are drawn as balls.
     lit: looks.lit && (!isPoints || looks.roundPoints),
     smoothed: "normal" in geometry.attributes,
     isPoint: Boolean(isPoints),
@@ -123,7 +123,7 @@ function shader({ material, geometry, isPoints }, lights, sides = BOTH) {
   });
 }
 
-/** A see-through surface is drawn in two steps, for what is inside it comes in between. */
+/** Draw a see-through surface in two steps, because its contents come in between. */
 function surface(part, lights) {
   const { transparent, side } = part.material;
   let steps = [side === DoubleSide ? BOTH : FRONT];
@@ -131,7 +131,7 @@ function surface(part, lights) {
   return steps.map((sides) => new Mesh(part.geometry, shader(part, lights, sides)));
 }
 
-/** Lines have no sides: no light falls on them. */
+/** Draw lines, which have no sides, so no light falls on them. */
 function lines({ material, geometry }) {
   const { ambient, diffuse, lineWidth } = material.userData;
   const color = material.color.clone().convertLinearToSRGB().multiplyScalar(ambient + diffuse);
@@ -152,8 +152,8 @@ function lines({ material, geometry }) {
 }
 
 /**
- * Make what is drawn for one part of a glTF scene.
- * @param part what three's loader made of it
+ * Make the objects that draw one part of a glTF scene.
+ * @param part the part as three's loader returns it
  * @param {{toward: number[], color: number[]}[]} lights in the coordinates of the camera
  */
 export function dress(part, lights) {
@@ -168,7 +168,7 @@ export function dress(part, lights) {
   return drawn;
 }
 
-/** Widths are in pixels of the poster, of which the picture may have more or fewer. */
+/** Scale widths, which are in pixels of the poster, to the size of the picture. */
 export function scaleWidths(objects, factor) {
   for (const { material, userData } of objects) {
     const width = material.isLineMaterial ? material.uniforms.linewidth : material.uniforms.pointSize;
@@ -179,7 +179,7 @@ export function scaleWidths(objects, factor) {
 
 const isBack = ({ material }) => material.uniforms.sides?.value === BACK;
 
-/** Draw see-through surfaces from far to near: far sides by their far end, near by their near. */
+/** Sort see-through surfaces from far to near; far sides count by far ends, near by near. */
 export function sortSeeThrough(objects, camera) {
   const center = new Vector3();
   for (const object of objects.filter(({ material }) => material.transparent)) {

@@ -1,6 +1,6 @@
-/* What the loader says and adds to the page. */
+/* What the loader adds to the page. */
 
-// More pixels to a point nobody sees.
+// Nobody sees more pixels than this per CSS pixel.
 const MOST = 2;
 
 export const SERVE =
@@ -12,7 +12,7 @@ export function reason(error) {
   return `This figure stays a picture: ${error.message}.`;
 }
 
-/** Make an empty line whose text a screen reader will speak. */
+/** Make an empty line whose text a screen reader will announce. */
 export function status() {
   const line = document.createElement("p");
   line.className = "scene-message";
@@ -20,7 +20,7 @@ export function status() {
   return line;
 }
 
-/** Leave it to the reader whether to fetch a scene. */
+/** Let the reader decide whether to fetch a scene. */
 export function onClickOnly(scene, goLive) {
   const button = document.createElement("button");
   button.type = "button";

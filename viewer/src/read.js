@@ -1,4 +1,4 @@
-/* Reads a scene: what to draw, what hides labels, and what goes with the camera. */
+/* Reads a scene: what to draw, what hides labels, and how the camera starts. */
 import { Sphere } from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 import { dress } from "./looks.js";
@@ -29,7 +29,7 @@ export async function read(file) {
   return { objects, surfaces, around, clouds, camera };
 }
 
-/** The faces of a part, whose positions are in the coordinates of the scene. */
+/** The faces of a part, with positions in the coordinates of the scene. */
 function surface({ geometry, material }, positions) {
   return {
     positions,

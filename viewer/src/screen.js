@@ -1,19 +1,19 @@
 /*
- * One WebGL context draws the scenes of a page. Each scene has a canvas of its own, into which
- * its picture is copied: browsers allow few contexts, and may take one back at any time.
+ * One WebGL context draws all scenes of a page and copies each picture into the canvas of a scene.
+ * Browsers allow few contexts and may take one back at any time.
  */
 import { LinearSRGBColorSpace, WebGLRenderer } from "three";
 
 let renderer;
 const restored = new Set();
 
-/** Make the renderer, once, and where the browser can, compile without holding up the page. */
+/** Make the renderer once; where the browser can, compile without holding up the page. */
 export async function prepare(context, scene, camera) {
   if (!renderer) {
     const { canvas } = context;
     renderer = new WebGLRenderer({ canvas, context });
     renderer.outputColorSpace = LinearSRGBColorSpace;
-    // To ask for errors is to wait for the compiler.
+    // Asking for errors would mean waiting for the compiler.
     renderer.debug.checkShaderErrors = false;
     canvas.addEventListener("webglcontextrestored", () => restored.forEach((redraw) => redraw()));
     await pause();
@@ -28,7 +28,7 @@ function pause() {
   return new Promise((resolve) => setTimeout(resolve));
 }
 
-/** Call back when pictures have to be drawn anew. */
+/** Call back when pictures must be drawn again. */
 export function onRestored(redraw) {
   restored.add(redraw);
 }

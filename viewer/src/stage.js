@@ -27,14 +27,14 @@ function button(label, icon, action) {
   return made;
 }
 
-/** Say once on a page what the keys do. */
+/** Describe the keys, once on each page. */
 function describeKeys() {
   if (!document.getElementById(KEYS)) {
     document.body.append(element("p", { id: KEYS, hidden: "" }, KEYS_TEXT));
   }
 }
 
-/** Make the canvas of a scene; it is not in the page yet. */
+/** Make the canvas of a scene, without putting it into the page. */
 export function createCanvas(poster) {
   describeKeys();
   return element("canvas", {

@@ -11,9 +11,9 @@ import { createCanvas, createTools } from "./stage.js";
 
 /**
  * Draw a scene over its poster and let the reader turn it.
- * @param {HTMLElement} element the scene in the page: a poster and labels
+ * @param {HTMLElement} element the scene on the page: a poster and labels
  * @param {ArrayBuffer} file
- * @param {WebGL2RenderingContext} context the same for all scenes
+ * @param {WebGL2RenderingContext} context shared by all scenes
  */
 export async function show(element, file, context) {
   const poster = element.querySelector(".scene-poster");
@@ -61,11 +61,11 @@ export async function show(element, file, context) {
   const fit = () => {
     const size = pixels(element);
     const now = `${size.width} ${size.height}`;
-    // An observer calls at once, and when the scene is folded away.
+    // The observer also calls at the start, and when the scene is folded away.
     if (now === fitted || size.width === 0) return;
     fitted = now;
     Object.assign(canvas, size);
-    // Not of the poster as it is shown, but of the scene as it was made.
+    // The size of the scene as it was made, not of the poster as it is shown.
     const [width, height] = ["width", "height"].map((name) => poster.getAttribute(name));
     scaleWidths(objects, Math.min(canvas.width / width, canvas.height / height));
     drawNow();

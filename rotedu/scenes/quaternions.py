@@ -99,8 +99,8 @@ def two_mirrors(between: float = np.deg2rad(50), at: float = np.deg2rad(-25)) ->
         plotter,
         f"Two upright mirrors meet at an axis n, {np.rad2deg(between):.0f} degrees apart. A blue"
         " letter F lies in front of the first. Its mirror image, purple and in mirror writing, lies"
-        " between the mirrors. The mirror image of that in the second mirror is green and reads"
-        f" as an F again: it is the blue letter, turned by {2 * np.rad2deg(between):.0f} degrees.",
+        " between the mirrors. Its own image in the second mirror is green and reads"
+        f" as an F again: it is the blue one, turned by {2 * np.rad2deg(between):.0f} degrees.",
     )
     return plotter
 

@@ -118,7 +118,7 @@ def carried_mesh(
     describe(
         plotter,
         f"Teaspoons on a see-through sphere: {len(r)} blue ones, and {between} green ones between"
-        " each two, which turn gradually from one to the next. A green line joins the centres of"
+        " neighbours, which turn gradually from one to the next. A green line joins the centres of"
         " all. A purple line through the centres of the blue ones runs elsewhere in between.",
     )
     return plotter

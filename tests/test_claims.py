@@ -130,6 +130,13 @@ def test_chapter_6_lists_each_claim() -> None:
     assert missing == []
 
 
+def test_chapter_6_says_why_where_a_claim_does_not_simply_hold() -> None:
+    conclusions = (BOOK / "06-conclusions.ipynb").read_text("utf-8")
+    bare = re.findall(r'"\| (\d+) \| .*\*\* \| ', conclusions)
+    assert bare
+    assert {VERDICT_OF[int(number)] for number in bare} == {"holds"}
+
+
 def test_without_numbers_all_claims_are_listed() -> None:
     lines = claim_table().markdown.splitlines()
     assert len(lines) == 2 + len(CLAIMS)

@@ -1,7 +1,7 @@
 """What the paper claims, and whether it is so.
 
-This is the one source of the tables of claims. The evidence is not kept here: the page that a
-claim links to shows it.
+This is the one source of the tables of claims. The evidence is not kept here. It stands on the page
+that a claim links to, and the list in Chapter 6 adds a reason in a few words.
 """
 
 from collections import Counter
@@ -23,12 +23,12 @@ Verdict = Literal[
 ]
 
 VERDICTS: dict[Verdict, str] = {
-    "holds": "true as it is said, wherever what it speaks of exists",
+    "holds": "true as stated, wherever the things it speaks of exist",
     "holds under a condition": "true wherever the condition named beside it is met; elsewhere"
     " false, or 0/0",
-    "does not hold": "false in a case that it covers, and no condition would leave its point",
+    "does not hold": "false in a case that it covers, and no condition would save its point",
     "does not follow": "the reason given does not lead there, whether or not another one does",
-    "not confirmed": "nothing that we could see or run decides it",
+    "not confirmed": "nothing that we could read or run decides it",
     "a matter of names": "the formulas are right, under either of two names in use",
 }
 
@@ -538,9 +538,10 @@ def claim_table(
     Parameters
     ----------
     numbers : iterable of int, optional
-        Which claims, in their order; all if it is left out.
+        Which claims; they are listed in the order of `CLAIMS`. All, if it is left out.
     reasons : mapping of int to str, optional
-        Why, in a few words of Markdown, by the number of the claim. They follow the verdict.
+        Why, in a few words of Markdown, by the number of the claim. A reason follows the verdict
+        and its condition, if there is one. Reasons for claims that are not listed are ignored.
 
     Returns
     -------

@@ -117,9 +117,9 @@ def carried_mesh(
         add_label(plotter, 1.33 * place, f"$R_{k}$", VECTOR)
     describe(
         plotter,
-        f"Teaspoons on a see-through sphere: {len(r)} blue ones, and {between} green ones from each"
-        " blue one to the next, which turn gradually. A green line joins the centres of all. A"
-        " purple line joins the centres of the blue ones by other paths.",
+        f"Teaspoons on a see-through sphere: {len(r)} blue ones, and {between} green ones between"
+        " neighbours, which turn gradually from one to the next. A green line joins the centres of"
+        " all. A purple line through the centres of the blue ones runs elsewhere in between.",
     )
     return plotter
 

@@ -481,7 +481,7 @@ CLAIMS = (
         ("5",),
         "holds under a condition",
         "05-control-points",
-        "no two points to be bisected are equal or opposite",
+        "no two neighbours, and no two points to be bisected, are equal or opposite",
     ),
     Claim(
         55,

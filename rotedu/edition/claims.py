@@ -371,7 +371,8 @@ CLAIMS = (
     ),
     Claim(
         39,
-        "(2-4) is the inverse from both sides; for a unit quaternion it is the conjugate",
+        "$qq^*=q^*q=\\lvert q\\rvert^2$, so (2-4) is the inverse from both sides; for a unit"
+        " quaternion it is the conjugate",
         ("2",),
         "holds",
         "02-quaternions",
@@ -526,6 +527,27 @@ CLAIMS = (
         ("5",),
         "does not hold",
         "05-closed-curve",
+    ),
+    Claim(
+        61,
+        "(5-2) or (5-3) is used for the control polygon only",
+        ("5",),
+        "a matter of names",
+        "05-closed-curve",
+    ),
+    Claim(
+        62,
+        "Most applications in these fields deal with models of many points",
+        ("6",),
+        "not confirmed",
+        "06-conclusions",
+    ),
+    Claim(
+        63,
+        "Quaternions are commonly used for smooth curves through points of a sphere",
+        ("6",),
+        "not confirmed",
+        "06-conclusions",
     ),
 )
 

@@ -532,8 +532,9 @@ CLAIMS = (
         61,
         "(5-2) or (5-3) is used for the control polygon only",
         ("5",),
-        "a matter of names",
+        "holds under a condition",
         "05-closed-curve",
+        "every level of de Casteljau's construction counts as a control polygon",
     ),
     Claim(
         62,

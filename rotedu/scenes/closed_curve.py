@@ -10,7 +10,7 @@ from rotedu.closed_curve import closed_curve, de_casteljau, de_casteljau_levels
 from rotedu.colors import CROSS, NEUTRAL, RESULT, VECTOR
 from rotedu.control_points import control_points
 from rotedu.figures import describe
-from rotedu.scenes.arcs import CAMERA_TARGETS
+from rotedu.scenes.arcs import CAMERA_SEES, CAMERA_TARGETS
 from rotedu.scenes.parts import (
     ORIGIN,
     add_arc,
@@ -140,9 +140,8 @@ def camera_curve(fraction: float = 1 / 2) -> pyvista.Plotter:
         add_arc(plotter, start, end, CROSS)
         add_line(plotter, [ORIGIN, start], NEUTRAL, radius=0.003)
     add_line(plotter, [*curve, curve[0]], RESULT, radius=0.014)
-    names = ("door", "clock", "window", "desk")
     places = ((0, 0, -0.14), (0, 0.16, -0.1), (0, 0, 0.15), (0, -0.16, -0.1))
-    for name, target, place in zip(names, targets, places, strict=True):
+    for name, target, place in zip(CAMERA_SEES, targets, places, strict=True):
         add_point(plotter, target, VECTOR, 0.036)
         add_label(plotter, target + place, name, VECTOR)
     describe(

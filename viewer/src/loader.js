@@ -20,7 +20,10 @@ async function goLive(scene) {
     const needed = [loadViewer(), loadScene(scene.dataset.scene)];
     context ??= openWebGL(scene);
     const [viewer, file] = await Promise.all(needed);
-    await viewer.show(scene, file, context);
+    const { attributes } = scene.querySelector(".scene-poster");
+    // The size of the scene as it was made, not of the poster as it is shown.
+    const [width, height] = [attributes.width, attributes.height].map(({ value }) => Number(value));
+    await viewer.show(scene, file, context, { width, height, alt: attributes.alt.value });
     scene.dataset.state = "live";
   } catch (error) {
     fail(scene, reason(error));

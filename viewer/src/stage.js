@@ -35,13 +35,13 @@ function describeKeys() {
 }
 
 /** Make the canvas of a scene, without putting it into the page. */
-export function createCanvas(poster) {
+export function createCanvas(alt) {
   describeKeys();
   return element("canvas", {
     class: "scene-canvas",
     tabindex: "0",
     role: "application",
-    "aria-label": poster.alt,
+    "aria-label": alt,
     "aria-describedby": KEYS,
   });
 }

@@ -10,20 +10,21 @@ import { draw, onRestored, prepare } from "./screen.js";
 import { createCanvas, createTools } from "./stage.js";
 
 /**
- * Draw a scene over its poster and let the reader turn it.
- * @param {HTMLElement} element the scene on the page: a poster and labels
+ * Draw a scene, over its poster if it has one, and let the reader turn it.
+ * @param {HTMLElement} element the scene on the page: labels, and a poster if there is one
  * @param {ArrayBuffer} file
  * @param {WebGL2RenderingContext} context shared by all scenes
+ * @param {{width: number, height: number, alt: string}} made the size of the scene as it was made,
+ *   and the text for those who cannot see it
  */
-export async function show(element, file, context) {
-  const poster = element.querySelector(".scene-poster");
+export async function show(element, file, context, { width, height, alt }) {
   const { objects, surfaces, around, clouds, camera: pose } = await read(file);
   const scene = new Scene();
   scene.add(...objects);
   const camera = new PerspectiveCamera();
   camera.up.set(...pose.up);
   camera.position.set(...pose.position);
-  const canvas = createCanvas(poster);
+  const canvas = createCanvas(alt);
   const labels = [...element.querySelectorAll(".scene-label")].map((label) => ({
     label,
     position: label.dataset.position.split(" ").map(Number),
@@ -65,8 +66,6 @@ export async function show(element, file, context) {
     if (now === fitted || size.width === 0) return;
     fitted = now;
     Object.assign(canvas, size);
-    // The size of the scene as it was made, not of the poster as it is shown.
-    const [width, height] = ["width", "height"].map((name) => poster.getAttribute(name));
     scaleWidths(objects, Math.min(canvas.width / width, canvas.height / height));
     drawNow();
   };
@@ -74,7 +73,9 @@ export async function show(element, file, context) {
   await prepare(context, scene, camera);
   const { controls, full } = takeInHand(camera, element, canvas, pose.target);
   fit();
-  poster.after(canvas);
+  const poster = element.querySelector(".scene-poster");
+  if (poster) poster.after(canvas);
+  else element.prepend(canvas);
   const reset = () => controls.reset();
   const { tools, hint } = createTools({ reset, full });
   element.append(tools, hint);

@@ -14,7 +14,7 @@ from sphinx.transforms import SphinxTransform
 from sphinx.transforms.post_transforms import SphinxPostTransform
 from sphinx.util.nodes import NodeMatcher
 
-from rotedu.figures.pages import scene
+from rotedu.figures.pages import explorable, scene
 
 BEGINNING = re.compile(r"((?:Figure|Picture) [\w-]+)\.")
 TEXT_WIDTH = 39  # rem, the --measure of book.css
@@ -59,6 +59,8 @@ class BuildFigures(SphinxPostTransform):
             if not pictures:
                 raise ValueError(f"{title_of(caption)}: no picture above the caption")
             picture = pictures[-1]
+            if isinstance(picture.parent, explorable):
+                picture = picture.parent
             figure = nodes.figure(ids=caption["ids"])
             picture.replace_self(figure)
             figure += [self.with_shape(picture), nodes.caption("", "", *caption.children)]

@@ -33,5 +33,19 @@ if it has textures, several views or lights that stay in place, for example.
 """
 
 from rotedu.figures.backend import describe
+from rotedu.figures.explorable import explorable, explore
+from rotedu.figures.frames import draw_chart, place_part, read_out
+from rotedu.figures.inputs import Choice, Handles, Slider, Switch
 
-__all__ = ["describe"]
+__all__ = [
+    "Choice",
+    "Handles",
+    "Slider",
+    "Switch",
+    "describe",
+    "draw_chart",
+    "explorable",
+    "explore",
+    "place_part",
+    "read_out",
+]

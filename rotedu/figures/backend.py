@@ -18,6 +18,7 @@ from IPython import get_ipython
 from PIL import Image
 from vtkmodules.vtkRenderingLabel import vtkPointSetToLabelHierarchy
 
+from rotedu.figures.frames import shown
 from rotedu.figures.gltf import scene_gltf, surface_of
 
 MIME_TYPE = "application/vnd.pyvista.scene+json"
@@ -172,7 +173,7 @@ def take_poster(plotter: pyvista.Plotter) -> bytes:
             # Widths are in pixels of the picture.
             actor.prop.line_width *= scale
             actor.prop.point_size *= scale
-    for actor in _label_actors(plotter):
+    for _, actor in _label_actors(plotter):
         actor.VisibilityOff()
     # Our own samples make smooth edges; those of VTK would make lines thinner.
     plotter.disable_anti_aliasing()
@@ -209,38 +210,43 @@ def scene_labels(plotter: pyvista.Plotter) -> list[dict[str, Any]]:
     Returns
     -------
     list of dict
-        For each label its ``text``, ``color`` (as ``#rrggbb``), ``position`` (x, y, z), ``left``
-        and ``top`` (fractions of the picture's width and height) and ``hidden`` (whether a surface
-        stands in front of it).
+        For each label its ``name``, ``text``, ``color`` (as ``#rrggbb``), ``position`` (x, y, z),
+        ``left`` and ``top`` (fractions of the picture's width and height) and ``hidden`` (whether
+        a surface stands in front of it, or it is absent).
     """
     width, height = plotter.window_size
     camera = plotter.camera
     view = pyvista.array_from_vtkmatrix(
         camera.GetCompositeProjectionTransformMatrix(width / height, -1, 1)
     )
+    recorded = shown(plotter).labels
     labels = []
-    for actor in _label_actors(plotter):
+    for title, actor in _label_actors(plotter):
+        name = title.removesuffix("-labels")
         hierarchy = cast(vtkPointSetToLabelHierarchy, actor.GetMapper().GetInputAlgorithm())
         points = pyvista.wrap(hierarchy.GetInputDataObject(0, 0))
         texts = points.point_data[hierarchy.GetLabelArrayName()]
         color = pyvista.Color(hierarchy.GetTextProperty().GetColor()).hex_rgb
         for position, text in zip(np.asarray(points.points, float), texts, strict=True):
             x, y, _, w = view @ [*position, 1.0]
+            absent = recorded.get(name, position) is None
             labels.append(
                 {
+                    "name": name,
                     "text": str(text),
                     "color": color,
                     "position": position.tolist(),
                     "left": round((1 + x / w) / 2, 4),
                     "top": round((1 - y / w) / 2, 4),
-                    "hidden": _stands_behind(plotter, np.asarray(camera.position), position),
+                    "hidden": absent
+                    or _stands_behind(plotter, np.asarray(camera.position), position),
                 }
             )
     return labels
 
 
-def _label_actors(plotter: pyvista.Plotter) -> list[Any]:
-    return [actor for name, actor in plotter.actors.items() if name.endswith("-labels")]
+def _label_actors(plotter: pyvista.Plotter) -> list[tuple[str, Any]]:
+    return [(name, actor) for name, actor in plotter.actors.items() if name.endswith("-labels")]
 
 
 def _stands_behind(plotter: pyvista.Plotter, eye: np.ndarray, point: np.ndarray) -> bool:

@@ -48,16 +48,14 @@ def scene_gltf(plotter: pyvista.Plotter) -> bytes:
     nodes: list[dict[str, Any]] = []
     meshes: list[dict[str, Any]] = []
     materials: list[dict[str, Any]] = []
-    for name, actor in plotter.actors.items():
-        if not isinstance(actor, pyvista.Actor) or not actor.visibility:
-            continue
+    places = getattr(plotter, "shown", None)
+    for name, actor in part_names(plotter):
         primitives = _primitives(actor, binary, len(materials))
         if not primitives:
             continue
-        # pyvista names an actor without a name after its address in memory.
-        title = f"part {len(meshes)}" if "Addr=" in name else name
-        nodes.append(_node(actor, len(meshes), title))
-        meshes.append({"name": title, "primitives": primitives})
+        place = places.parts.get(name) if places else None
+        nodes.append(_node(actor, len(meshes), name, place))
+        meshes.append({"name": name, "primitives": primitives})
         materials.append(_material(actor))
     camera, camera_node = _camera(plotter)
     document = {
@@ -75,6 +73,30 @@ def scene_gltf(plotter: pyvista.Plotter) -> bytes:
         "buffers": [{"byteLength": len(binary.content)}],
     }
     return _container(json.dumps(document, separators=(",", ":")).encode(), bytes(binary.content))
+
+
+def part_names(plotter: pyvista.Plotter) -> list[tuple[str, pyvista.Actor]]:
+    """Name the parts of a scene that are drawn, or hidden for now.
+
+    Parameters
+    ----------
+    plotter : pyvista.Plotter
+        The scene.
+
+    Returns
+    -------
+    list of tuple of str and pyvista.Actor
+        Each part with its name. A part that was added without a name gets a number.
+    """
+    places = getattr(plotter, "shown", None)
+    named: list[tuple[str, pyvista.Actor]] = []
+    for name, actor in plotter.actors.items():
+        if isinstance(actor, pyvista.Actor) and (
+            actor.visibility or (places and name in places.parts)
+        ):
+            # pyvista names an actor without a name after its address in memory.
+            named.append((f"part {len(named)}" if "Addr=" in name else name, actor))
+    return named
 
 
 class _Binary:
@@ -252,9 +274,18 @@ def _material(actor: pyvista.Actor) -> dict[str, Any]:
     return material
 
 
-def _node(actor: pyvista.Actor, mesh: int, name: str) -> dict[str, Any]:
-    """Place an actor in the scene."""
-    node = {"mesh": mesh, "name": name, "extras": {"pickable": bool(actor.GetPickable())}}
+def _node(
+    actor: pyvista.Actor, mesh: int, name: str, place: dict[str, Any] | None
+) -> dict[str, Any]:
+    """Place an actor in the scene, with what the viewer needs to draw a moved part anew."""
+    extras: dict[str, Any] = {"pickable": bool(actor.GetPickable())}
+    if not actor.visibility:
+        extras["hidden"] = True
+    if place:
+        extras |= {
+            key: np.asarray(place[key], float).tolist() for key in ("at", "radius") if key in place
+        }
+    node: dict[str, Any] = {"mesh": mesh, "name": name, "extras": extras}
     matrix = pyvista.array_from_vtkmatrix(actor.GetMatrix())
     if not np.array_equal(matrix, np.eye(4)):
         node["matrix"] = matrix.T.ravel().tolist()

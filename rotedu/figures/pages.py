@@ -36,6 +36,10 @@ class scene_label(nodes.inline):  # noqa: N801
     """A text at a place in the scene."""
 
 
+class explorable(addnodes.download_reference):  # noqa: N801
+    """A scene that answers the hand: around it, its panel and a file that says what moves."""
+
+
 class SceneRenderer:
     """Renderer of MyST-NB for the notebook output of a scene."""
 
@@ -47,7 +51,20 @@ class SceneRenderer:
         if data.mime_type != MIME_TYPE:
             return None
         content = json.loads(data.content) if isinstance(data.content, str) else data.content
-        return [scene_node(renderer, content)]
+        node = scene_node(renderer, content)
+        return [
+            explorable_node(renderer, content["explorable"], node)
+            if "explorable" in content
+            else node
+        ]
+
+
+def explorable_node(renderer: Any, content: dict[str, Any], node: scene) -> explorable:
+    """Write the file of a figure that answers the hand, and build its node."""
+    html = content.pop("panel")
+    file = json.dumps(content, separators=(",", ":")).encode()
+    target = write_file(renderer, file, "json")
+    return explorable("", "", node, reftarget=target, panel=html, title=content["name"])
 
 
 def scene_node(renderer: Any, content: dict[str, Any]) -> scene:
@@ -90,6 +107,21 @@ def depart_scene(writer: Any, node: scene) -> None:
     writer.body.append(f'<noscript><p class="scene-message">{NO_SCRIPT}</p></noscript>\n')
 
 
+def visit_explorable(writer: Any, node: explorable) -> None:
+    """Open the box around a scene and its panel."""
+    attributes = {
+        "data-name": node["title"],
+        "data-explore": posixpath.join(writer.builder.dlpath, node["filename"]),
+        "ids": [f"explore-{node['title']}"],
+    }
+    writer.body.append(writer.starttag(node, "div", CLASS="explorable", **attributes))
+
+
+def depart_explorable(writer: Any, node: explorable) -> None:
+    """Write the panel and close the box."""
+    writer.body.append(f"{node['panel']}</div>\n")
+
+
 def visit_scene_poster(writer: Any, node: scene_poster) -> None:
     """Write the picture with its path among the pictures of the book."""
     source = posixpath.join(writer.builder.imgpath, writer.builder.images[node["uri"]])
@@ -103,6 +135,7 @@ def visit_scene_label(writer: Any, node: scene_label) -> None:
     attributes = {
         "style": f"--left: {node['left']:.2%}; --top: {node['top']:.2%}",
         "data-position": " ".join(f"{coordinate:.6g}" for coordinate in node["position"]),
+        "data-label": node["name"],
     }
     if node["hidden"]:
         attributes["data-hidden"] = ""
@@ -133,6 +166,7 @@ def setup(app: Sphinx) -> dict[str, Any]:
     """Register the nodes, and choose the backend ``book`` for the notebooks that Sphinx runs."""
     os.environ["PYVISTA_JUPYTER_BACKEND"] = "book"
     app.add_node(scene, html=(visit_scene, depart_scene))
+    app.add_node(explorable, html=(visit_explorable, depart_explorable))
     app.add_node(scene_poster, html=(visit_scene_poster, None))
     app.add_node(scene_label, html=(visit_scene_label, depart_scene_label))
     app.connect("html-page-context", add_viewer)

@@ -5,7 +5,14 @@ Each module holds the scenes of the chapter with the same name. `parts` holds wh
 """
 
 from rotedu.scenes.arcs import CAMERA_SEES, CAMERA_TARGETS, camera_arcs, figure_2
-from rotedu.scenes.closed_curve import ARCS, FIGURE_8, arcs_of_arcs, camera_curve, figure_8
+from rotedu.scenes.closed_curve import (
+    ARCS,
+    FIGURE_8,
+    arcs_of_arcs,
+    camera_curve,
+    closed_curve_by_hand,
+    figure_8,
+)
 from rotedu.scenes.conclusions import worn_rotations, worn_spoons
 from rotedu.scenes.control_points import (
     LOOP,
@@ -50,6 +57,7 @@ __all__ = [
     "camera_curve",
     "carried_around",
     "carried_mesh",
+    "closed_curve_by_hand",
     "double_cover",
     "figure_1",
     "figure_2",

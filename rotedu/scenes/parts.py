@@ -1,11 +1,14 @@
 """What the scenes share: an empty scene and the parts to put into it."""
 
+from collections.abc import Sequence
+
 import numpy as np
 import pyvista
 from numpy.typing import ArrayLike, NDArray
 
 from rotedu.arcs import slerp
 from rotedu.colors import AXIS, NEUTRAL, RESULT, VECTOR
+from rotedu.figures.frames import place_label, place_part
 from rotedu.ordinary_rotation import rotate
 
 SIZE = (720, 480)
@@ -35,16 +38,38 @@ def new_scene(eye: ArrayLike, target: ArrayLike, view_angle: float = 24.0) -> py
 
 
 def add_line(
-    plotter: pyvista.Plotter, points: ArrayLike, color: str, radius: float = 0.008
-) -> None:
+    plotter: pyvista.Plotter,
+    points: ArrayLike,
+    color: str,
+    radius: float = 0.008,
+    name: str = "line",
+) -> pyvista.Actor:
     """Add a round line through points, shape (n, 3)."""
-    line = pyvista.MultipleLines(np.asarray(points, float))
-    add_thin(plotter, line.tube(radius=radius, n_sides=8), color)
+    return add_lines(plotter, [points], color, radius, name)
+
+
+def add_lines(
+    plotter: pyvista.Plotter,
+    paths: Sequence[ArrayLike],
+    color: str,
+    radius: float = 0.008,
+    name: str = "line",
+) -> pyvista.Actor:
+    """Add round lines as one part, each through points of shape (n, 3)."""
+    arrays = [np.asarray(path, float) for path in paths]
+    tubes = [pyvista.MultipleLines(path).tube(radius=radius, n_sides=8) for path in arrays]
+    mesh = tubes[0] if len(tubes) == 1 else pyvista.merge(tubes)
+    return add_thin(plotter, mesh, color, place_part(plotter, name, paths=arrays, radius=radius))
 
 
 def add_arrow(
-    plotter: pyvista.Plotter, start: ArrayLike, end: ArrayLike, color: str, radius: float = 0.016
-) -> None:
+    plotter: pyvista.Plotter,
+    start: ArrayLike,
+    end: ArrayLike,
+    color: str,
+    radius: float = 0.016,
+    name: str = "arrow",
+) -> pyvista.Actor:
     """Add an arrow whose head has the same size at any length."""
     start, end = np.asarray(start, float), np.asarray(end, float)
     length = float(np.linalg.norm(end - start))
@@ -58,29 +83,52 @@ def add_arrow(
         tip_resolution=20,
         shaft_resolution=12,
     )
-    add_thin(plotter, arrow, color)
+    name = place_part(plotter, name, **{"from": start, "to": end, "radius": radius})
+    return add_thin(plotter, arrow, color, name)
 
 
-def add_point(plotter: pyvista.Plotter, point: ArrayLike, color: str, radius: float = 0.03) -> None:
+def add_point(
+    plotter: pyvista.Plotter,
+    point: ArrayLike,
+    color: str,
+    radius: float = 0.03,
+    name: str = "point",
+) -> pyvista.Actor:
     """Add a point, drawn as a small ball."""
+    center = np.asarray(point, float)
     ball = pyvista.Sphere(
-        radius=radius, center=tuple(np.asarray(point)), theta_resolution=16, phi_resolution=12
+        radius=radius, center=tuple(center), theta_resolution=16, phi_resolution=12
     )
-    add_thin(plotter, ball, color)
+    return add_thin(plotter, ball, color, place_part(plotter, name, at=center))
 
 
-def add_thin(plotter: pyvista.Plotter, mesh: pyvista.PolyData, color: str) -> None:
+def add_thin(
+    plotter: pyvista.Plotter, mesh: pyvista.PolyData, color: str, name: str | None = None
+) -> pyvista.Actor:
     """Add a thin part, which does not hide the labels behind it."""
-    plotter.add_mesh(mesh, color=color, smooth_shading=True, split_sharp_edges=True, pickable=False)
+    return plotter.add_mesh(
+        mesh,
+        color=color,
+        smooth_shading=True,
+        split_sharp_edges=True,
+        pickable=False,
+        name=name,
+    )
 
 
-def add_label(plotter: pyvista.Plotter, point: ArrayLike, text: str, color: str = "black") -> None:
-    """Write a text, or a formula between dollar signs, centred at a point."""
+def add_label(
+    plotter: pyvista.Plotter,
+    point: ArrayLike | None,
+    text: str,
+    color: str = "black",
+    name: str | None = None,
+) -> None:
+    """Write a text, or a formula between dollar signs, centred at a point, or nowhere for now."""
+    place = place_label(plotter, name or text.strip("$"), point)
     plotter.add_point_labels(
-        np.reshape(np.asarray(point, float), (1, 3)),
+        np.reshape(np.asarray(ORIGIN if point is None else point, float), (1, 3)),
         [text],
-        # pyvista would name it after a memory address, which the next label might reuse.
-        name=f"label {len(plotter.actors)}",
+        name=place,
         text_color=color,
         font_size=20,
         shape=None,

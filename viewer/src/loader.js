@@ -3,7 +3,7 @@
  * For a reader who saves data, a click does so. Until then, and where it fails, the posters stay.
  * The data-state of a scene is poster, loading, live or failed.
  */
-/* global VIEWER */
+/* global VIEWER, EXPLORABLES */
 import { SERVE, onClickOnly, pixels, reason, status } from "./page.js";
 
 const home = document.currentScript.src;
@@ -17,14 +17,18 @@ async function goLive(scene) {
   if (scene.dataset.state !== "poster") return;
   scene.dataset.state = "loading";
   try {
-    const needed = [loadViewer(), loadScene(scene.dataset.scene)];
+    const figure = scene.closest(".explorable");
+    const needed = [loadModule(VIEWER), load(scene.dataset.scene)];
+    if (figure) needed.push(loadModule(EXPLORABLES), load(figure.dataset.explore));
     context ??= openWebGL(scene);
-    const [viewer, file] = await Promise.all(needed);
+    const [viewer, file, explorables, data] = await Promise.all(needed);
     const { attributes } = scene.querySelector(".scene-poster");
     // The size of the scene as it was made, not of the poster as it is shown.
     const [width, height] = [attributes.width, attributes.height].map(({ value }) => Number(value));
-    await viewer.show(scene, file, context, { width, height, alt: attributes.alt.value });
+    const alt = attributes.alt.value;
+    const live = await viewer.show(scene, file, context, { width, height, alt });
     scene.dataset.state = "live";
+    if (figure) explorables.bring(figure, live, JSON.parse(new TextDecoder().decode(data)));
   } catch (error) {
     fail(scene, reason(error));
   }
@@ -39,13 +43,13 @@ function openWebGL(scene) {
   return opened;
 }
 
-function loadViewer() {
-  return import(new URL(VIEWER, home)).catch(() => {
+function loadModule(name) {
+  return import(new URL(name, home)).catch(() => {
     throw new Error("the viewer did not load");
   });
 }
 
-async function loadScene(url) {
+async function load(url) {
   const answer = await fetch(url).catch(() => {
     throw new Error("its scene did not load");
   });
@@ -75,6 +79,15 @@ function watch(callback) {
   scenes.forEach((scene) => observer.observe(scene));
 }
 
+/** Go at once to the figure that the address speaks of. */
+function followLink() {
+  const [whose, state] = location.hash.slice(1).split("?");
+  const figure = state === undefined ? null : document.getElementById(whose);
+  if (!figure?.matches(".explorable")) return;
+  figure.scrollIntoView();
+  begin();
+}
+
 function begin() {
   SIGNS_OF_A_READER.forEach((sign) => removeEventListener(sign, begin));
   watch(goLive);
@@ -88,4 +101,5 @@ if (location.protocol === "file:") {
   scenes.forEach((scene) => onClickOnly(scene, goLive));
 } else {
   SIGNS_OF_A_READER.forEach((sign) => addEventListener(sign, begin, { passive: true }));
+  followLink();
 }

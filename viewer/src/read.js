@@ -5,7 +5,7 @@ import { dress } from "./looks.js";
 
 /**
  * @param {ArrayBuffer} file binary glTF as `rotedu.figures.gltf` writes it
- * @returns the objects to draw, the surfaces that hide labels, the sphere around everything, the
+ * @returns the objects to draw, the parts by name, the surfaces that hide labels, the sphere around everything, the
  *   coordinates of all points, the camera of the poster
  */
 export async function read(file) {
@@ -13,6 +13,7 @@ export async function read(file) {
   scene.updateMatrixWorld(true);
   const { camera, lights } = scene.userData;
   const objects = [];
+  const parts = new Map();
   const surfaces = [];
   const clouds = [];
   const around = new Sphere();
@@ -22,17 +23,24 @@ export async function read(file) {
     around.union(part.geometry.boundingSphere.clone().applyMatrix4(part.matrixWorld));
     const positions = part.geometry.attributes.position.clone().applyMatrix4(part.matrixWorld).array;
     clouds.push(positions);
-    const pickable = part.userData.pickable ?? part.parent.userData.pickable;
-    if (part.isMesh && pickable) surfaces.push(surface(part, positions));
-    objects.push(...dress(part, lights));
+    // A node with several primitives becomes a group.
+    const node = "pickable" in part.userData ? part : part.parent;
+    const drawn = dress(part, lights);
+    const { name, pickable, hidden, ...place } = node.userData;
+    const entry = { objects: drawn, place };
+    if (part.isMesh && pickable) surfaces.push((entry.surface = surface(part, positions)));
+    for (const object of drawn) object.visible = !hidden;
+    parts.set(name, entry);
+    objects.push(...drawn);
   });
-  return { objects, surfaces, around, clouds, camera };
+  return { objects, parts, surfaces, around, clouds, camera };
 }
 
 /** The faces of a part, with positions in the coordinates of the scene. */
 function surface({ geometry, material }, positions) {
   return {
     positions,
+    rest: geometry.attributes.position.array,
     corners: geometry.index.array,
     seeThrough: material.opacity < 1,
   };

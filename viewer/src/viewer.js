@@ -5,9 +5,13 @@ import { takeInHand } from "./hand.js";
 import { isHidden, project } from "./labels.js";
 import { scaleWidths, sortSeeThrough } from "./looks.js";
 import { pixels } from "./page.js";
+import { move } from "./parts.js";
 import { read } from "./read.js";
 import { draw, onRestored, prepare } from "./screen.js";
 import { createCanvas, createTools } from "./stage.js";
+
+// How much larger a scene may become than it was at the start.
+const MOVING = 1.5;
 
 /**
  * Draw a scene, over its poster if it has one, and let the reader turn it.
@@ -16,12 +20,14 @@ import { createCanvas, createTools } from "./stage.js";
  * @param {WebGL2RenderingContext} context shared by all scenes
  * @param {{width: number, height: number, alt: string}} made the size of the scene as it was made,
  *   and the text for those who cannot see it
+ * @returns what moves the scene: see `live` below
  */
 export async function show(element, file, context, { width, height, alt }) {
-  const { objects, surfaces, around, clouds, camera: pose } = await read(file);
+  const { objects, parts, surfaces, around, clouds, camera: pose } = await read(file);
   const scene = new Scene();
   scene.add(...objects);
   const camera = new PerspectiveCamera();
+  const rider = new PerspectiveCamera();
   camera.up.set(...pose.up);
   camera.position.set(...pose.position);
   const canvas = createCanvas(alt);
@@ -30,12 +36,16 @@ export async function show(element, file, context, { width, height, alt }) {
     position: label.dataset.position.split(" ").map(Number),
   }));
   const ends = outermost([...clouds, ...labels.map(({ position }) => position)], pose.target);
+  const { radius } = around;
   const distance = camera.position.distanceTo(new Vector3(...pose.target));
   camera.lookAt(...pose.target);
   camera.updateMatrixWorld();
   const atRest = axes(camera);
 
-  const drawNow = () => {
+  const watchers = [];
+  let view = null;
+  const look = () => {
+    if (view) return ride(rider, view, canvas);
     camera.updateMatrixWorld();
     const { near, far } = clipping(camera.position.distanceTo(around.center), around.radius);
     const aspect = canvas.width / canvas.height;
@@ -47,9 +57,14 @@ export async function show(element, file, context, { width, height, alt }) {
     );
     camera.fov = widened(angle, now, before);
     camera.updateProjectionMatrix();
-    sortSeeThrough(objects, camera);
-    draw(scene, camera, canvas);
-    placeLabels(labels, camera, surfaces);
+    return camera;
+  };
+  const drawNow = () => {
+    const eye = look();
+    sortSeeThrough(objects, eye);
+    draw(scene, eye, canvas);
+    placeLabels(labels, eye, surfaces);
+    for (const watch of watchers) watch();
   };
   let asked = 0;
   const redraw = () => {
@@ -84,6 +99,49 @@ export async function show(element, file, context, { width, height, alt }) {
   canvas.addEventListener("keydown", () => hint.remove());
   new ResizeObserver(fit).observe(element);
   onRestored(redraw);
+
+  const places = new Map(labels.map((entry) => [entry.label.dataset.label, entry]));
+  return {
+    canvas,
+    /** Show a frame: move parts and labels, and take another view or the reader's own. */
+    apply({ parts: moved, labels: named, view: taken = null }) {
+      // What moves may come nearer to the camera than anything did at the start.
+      around.radius = Math.max(around.radius, MOVING * radius);
+      view = taken;
+      for (const [name, change] of Object.entries(moved)) move(parts.get(name), change);
+      for (const [name, position] of Object.entries(named)) places.get(name).position = position;
+      redraw();
+    },
+    /** Call back after each picture. */
+    onDraw: (watch) => watchers.push(watch),
+    /** Where a point is in the picture, and whether the reader rides along. */
+    project: (point) => ({ ...project(lens(camera), point), riding: view !== null }),
+    /** The line of sight through a place of the picture, given in fractions of its size. */
+    sight(left, top) {
+      const through = new Vector3(2 * left - 1, 1 - 2 * top, 0.5).unproject(camera);
+      const direction = through.sub(camera.position).normalize();
+      return { eye: camera.position.toArray(), direction: direction.toArray() };
+    },
+    axes: () => axes(camera),
+    reset,
+  };
+}
+
+/** See the scene from inside, as a frame says. */
+function ride(rider, { eye, target, up, angle }, { width, height }) {
+  const [near, far] = [0.01, 100];
+  Object.assign(rider, { near, far, aspect: width / height, fov: angle });
+  rider.position.set(...eye);
+  rider.up.set(...up);
+  rider.lookAt(...target);
+  rider.updateMatrixWorld();
+  rider.updateProjectionMatrix();
+  return rider;
+}
+
+/** The matrix from the scene to the picture. */
+function lens(camera) {
+  return camera.projectionMatrix.clone().multiply(camera.matrixWorldInverse).elements;
 }
 
 /** The directions of a camera: right, up and back. */
@@ -94,9 +152,11 @@ function axes(camera) {
 }
 
 function placeLabels(labels, camera, surfaces) {
-  const matrix = camera.projectionMatrix.clone().multiply(camera.matrixWorldInverse).elements;
+  const matrix = lens(camera);
   const eye = camera.position.toArray();
   for (const { label, position } of labels) {
+    label.toggleAttribute("data-absent", !position);
+    if (!position) continue;
     const { left, top, inFront } = project(matrix, position);
     label.style.setProperty("--x", `${100 * left}%`);
     label.style.setProperty("--y", `${100 * top}%`);

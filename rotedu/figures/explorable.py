@@ -1,0 +1,219 @@
+"""Figures that answer the hand: a function that draws a scene, and what of it can be changed.
+
+A figure that only slides needs no code for the page: its frames are computed here, in advance for a
+page, at once in a notebook. A figure with handles names a model, a function of the viewer that
+computes the same frames from the same inputs while the hand moves.
+"""
+
+import base64
+import inspect
+import io
+import itertools
+from collections.abc import Callable
+from functools import cached_property
+from typing import Any, TypeVar
+
+import numpy as np
+import pyvista
+
+from rotedu.figures.backend import book_figure, still_picture
+from rotedu.figures.frames import differences, frame_of, only, shown
+from rotedu.figures.inputs import Input, Slider
+from rotedu.figures.panel import panel
+
+# Frames of a page for one slider, and for each of two.
+FRAMES = {1: 33, 2: 11}
+Scene = Callable[..., pyvista.Plotter]
+Function = TypeVar("Function", bound=Scene)
+
+
+def explorable(model: str = "", **inputs: Input) -> Callable[[Function], Function]:
+    """Declare what the hand can change in the scene of a function.
+
+    Parameters
+    ----------
+    model : str
+        Name of the viewer's model that computes the same frames. Without one, the frames come from
+        the function itself.
+    **inputs
+        What can be changed: arguments of the function.
+
+    Returns
+    -------
+    callable
+        A decorator, which leaves the function as it is.
+    """
+
+    def declare(function: Function) -> Function:
+        function.inputs, function.model = inputs, model  # type: ignore[attr-defined]
+        return function
+
+    return declare
+
+
+def explore(function: Scene, **sliders: Slider | tuple[float, float]) -> "Exploration":
+    """Show the scene of a function with controls for its arguments.
+
+    Parameters
+    ----------
+    function : callable
+        Returns a scene for any values of the arguments to be changed. All scenes have the same
+        parts and labels, by name; points, colours, matrices and places may differ.
+    **sliders
+        Arguments to be changed by a slider: the bounds, or a `Slider`. By default, the inputs that
+        the function has declared by `explorable`.
+
+    Returns
+    -------
+    Exploration
+        The figure. Each input is an attribute, which follows the hand and can be set.
+
+    Raises
+    ------
+    ValueError
+        If there is nothing to change, or if the scenes differ in more than places and colours.
+
+    Examples
+    --------
+    >>> from rotedu import scenes
+    >>> figure = explore(scenes.arcs_of_arcs, u=(0, 1))
+    >>> figure.u
+    0.4
+    >>> figure.u = 0.5
+    """
+    inputs = dict(getattr(function, "inputs", {}))
+    for name, bounds in sliders.items():
+        inputs[name] = bounds if isinstance(bounds, Slider) else Slider(*bounds)
+    if not inputs:
+        raise ValueError(f"{function.__name__}: expected at least one input, got none")
+    return Exploration(function, inputs)
+
+
+class Exploration:
+    """A figure that answers the hand; its inputs are attributes.
+
+    Parameters
+    ----------
+    function : callable
+        Draws the scene.
+    inputs : dict
+        What can be changed.
+    """
+
+    def __init__(self, function: Scene, inputs: dict[str, Input]) -> None:
+        defaults = inspect.signature(function).parameters
+        start = {name: kind.value(name, defaults[name].default) for name, kind in inputs.items()}
+        # These are no inputs, so they go past __setattr__.
+        vars(self).update(function=function, inputs=inputs, values=start, varying=set())
+
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *self.inputs]
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("_") or name not in self.inputs:
+            raise AttributeError(f"{name}: expected one of {', '.join(self.inputs)}")
+        value = self.values[name]
+        return np.array(value) if isinstance(value, list) else value
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        if name not in self.inputs:
+            raise AttributeError(f"{name}: expected one of {', '.join(self.inputs)}")
+        self.values[name] = self.inputs[name].value(name, value)
+
+    def __repr__(self) -> str:
+        return f"<figure: {self.function.__name__}, {', '.join(self.inputs)}>"
+
+    def draw(self, **values: Any) -> pyvista.Plotter:
+        """Draw the scene for the present values of the inputs, or for others."""
+        plotter: pyvista.Plotter = self.function(**self.values | values)
+        return plotter
+
+    def frame(self, **values: Any) -> dict[str, Any]:
+        """Compute what has changed since the start, for the present values or for others."""
+        frame = frame_of(self.draw(**values))
+        self.varying |= differences(self.base, frame)
+        return only(frame, self.varying)
+
+    @cached_property
+    def base(self) -> dict[str, Any]:
+        """The frame of the scene at the start."""
+        return frame_of(self.draw())
+
+    def spec(self, plotter: pyvista.Plotter) -> dict[str, Any]:
+        """Describe the figure to the viewer.
+
+        Parameters
+        ----------
+        plotter : pyvista.Plotter
+            The scene at the start.
+
+        Returns
+        -------
+        dict
+            What JSON can hold: the ``name``, the ``inputs`` and their values at the ``start``, the
+            ``model``, and the ``frame`` that the model must reproduce. Without a model, ``grid``
+            gives the number of frames for each input; `frames` computes them.
+        """
+        recorded = shown(plotter)
+        places: set[tuple[str, ...]] = {
+            ("parts", name, key)
+            for name, place in recorded.parts.items()
+            for key in (*place, "hidden")
+            if key != "radius"
+        }
+        places |= {(kind, name) for kind in ("labels", "charts") for name in self.base[kind]}
+        model = getattr(self.function, "model", "")
+        count = FRAMES.get(len(self.inputs), 0)
+        if not model and not (
+            count and all(kind.kind == "number" for kind in self.inputs.values())
+        ):
+            raise ValueError(
+                f"{self.function.__name__}: expected a model or at most two sliders,"
+                f" got {', '.join(self.inputs)}"
+            )
+        return {
+            "name": self.function.__name__.replace("_", "-"),
+            "inputs": {
+                name: {"kind": kind.kind} | kind.spec() for name, kind in self.inputs.items()
+            },
+            "start": self.values,
+            "model": model,
+            "frame": only(self.base, places),
+            "grid": {} if model else dict.fromkeys(self.inputs, count),
+        }
+
+    def frames(self) -> list[dict[str, Any]]:
+        """Compute the frames of a page, for values evenly spread over the sliders."""
+        axes = [
+            np.linspace(kind.low, kind.high, FRAMES[len(self.inputs)]).tolist()
+            for kind in self.inputs.values()
+            if isinstance(kind, Slider)
+        ]
+        drawn = [
+            frame_of(self.draw(**dict(zip(self.inputs, point, strict=True))))
+            for point in itertools.product(*axes)
+        ]
+        self.varying.update(*(differences(self.base, frame) for frame in drawn))
+        return [only(frame, self.varying) for frame in drawn]
+
+    def panel(self, plotter: pyvista.Plotter) -> str:
+        """Write the controls, numbers and charts below the figure."""
+        recorded = shown(plotter)
+        name = self.function.__name__.replace("_", "-")
+        return panel(name, self.inputs, self.values, recorded.outputs, recorded.charts)
+
+    def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> Any:
+        plotter = self.draw()
+        if pyvista.global_theme.jupyter_backend == "book":
+            figure = book_figure(plotter)
+            spec = self.spec(plotter)
+            if not spec["model"]:
+                spec["frames"] = self.frames()
+            figure.scene["explorable"] = spec | {"panel": self.panel(plotter)}
+            return figure._repr_mimebundle_()
+        picture = io.BytesIO()
+        still_picture(plotter).save(picture, "PNG")
+        return {
+            "text/plain": repr(self),
+            "image/png": base64.b64encode(picture.getvalue()).decode(),
+        }

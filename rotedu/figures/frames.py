@@ -1,0 +1,272 @@
+"""What a scene shows, as data: where its parts and labels are, and what is read off.
+
+A part that can move is placed under a name when it is added to the scene. Two scenes with the same
+names then differ by a *frame*, which the viewer applies to the first without drawing it anew:
+
+- a ball is ``at`` a point, an arrow goes ``from`` one point ``to`` another, lines follow ``paths``,
+  and any other part has a ``matrix`` or ``points``;
+- a part may have another ``color`` and may be ``hidden``; a label has a position, or none;
+- an output is a number, a text or rows of numbers; a chart has a curve for each of its names.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+import pyvista
+from numpy.typing import ArrayLike
+
+from rotedu.figures.gltf import part_names, surface_of
+
+# Digits after the point in frames: a thousandth of a pixel of the poster.
+DIGITS = 6
+
+
+@dataclass(frozen=True)
+class Output:
+    """A number, a text or a matrix beside a figure."""
+
+    value: Any
+    label: str
+    digits: int = 2
+    unit: str = ""
+
+
+@dataclass(frozen=True)
+class Chart:
+    """Curves over one of the inputs of a figure, and a mark at the value of this input."""
+
+    x: tuple[float, float]
+    y: tuple[float, float]
+    curves: Mapping[str, ArrayLike]
+    label: str
+    over: str
+    colors: Mapping[str, str] = field(default_factory=dict)
+
+
+@dataclass
+class Shown:
+    """What has been recorded about a scene."""
+
+    parts: dict[str, dict[str, Any]] = field(default_factory=dict)
+    labels: dict[str, list[float] | None] = field(default_factory=dict)
+    outputs: dict[str, Output] = field(default_factory=dict)
+    charts: dict[str, Chart] = field(default_factory=dict)
+
+
+def shown(plotter: pyvista.Plotter) -> Shown:
+    """Return what has been recorded about a scene."""
+    if not hasattr(plotter, "shown"):
+        pyvista.set_new_attribute(plotter, "shown", Shown())
+    recorded: Shown = plotter.shown
+    return recorded
+
+
+def new_name(taken: Mapping[str, Any], name: str) -> str:
+    """Return a name, followed by a number if the scene has another part with this name."""
+    names = [name, *(f"{name} {k}" for k in range(2, len(taken) + 2))]
+    return next(name for name in names if name not in taken)
+
+
+def place_part(plotter: pyvista.Plotter, name: str, **place: Any) -> str:
+    """Record where a part is; return the name for its actor.
+
+    Parameters
+    ----------
+    plotter : pyvista.Plotter
+        The scene.
+    name : str
+        Name of the part; if taken, it gets a number.
+    **place
+        One of ``at`` (a point), ``from`` and ``to`` (two points), ``paths`` (a list of arrays of
+        points), and what the viewer needs to draw the part anew: its ``radius``.
+
+    Returns
+    -------
+    str
+        The name.
+    """
+    parts = shown(plotter).parts
+    name = new_name(parts, name)
+    parts[name] = place
+    return name
+
+
+def place_label(plotter: pyvista.Plotter, name: str, position: ArrayLike | None) -> str:
+    """Record where a label is, or that it is absent; return the name for its actor."""
+    labels = shown(plotter).labels
+    name = new_name(labels, name)
+    labels[name] = None if position is None else np.asarray(position, float).tolist()
+    return name
+
+
+def read_out(
+    plotter: pyvista.Plotter,
+    name: str,
+    value: Any,
+    label: str,
+    digits: int = 2,
+    unit: str = "",
+) -> None:
+    """Show a number, a text or a matrix beside a scene.
+
+    Parameters
+    ----------
+    plotter : pyvista.Plotter
+        The scene.
+    name : str
+        Name of the output, which is its name in the page, too.
+    value : float, str or array_like
+        The value. A boolean becomes a lamp: *yes* or *no*.
+    label : str
+        What it is, in a word or two.
+    digits : int
+        Digits after the point.
+    unit : str
+        What follows the number, such as ``°``.
+    """
+    if isinstance(value, (bool, np.bool_)):
+        value = "yes" if value else "no"
+    elif not isinstance(value, str):
+        value = np.asarray(value, float).tolist()
+    shown(plotter).outputs[name] = Output(value, label, digits, unit)
+
+
+def draw_chart(
+    plotter: pyvista.Plotter,
+    name: str,
+    curves: Mapping[str, ArrayLike],
+    *,
+    over: str,
+    x: tuple[float, float],
+    y: tuple[float, float],
+    label: str,
+    colors: Mapping[str, str] | None = None,
+) -> None:
+    """Show a chart beside a scene.
+
+    Parameters
+    ----------
+    plotter : pyvista.Plotter
+        The scene.
+    name : str
+        Name of the chart.
+    curves : mapping of str to array_like
+        The heights of each curve at places evenly spread over `x`.
+    over : str
+        The input along the chart; a mark shows its value.
+    x, y : tuple of float
+        The range of each axis, the same in all frames. What lies beyond is cut off.
+    label : str
+        What the chart shows.
+    colors : mapping of str to str, optional
+        Colour of each curve.
+    """
+    heights = {curve: rounded(h) for curve, h in curves.items()}
+    shown(plotter).charts[name] = Chart(x, y, heights, label, over, colors or {})
+
+
+def frame_of(plotter: pyvista.Plotter) -> dict[str, Any]:
+    """Describe a scene as a frame.
+
+    Parameters
+    ----------
+    plotter : pyvista.Plotter
+        The scene.
+
+    Returns
+    -------
+    dict
+        ``parts``, ``labels``, ``outputs`` and ``charts``, each by name.
+    """
+    recorded = shown(plotter)
+    parts = {name: _part(plotter, name, actor) for name, actor in part_names(plotter)}
+    return {
+        "parts": parts,
+        "labels": {name: rounded(position) for name, position in recorded.labels.items()},
+        "outputs": {name: output.value for name, output in recorded.outputs.items()},
+        "charts": {name: chart.curves for name, chart in recorded.charts.items()},
+    }
+
+
+def _part(plotter: pyvista.Plotter, name: str, actor: pyvista.Actor) -> dict[str, Any]:
+    """Describe one part."""
+    place = shown(plotter).parts.get(name)
+    if place is not None:
+        part = {key: rounded(value) for key, value in place.items() if key != "radius"}
+    else:
+        part = {
+            "matrix": rounded(pyvista.array_from_vtkmatrix(actor.GetMatrix()).T.ravel()),
+            "points": surface_of(actor).points,
+        }
+    return part | {"color": list(actor.prop.color.float_rgb), "hidden": not actor.visibility}
+
+
+def rounded(value: Any) -> Any:
+    """Round all numbers of a place, which may be nested."""
+    if value is None:
+        return None
+    if isinstance(value, Sequence) and value and isinstance(value[0], np.ndarray):
+        return [rounded(part) for part in value]
+    return (np.round(np.asarray(value, float), DIGITS) + 0.0).tolist()
+
+
+def differences(base: dict[str, Any], frame: dict[str, Any]) -> set[tuple[str, ...]]:
+    """Tell what differs between two frames of a scene.
+
+    Parameters
+    ----------
+    base, frame : dict
+        The frames.
+
+    Returns
+    -------
+    set of tuple of str
+        ``("parts", name, property)``, ``("labels", name)`` or ``("charts", name)``.
+
+    Raises
+    ------
+    ValueError
+        If a part or a label is missing or new, or if the points of a part have another number.
+    """
+    for kind in frame:
+        if odd := base[kind].keys() ^ frame[kind].keys():
+            raise ValueError(
+                f"scene: expected the same {kind} for all inputs,"
+                f" got {', '.join(sorted(odd))} for some only"
+            )
+    found: set[tuple[str, ...]] = set()
+    for name, part in frame["parts"].items():
+        before = base["parts"][name]
+        if len(before.get("points", ())) != len(part.get("points", ())):
+            raise ValueError(
+                f"part {name!r}: expected the same number of points for all inputs,"
+                f" got {len(before['points'])} and {len(part['points'])}"
+            )
+        found |= {
+            ("parts", name, key)
+            for key, value in part.items()
+            if not _equal(value, before.get(key))
+        }
+    for kind in ("labels", "charts"):
+        found |= {(kind, name) for name in frame[kind] if frame[kind][name] != base[kind][name]}
+    return found
+
+
+def _equal(value: Any, other: Any) -> bool:
+    return np.array_equal(value, other) if isinstance(value, np.ndarray) else value == other
+
+
+def only(frame: dict[str, Any], varying: set[tuple[str, ...]]) -> dict[str, Any]:
+    """Keep of a frame what varies, and all outputs; the result holds no arrays."""
+    kept: dict[str, Any] = {"parts": {}, "labels": {}, "outputs": frame["outputs"], "charts": {}}
+    for kind, name, *keys in sorted(varying):
+        if kind == "parts":
+            for key in keys:
+                value = frame[kind][name][key]
+                value = rounded(value) if isinstance(value, np.ndarray) else value
+                kept[kind].setdefault(name, {})[key] = value
+        else:
+            kept[kind][name] = frame[kind][name]
+    return kept

@@ -1,0 +1,115 @@
+"""What stands below a figure that answers the hand: controls, numbers and charts, as HTML.
+
+The page and the notebook show the same HTML. The viewer finds everything in it by name.
+"""
+
+from collections.abc import Mapping
+from html import escape
+from typing import Any
+
+import numpy as np
+
+from rotedu.figures.frames import Chart, Output
+from rotedu.figures.inputs import Input
+
+WIDTH, HEIGHT = 320, 96
+
+
+def panel(
+    name: str,
+    inputs: Mapping[str, Input],
+    start: Mapping[str, Any],
+    outputs: Mapping[str, Output],
+    charts: Mapping[str, Chart],
+) -> str:
+    """Write the panel of a figure, switched off until the figure is live.
+
+    Parameters
+    ----------
+    name : str
+        Name of the figure.
+    inputs, start : mapping
+        What the hand can change, and its values at the start.
+    outputs, charts : mapping
+        What is shown, with its values at the start.
+
+    Returns
+    -------
+    str
+        HTML.
+    """
+    controls = "".join(kind.controls(key, start[key]) for key, kind in inputs.items())
+    rows = "".join(_output(key, output) for key, output in outputs.items())
+    drawn = "".join(_chart(key, chart, start) for key, chart in charts.items())
+    return (
+        '<form class="explorable-panel" autocomplete="off"><fieldset disabled>'
+        f'<legend class="explorable-legend">Controls of the figure</legend>'
+        f'<div class="explorable-controls">{controls.replace("{id}", name)}</div>'
+        f'<dl class="explorable-outputs">{rows}</dl>{drawn}'
+        '<div class="explorable-buttons explorable-whole">'
+        '<button type="button" data-action="reset">Reset</button>'
+        '<button type="button" data-action="link">Link to this state</button></div>'
+        '</fieldset></form><p class="explorable-status" role="status"></p>'
+    )
+
+
+def text_of(output: Output) -> str:
+    """Write the value of an output as the viewer does."""
+    value = output.value
+    if isinstance(value, str):
+        return value
+    numbers = np.atleast_1d(np.asarray(value, float))
+    rows = np.atleast_2d(numbers)
+    lines = [" ".join(f"{_plain(x, output.digits):.{output.digits}f}" for x in row) for row in rows]
+    return "\n".join(lines).replace("-", "\N{MINUS SIGN}") + output.unit
+
+
+def _plain(x: float, digits: int) -> float:
+    """Round a number, without a minus sign before zero."""
+    return round(x, digits) + 0.0
+
+
+def _output(name: str, output: Output) -> str:
+    matrix = ' class="explorable-matrix"' if np.ndim(_numbers(output.value)) == 2 else ""
+    return (
+        f"<div{matrix}><dt>{escape(output.label)}</dt>"
+        f'<dd><output name="{name}" data-digits="{output.digits}" data-unit="{output.unit}">'
+        f"{escape(text_of(output))}</output></dd></div>"
+    )
+
+
+def _numbers(value: Any) -> Any:
+    return 0 if isinstance(value, str) else value
+
+
+def _chart(name: str, chart: Chart, start: Mapping[str, Any]) -> str:
+    curves = "".join(
+        f'<path data-curve="{escape(curve)}" d="{path_of(heights, chart.y)}"'
+        f' style="stroke: {chart.colors.get(curve, "currentcolor")}"/>'
+        for curve, heights in chart.curves.items()
+    )
+    at = (start[chart.over] - chart.x[0]) / (chart.x[1] - chart.x[0]) * WIDTH
+    low, high = (f"{y:g}".replace("-", "\N{MINUS SIGN}") for y in chart.y)
+    keys = "".join(
+        f'<span style="color: {chart.colors.get(curve, "inherit")}">{escape(curve)}</span>'
+        for curve in chart.curves
+        if len(chart.curves) > 1
+    )
+    return (
+        f'<figure class="explorable-chart" data-chart="{name}" data-over="{chart.over}"'
+        f' data-x="{chart.x[0]:g} {chart.x[1]:g}" data-y="{chart.y[0]:g} {chart.y[1]:g}">'
+        f"<figcaption>{escape(chart.label)} {keys}</figcaption>"
+        f'<span class="explorable-range">{high}</span>'
+        f'<svg viewBox="0 0 {WIDTH} {HEIGHT}" preserveAspectRatio="none" role="img"'
+        f' aria-label="{escape(chart.label)}">{curves}'
+        f'<line data-mark="" x1="{at:.1f}" x2="{at:.1f}" y1="0" y2="{HEIGHT}"/></svg>'
+        f'<span class="explorable-range">{low}</span></figure>'
+    )
+
+
+def path_of(heights: Any, y: tuple[float, float]) -> str:
+    """Write a curve as an SVG path, cut off at the range of the chart."""
+    values = np.clip((np.asarray(heights, float) - y[0]) / (y[1] - y[0]), -0.05, 1.05)
+    xs = np.linspace(0, WIDTH, len(values))
+    steps = " ".join(f"{x:.1f},{HEIGHT * (1 - h):.1f}" for x, h in zip(xs, values, strict=True))
+    return f"M{steps}"

@@ -1,0 +1,92 @@
+/* Models of `rotedu.scenes.closed_curve`. */
+import {
+  closedCurve as curveThrough,
+  combine,
+  controlPoints,
+  cross,
+  deCasteljau,
+  deCasteljauLevels,
+  dot,
+  length,
+  unit,
+} from "../src/sphere.js";
+import { DEGREES, ORIGIN, arcs, spread } from "./common.js";
+
+const MOST = 8;
+const SAMPLES = 13;
+const STEP = 1e-4;
+
+/** Velocity and geodesic curvature of a Bezier curve on the sphere, by differences. */
+function motion(control, u) {
+  const [before, here, after] = [-STEP, 0, STEP].map((x) => deCasteljau(control, u + x));
+  const velocity = combine(1 / (2 * STEP), after, -1 / (2 * STEP), before);
+  const acceleration = here.map((x, i) => (after[i] - 2 * x + before[i]) / STEP ** 2);
+  const speed = Math.max(length(velocity), STEP);
+  return { velocity, curvature: dot(cross(here, velocity), acceleration) / speed ** 3 };
+}
+
+/** `closed_curve_by_hand` */
+export function closedCurve({ points, u, fraction }) {
+  const p = points.map(unit);
+  const n = p.length;
+  const { a, b } = controlPoints(p, fraction);
+  const control = p.map((point, i) => [point, a[i], b[(i + 1) % n], p[(i + 1) % n]]);
+  const segment = Math.min(Math.floor(u * n), n - 1);
+  const within = u * n - segment;
+  const levels = deCasteljauLevels(control[segment], within);
+  const curve = curveThrough(p, 40, fraction);
+
+  const polygon = p.flatMap((point, i) => [b[i], point, a[i]]);
+  const after = polygon.map((_, i) => polygon[(i + 1) % polygon.length]);
+  const [, first, second, [here]] = levels;
+  const parts = {
+    curve: { paths: [[...curve, curve[0]]] },
+    polygon: { paths: arcs(polygon, after) },
+    levels: { paths: arcs([first[0], first[1], second[0]], [first[1], first[2], second[1]]) },
+    "Q 1 1": { at: first[0] },
+    "Q 1 2": { at: first[1] },
+    "Q 1 3": { at: first[2] },
+    "Q 2 2": { at: second[0] },
+    "Q 2 3": { at: second[1] },
+    C: { at: here },
+  };
+  const labels = {};
+  const middle = polygon.reduce((sum, q) => combine(1, sum, 1 / polygon.length, q), ORIGIN);
+  for (let i = 0; i < 3 * MOST; i++) {
+    const name = `${"bPa"[i % 3]}_${Math.floor(i / 3)}`;
+    const point = polygon[i];
+    parts[name] = point ? { at: point, hidden: false } : { hidden: true };
+    labels[name] = point ? outside(polygon, i, middle) : null;
+  }
+
+  const t = spread(SAMPLES);
+  const motions = control.map((four) => t.map((x) => motion(four, x)));
+  const ends = motions.map((leaving, i) => [motions.at(i - 1).at(-1), leaving[0]]);
+  const now = motion(control[segment], within);
+  const jumps = ends.map(([v, w]) => length(combine(1, w.velocity, -1, v.velocity)));
+  const bends = ends.map(([v, w]) => Math.abs(w.curvature - v.curvature));
+  return {
+    parts,
+    labels,
+    outputs: {
+      speed: DEGREES * length(now.velocity),
+      curvature: now.curvature,
+      velocity_jump: DEGREES * Math.max(...jumps),
+      curvature_jump: Math.max(...bends),
+    },
+    charts: {
+      speeds: { curve: motions.flat().map(({ velocity }) => DEGREES * length(velocity)) },
+      curvatures: { curve: motions.flat().map(({ curvature }) => curvature) },
+    },
+  };
+}
+
+/** The place of a label: on the outer side of a corner; the polygon has no corner at P_i. */
+function outside(polygon, i, middle) {
+  const count = polygon.length;
+  const [before, after] = [polygon.at(i - 1), polygon[(i + 1) % count]];
+  const outwards = polygon[i].map(
+    (x, k) => 0.35 * (x - middle[k]) + x - (before[k] + after[k]) / 2,
+  );
+  return combine(1, polygon[i], 0.15, unit(outwards));
+}

@@ -1,0 +1,16 @@
+/* What the models share. */
+import { slerp } from "../src/sphere.js";
+
+export const DEGREES = 180 / Math.PI;
+export const ORIGIN = [0, 0, 0];
+
+/** Numbers evenly spread from 0 to 1, both included. */
+export function spread(count) {
+  return Array.from({ length: count }, (_, i) => i / (count - 1));
+}
+
+/** Arcs from each point to another: `rotedu.scenes.closed_curve.add_arcs`. */
+export function arcs(starts, ends) {
+  const t = spread(13);
+  return starts.map((p, i) => t.map((x) => slerp(p, ends[i], x)));
+}

@@ -1,0 +1,2 @@
+/* The models of all scenes that have handles; `rotedu.scenes` names them. */
+export { closedCurve } from "./closed_curve.js";

@@ -1,0 +1,43 @@
+/* The geometry of dragging a point over a sphere about the origin. */
+
+const dot = (p, q) => p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
+const mix = (a, p, b, q) => p.map((x, i) => a * x + b * q[i]);
+
+/**
+ * Where a line of sight meets the sphere first; beside it, the nearest point of the rim.
+ * @param {number[]} eye
+ * @param {number[]} direction of length 1
+ * @param {number} radius
+ */
+export function alongSphere(eye, direction, radius) {
+  const middle = -dot(eye, direction);
+  const foot = mix(1, eye, middle, direction);
+  const beside = dot(foot, foot) - radius * radius;
+  if (beside <= 0) return mix(1, eye, middle - Math.sqrt(-beside), direction);
+  // The rim seen from the eye is the circle of the points p with p . eye = radius^2.
+  const distance = Math.hypot(...eye);
+  const towards = eye.map((x) => x / distance);
+  const across = mix(1, foot, -dot(foot, towards), towards);
+  const cosine = radius / distance;
+  const out = (radius * Math.sqrt(1 - cosine * cosine)) / Math.hypot(...across);
+  return mix(radius * cosine, towards, out, across);
+}
+
+/**
+ * Turn a point a step to the right or up, as the eye sees it.
+ * @param {number[]} point
+ * @param {number[][]} axes of the camera: right, up, back
+ * @param {number[]} arrow steps to the right and up
+ * @param {number} angle of a step
+ */
+export function turned(point, [right, up], [x, y], angle) {
+  const axis = mix(x, up, -y, right);
+  const [c, s] = [Math.cos(angle), Math.sin(angle)];
+  const along = dot(point, axis) * (1 - c);
+  return point.map(
+    (value, i) =>
+      c * value +
+      along * axis[i] +
+      s * (axis[(i + 1) % 3] * point[(i + 2) % 3] - axis[(i + 2) % 3] * point[(i + 1) % 3]),
+  );
+}

@@ -1,0 +1,167 @@
+/*
+ * Lets the hand change a figure: reads its inputs, computes a frame, shows it everywhere.
+ * The names in the page are those of the inputs and outputs; `dataset.values` of the figure holds
+ * all of their values after each frame.
+ */
+import { addHandles } from "./handles.js";
+import { fromText, toText } from "./link.js";
+import { bindPanel } from "./panel.js";
+
+// Frames are stored with six digits.
+const ROUNDING = 2e-6;
+const QUIET = 500;
+
+/**
+ * @param {HTMLElement} element the figure: a scene and a panel
+ * @param live what `show` has returned for the scene
+ * @param data as `rotedu.figures.explorable` describes the figure
+ * @param {Object<string, function>} models frames from inputs, by name
+ * @param {{ask?: function, tell?: function}} [python] in a notebook: asks for a frame, and hears of
+ *   values that the hand has changed
+ * @returns {{set: function, receive: function}} set inputs, or show a frame that was asked for
+ */
+export function explore(element, live, data, models, python = {}) {
+  const model = data.model && models[data.model];
+  if (data.model && !reproduces(model, data)) return { set() {}, receive() {} };
+
+  const scene = element.querySelector(".scene");
+  const status = element.querySelector(".explorable-status");
+  let inputs = structuredClone(data.start);
+  let refused = "";
+  let timer;
+
+  const say = (text) => {
+    clearTimeout(timer);
+    timer = setTimeout(() => (status.textContent = text), QUIET);
+  };
+  const show = (frame) => {
+    refused = "";
+    live.apply(frame);
+    panel.show(inputs, frame);
+    finish(frame.outputs);
+  };
+  const finish = (outputs) => {
+    scene.toggleAttribute("data-refused", Boolean(refused));
+    handles.update(inputs);
+    element.dataset.values = JSON.stringify({ ...inputs, ...outputs });
+  };
+  /** A geometry without an answer keeps the last one, pale. */
+  const refuse = (error) => {
+    refused = error.message;
+    status.textContent = `${refused[0].toUpperCase()}${refused.slice(1)}.`;
+    clearTimeout(timer);
+    panel.show(inputs, { outputs: {}, charts: {} });
+    finish({ refused });
+  };
+  const update = () => {
+    if (!model && python.ask) return python.ask(inputs);
+    try {
+      show(model ? model(inputs) : storedFrame(data, inputs));
+    } catch (error) {
+      if (error.name !== "DegenerateError") throw error;
+      refuse(error);
+    }
+  };
+  const set = (changes) => {
+    const was = refused;
+    inputs = { ...inputs, ...scaled(data.inputs, changes) };
+    if (data.frames) inputs = stored(data, inputs);
+    update();
+    if (was && !refused) status.textContent = "";
+  };
+  /** What the hand does, unlike what Python sets, is told to Python. */
+  const change = (changes, spoken = "") => {
+    set(changes);
+    python.tell?.(inputs);
+    if (!refused && spoken) say(spoken);
+  };
+  const reset = () => {
+    change(data.start);
+    live.reset();
+    say("Reset");
+  };
+  const link = () => {
+    location.hash = `explore-${data.name}?${toText(inputs, data.start)}`;
+    status.textContent = "The address of this page now leads to this state.";
+  };
+
+  const handles = addHandles(scene, live, data.inputs, () => inputs, change);
+  const panel = bindPanel(element, data.inputs, () => inputs, { change, reset, link });
+  const follow = () => {
+    const wanted = fromText(location.hash, data);
+    if (wanted) set({ ...data.start, ...wanted });
+  };
+  if (python.tell) update();
+  else {
+    update();
+    follow();
+    addEventListener("hashchange", follow);
+  }
+  return { set, receive: show };
+}
+
+/** Give points the length that they must have. */
+function scaled(specs, changes) {
+  const right = (point, length) => {
+    const factor = length ? length / Math.hypot(...point) : 1;
+    return point.map((x) => x * factor);
+  };
+  return Object.fromEntries(
+    Object.entries(changes).map(([name, value]) => {
+      const { kind, length } = specs[name];
+      if (kind !== "points") return [name, value];
+      return [name, Array.isArray(value[0]) ? value.map((p) => right(p, length)) : right(value, length)];
+    }),
+  );
+}
+
+/** Tell whether a model computes what Python has stored with the figure. */
+function reproduces(model, { name, model: called, start, frame }) {
+  const complain = (what) => {
+    console.error(`${name}: the model ${called} ${what}; the figure only turns`);
+    return false;
+  };
+  if (!model) return complain("is missing");
+  const mine = model(structuredClone(start));
+  for (const kind of ["parts", "labels", "outputs", "charts"]) {
+    for (const [key, value] of Object.entries(mine[kind] ?? {})) {
+      if (!agree(value, frame[kind][key])) return complain(`differs from Python in ${key}`);
+    }
+  }
+  const missing = Object.keys(frame.outputs).find((key) => !(key in mine.outputs));
+  return missing ? complain(`does not compute ${missing}`) : true;
+}
+
+/** Compare numbers, texts and what consists of them; Python may say more about a part. */
+export function agree(mine, stored) {
+  if (typeof mine === "number") {
+    return Math.abs(mine - stored) <= ROUNDING * Math.max(1, Math.abs(stored));
+  }
+  if (mine === null || typeof mine !== "object") return mine === stored;
+  if (stored === null || typeof stored !== "object") return false;
+  if (Array.isArray(mine) && mine.length !== stored.length) return false;
+  return Object.entries(mine).every(([key, value]) => agree(value, stored[key]));
+}
+
+/** How many frames an input is beyond the first one. */
+function place({ low, high }, count, value) {
+  return Math.round(((value - low) / (high - low)) * (count - 1));
+}
+
+/** The nearest inputs for which a frame is stored. */
+function stored({ inputs, grid }, values) {
+  const snapped = Object.entries(grid).map(([name, count]) => {
+    const { low, high } = inputs[name];
+    return [name, low + (place(inputs[name], count, values[name]) / (count - 1)) * (high - low)];
+  });
+  return { ...values, ...Object.fromEntries(snapped) };
+}
+
+/** The frame that is stored for inputs. */
+function storedFrame({ inputs, grid, frames }, values) {
+  const index = Object.entries(grid).reduce(
+    (before, [name, count]) => before * count + place(inputs[name], count, values[name]),
+    0,
+  );
+  return frames[index];
+}

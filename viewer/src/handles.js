@@ -1,0 +1,125 @@
+/*
+ * Points that can be dragged over a sphere about the origin. Each has a button over the picture,
+ * for mouse, finger and keys alike.
+ */
+import { alongSphere, turned } from "./drag.js";
+
+const STEP = Math.PI / 90;
+const STEPS = { Shift: 5, Alt: 0.1 };
+const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+
+/**
+ * @param {HTMLElement} scene
+ * @param live what `show` has returned
+ * @param specs all inputs of the figure, of any kind
+ * @param {function} now returns the present inputs
+ * @param {function} change takes changed inputs and a text for those who cannot see them
+ */
+export function addHandles(scene, live, specs, now, change) {
+  const layer = document.createElement("div");
+  layer.className = "scene-handles";
+  live.canvas.after(layer);
+  const groups = Object.entries(specs)
+    .filter(([, { kind }]) => kind === "points")
+    .map(([name, spec]) => ({ name, spec, handles: [] }));
+
+  /** The points of an input as a list, also if it is only one. */
+  const listed = (value) => (Array.isArray(value[0]) ? value : [value]);
+  const placeAll = () => {
+    for (const { name, spec, handles } of groups) {
+      listed(now()[name]).forEach((point, i) => place(handles[i], live, scaled(point, spec.reach)));
+    }
+  };
+
+  const make = ({ name, spec, handles }, i) => {
+    const handle = document.createElement("button");
+    handle.type = "button";
+    handle.className = "scene-handle";
+    handle.dataset.handle = Array.isArray(spec.names) ? `${name}-${i}` : name;
+    handle.setAttribute("aria-roledescription", "point");
+    const point = () => scaled(listed(now()[name])[i], spec.reach);
+    const put = (moved, spoken) => {
+      const old = now()[name];
+      const value = scaled(moved, 1 / spec.reach);
+      const all = Array.isArray(old[0]) ? old.with(i, value) : value;
+      change({ [name]: all }, spoken && label(spec, i, value));
+    };
+    drag(handle, layer, live, point, put);
+    handle.addEventListener("keydown", (event) => {
+      const arrow = ARROWS[event.key];
+      if (!arrow || event.ctrlKey || event.metaKey) return;
+      event.preventDefault();
+      event.stopPropagation();
+      const size = (event.shiftKey ? STEPS.Shift : 1) * (event.altKey ? STEPS.Alt : 1);
+      put(turned(point(), live.axes(), arrow, STEP * size), true);
+    });
+    layer.append(handle);
+    handles[i] = handle;
+  };
+
+  const update = () => {
+    for (const group of groups) {
+      const points = listed(now()[group.name]);
+      for (let i = group.handles.length; i < points.length; i++) make(group, i);
+      for (const extra of group.handles.splice(points.length)) extra.remove();
+      points.forEach((point, i) => {
+        group.handles[i].setAttribute("aria-label", label(group.spec, i, point));
+      });
+    }
+    placeAll();
+  };
+  live.onDraw(placeAll);
+  return { update };
+}
+
+/** Name and coordinates, as a screen reader says them. */
+function label({ names }, i, point) {
+  const name = Array.isArray(names) ? names[i] : names;
+  return `${name} at ${point.map((x) => x.toFixed(2).replace("-", "\u2212")).join(", ")}`;
+}
+
+function scaled(point, factor) {
+  return factor === 1 ? point : point.map((x) => x * factor);
+}
+
+/** Put a handle over its point; a point on the far side cannot be caught. */
+function place(handle, live, point) {
+  const { left, top, riding } = live.project(point);
+  handle.style.left = `${100 * left}%`;
+  handle.style.top = `${100 * top}%`;
+  const { eye } = live.sight(0.5, 0.5);
+  const facing = point.reduce((sum, x, i) => sum + x * (eye[i] - x), 0);
+  handle.toggleAttribute("data-behind", facing < 0);
+  handle.hidden = riding;
+}
+
+/** Let a pointer drag a handle. */
+function drag(handle, layer, live, point, put) {
+  let grip = null;
+  const at = ({ clientX, clientY }) => {
+    const { left, top, width, height } = layer.getBoundingClientRect();
+    return [(clientX - left) / width, (clientY - top) / height];
+  };
+  handle.addEventListener("pointerdown", (event) => {
+    if (event.button !== 0) return;
+    event.preventDefault();
+    handle.focus({ preventScroll: true });
+    handle.setPointerCapture(event.pointerId);
+    const [x, y] = at(event);
+    const { left, top } = live.project(point());
+    // The point keeps its distance from the finger.
+    grip = { dx: left - x, dy: top - y, radius: Math.hypot(...point()) };
+  });
+  handle.addEventListener("pointermove", (event) => {
+    if (!grip) return;
+    const [x, y] = at(event);
+    const { eye, direction } = live.sight(x + grip.dx, y + grip.dy);
+    put(alongSphere(eye, direction, grip.radius), false);
+  });
+  for (const kind of ["pointerup", "pointercancel"]) {
+    handle.addEventListener(kind, () => {
+      if (grip) put(point(), true);
+      grip = null;
+    });
+  }
+}

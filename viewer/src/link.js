@@ -1,0 +1,44 @@
+/* The state of a figure in the address of the page: what differs from the start. */
+
+const DIGITS = 5;
+
+/** Write inputs; points are separated by blanks, their coordinates by commas. */
+export function toText(inputs, start) {
+  const changed = Object.keys(inputs).filter(
+    (name) => JSON.stringify(inputs[name]) !== JSON.stringify(start[name]),
+  );
+  const text = (value) => {
+    if (typeof value === "number") return Number(value.toFixed(DIGITS)).toString();
+    if (!Array.isArray(value)) return String(value);
+    return value.map(text).join(Array.isArray(value[0]) ? " " : ",");
+  };
+  return new URLSearchParams(changed.map((name) => [name, text(inputs[name])])).toString();
+}
+
+/** Read the inputs of a figure from an address; null if it speaks of none or makes no sense. */
+export function fromText(hash, { name, inputs, start }) {
+  const [whose, text] = hash.slice(1).split("?");
+  if (whose !== `explore-${name}` || text === undefined) return null;
+  const found = {};
+  for (const [key, value] of new URLSearchParams(text)) {
+    if (!(key in inputs)) return null;
+    found[key] = read(value, inputs[key], start[key]);
+    if (found[key] === undefined) return null;
+  }
+  return found;
+}
+
+function read(text, { kind, low, high, options, names, least, most }, start) {
+  if (kind === "number") {
+    const number = Number(text);
+    return number >= low && number <= high ? number : undefined;
+  }
+  if (kind === "switch") return text === "true";
+  if (kind === "choice") return options.includes(text) ? text : undefined;
+  const points = text.split(" ").map((point) => point.split(",").map(Number));
+  const sound = points.every((p) => p.length === 3 && p.every(Number.isFinite) && Math.hypot(...p) > 0);
+  if (!sound) return undefined;
+  if (!Array.isArray(start[0])) return points.length === 1 ? points[0] : undefined;
+  const enough = points.length >= (least || names.length) && points.length <= (most || names.length);
+  return enough ? points : undefined;
+}

@@ -1,0 +1,155 @@
+/* The controls, numbers and charts below a figure, as `rotedu.figures.panel` writes them. */
+
+const WIDTH = 320;
+const HEIGHT = 96;
+const calm = matchMedia("(prefers-reduced-motion: reduce)");
+
+/**
+ * Bind the controls to the inputs.
+ * @param {HTMLElement} element the figure
+ * @param specs its inputs
+ * @param {function} now returns the present inputs
+ * @param {{change: function, reset: function, link: function}} actions
+ * @returns {{show: function}} writes inputs and a frame into the panel
+ */
+export function bindPanel(element, specs, now, { change, reset, link }) {
+  const form = element.querySelector(".explorable-panel");
+  const all = (selector) => [...form.querySelectorAll(selector)];
+  const named = (name) => all(`[name="${name}"]`);
+  form.querySelector("fieldset").disabled = false;
+  form.addEventListener("submit", (event) => event.preventDefault());
+
+  const player = playing(specs, now, change);
+  form.addEventListener("input", ({ target }) => {
+    const name = target.name.replace(/-number$/, "");
+    const { kind, low, high } = specs[name] ?? {};
+    if (kind === "number" && target.value === "") return;
+    player.stop();
+    if (kind === "number") change({ [name]: Math.min(high, Math.max(low, Number(target.value))) });
+    else if (kind === "switch") change({ [name]: target.checked });
+    else if (kind === "choice") change({ [name]: target.value });
+  });
+  form.addEventListener("click", ({ target }) => {
+    const { action, input } = target.dataset;
+    const points = input && now()[input];
+    if (action !== "play") player.stop();
+    if (action === "play") player.toggle(target, input);
+    else if (action === "step") player.step(input);
+    else if (action === "add") change({ [input]: added(points) }, "Point added");
+    else if (action === "remove") change({ [input]: points.slice(0, -1) }, "Point removed");
+    else if (action === "reset") reset();
+    else if (action === "link") link();
+  });
+  // Without motion there is nothing to play.
+  for (const button of all("[data-action=play]")) button.hidden = calm.matches;
+
+  return {
+    show(inputs, { outputs, charts }) {
+      for (const [name, spec] of Object.entries(specs)) {
+        const value = inputs[name];
+        for (const control of named(name)) {
+          if (spec.kind === "switch") control.checked = value;
+          else if (spec.kind === "choice") control.checked = control.value === value;
+          else if (spec.kind === "number") control.value = value;
+        }
+        for (const field of named(`${name}-number`)) {
+          if (field !== document.activeElement) field.value = Number(value.toFixed(3));
+        }
+        if (spec.most) {
+          const [add, remove] = all(`[data-input="${name}"]`);
+          add.disabled = value.length >= spec.most;
+          remove.disabled = value.length <= spec.least;
+        }
+      }
+      for (const [name, value] of Object.entries(outputs)) {
+        const output = form.elements[name];
+        output.textContent = text(value, output.dataset);
+      }
+      for (const [name, curves] of Object.entries(charts ?? {})) drawChart(name, curves);
+      for (const chart of all("[data-over]")) mark(chart, inputs[chart.dataset.over]);
+    },
+  };
+
+  function drawChart(name, curves) {
+    const chart = form.querySelector(`[data-chart="${name}"]`);
+    const [low, high] = chart.dataset.y.split(" ").map(Number);
+    for (const [curve, heights] of Object.entries(curves)) {
+      chart.querySelector(`[data-curve="${curve}"]`).setAttribute("d", path(heights, low, high));
+    }
+  }
+}
+
+function mark(chart, value) {
+  const [low, high] = chart.dataset.x.split(" ").map(Number);
+  const x = ((value - low) / (high - low)) * WIDTH;
+  const line = chart.querySelector("[data-mark]");
+  line.setAttribute("x1", x);
+  line.setAttribute("x2", x);
+}
+
+function path(heights, low, high) {
+  const step = WIDTH / (heights.length - 1);
+  const points = heights.map((height, i) => {
+    const share = Math.min(1.05, Math.max(-0.05, (height - low) / (high - low)));
+    return `${(i * step).toFixed(1)},${(HEIGHT * (1 - share)).toFixed(1)}`;
+  });
+  return `M${points.join(" ")}`;
+}
+
+/** Write a number, a text or a matrix as Python does. */
+export function text(value, { digits, unit }) {
+  if (typeof value === "string") return value;
+  const number = (x) => {
+    const written = x.toFixed(digits);
+    return (Number(written) === 0 ? written.replace("-", "") : written).replace("-", "\u2212");
+  };
+  const row = (numbers) => [numbers].flat().map(number).join(" ");
+  const rows = Array.isArray(value?.[0]) ? value : [value];
+  return rows.map(row).join("\n") + unit;
+}
+
+/** A new point beyond the last one, as far from it as the one before, but on the sphere. */
+function added(points) {
+  const [before, last] = points.slice(-2);
+  const [next] = points;
+  const between = last.map((x, i) => x + next[i] + 0.3 * (x - before[i]));
+  const length = Math.hypot(...between) / Math.hypot(...last);
+  return [...points, between.map((x) => x / length)];
+}
+
+/** Move a slider from its low to its high end. */
+function playing(specs, now, change) {
+  let frame = 0;
+  let button;
+  const stop = () => {
+    cancelAnimationFrame(frame);
+    frame = 0;
+    if (button) button.textContent = "Play";
+  };
+  const toggle = (pressed, name) => {
+    const going = frame && pressed === button;
+    stop();
+    if (going) return;
+    button = pressed;
+    button.textContent = "Pause";
+    const { low, high, plays } = specs[name];
+    if (now()[name] >= high) change({ [name]: low });
+    let last;
+    const tick = (time) => {
+      const passed = last === undefined ? 0 : (time - last) / 1000;
+      last = time;
+      const value = Math.min(high, now()[name] + (passed * (high - low)) / plays);
+      change({ [name]: value });
+      if (value < high) frame = requestAnimationFrame(tick);
+      else stop();
+    };
+    frame = requestAnimationFrame(tick);
+  };
+  /** Go on by a stride; after the end, begin again. */
+  const step = (name) => {
+    const { low, high, stride } = specs[name];
+    const value = now()[name];
+    change({ [name]: value >= high ? low : Math.min(high, value + stride) });
+  };
+  return { stop, toggle, step };
+}

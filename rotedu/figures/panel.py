@@ -73,7 +73,9 @@ def _output(name: str, output: Output) -> str:
     matrix = ' class="explorable-matrix"' if np.ndim(_numbers(output.value)) == 2 else ""
     return (
         f"<div{matrix}><dt>{escape(output.label)}</dt>"
-        f'<dd><output name="{name}" data-digits="{output.digits}" data-unit="{output.unit}">'
+        # The status line below speaks; numbers that change with the hand are silent.
+        f'<dd><output name="{name}" aria-live="off" data-digits="{output.digits}"'
+        f' data-unit="{output.unit}">'
         f"{escape(text_of(output))}</output></dd></div>"
     )
 

@@ -9,6 +9,7 @@ import { bindPanel } from "./panel.js";
 
 // Frames are stored with six digits.
 const ROUNDING = 2e-6;
+const SAME = 1e-12;
 const QUIET = 500;
 
 /**
@@ -103,8 +104,10 @@ export function explore(element, live, data, models, python = {}) {
 /** Give points the length that they must have. */
 function scaled(specs, changes) {
   const right = (point, length) => {
-    const factor = length ? length / Math.hypot(...point) : 1;
-    return point.map((x) => x * factor);
+    const size = Math.hypot(...point);
+    // What has the length already stays exactly as it is.
+    if (!length || Math.abs(size - length) < SAME) return point;
+    return point.map((x) => (x * length) / size);
   };
   return Object.fromEntries(
     Object.entries(changes).map(([name, value]) => {

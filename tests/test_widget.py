@@ -5,7 +5,7 @@ import json
 import subprocess
 import sys
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 import comm
 import nbformat
@@ -27,7 +27,7 @@ VIEWER = b"export const render = () => 'the viewer';" * 100
 class Wire(BaseComm):
     """A comm that keeps what is sent, in place of a browser."""
 
-    sent: list[tuple[str, str, dict[str, Any], list[bytes]]] = []
+    sent: ClassVar[list[tuple[str, str, dict[str, Any], list[bytes]]]] = []
 
     def publish_msg(
         self, msg_type: str, data: Any = None, metadata: Any = None, buffers: Any = None, **_: Any

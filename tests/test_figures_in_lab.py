@@ -13,7 +13,15 @@ from typing import Any
 
 import nbformat
 import pytest
-from test_figures_in_browser import CONTEXTS, INK, difference, drag, live_picture, lost_contexts
+from test_figures_in_browser import (
+    CONTEXTS,
+    INK,
+    NO_WEBGL,
+    difference,
+    drag,
+    live_picture,
+    lost_contexts,
+)
 
 from rotedu import scenes
 from rotedu.figures.backend import scene_labels
@@ -208,6 +216,18 @@ def test_thirty_figures_stay_usable(run: Open) -> None:
     before = live_picture(first)
     drag(first, 120, 30)
     assert difference(before, live_picture(first)) > 2
+
+    command(page, "editmenu:clear-all")
+    page.wait_for_function("buffers.held === 0", timeout=10_000)
+
+
+@pytest.mark.slow
+def test_missing_webgl_is_said(run: Open) -> None:
+    page = run("without", IMPORTS, numbered(7), script=NO_WEBGL)
+    message = page.locator("p.scene-message")
+    message.wait_for(timeout=30_000)
+    assert "WebGL" in message.inner_text()
+    assert "Number 7" in message.inner_text()
 
 
 @pytest.mark.slow

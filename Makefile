@@ -4,6 +4,9 @@ BIN := .venv/bin
 # A different Python gets a new environment.
 READY := .venv/made-by-$(shell $(PYTHON) -c 'import sys; print("python%d.%d" % sys.version_info[:2])')
 
+# The viewer for notebooks.
+VIEWER := rotedu/figures/static/figure.js
+
 .PHONY: book test test-slow audit bench mutate lab notebooks lock clean help
 .DEFAULT_GOAL := help
 
@@ -14,7 +17,7 @@ book: $(READY) ## build the book into _build/html
 	$(BIN)/jupyter-book build . -W --keep-going
 	@echo "The book is here: _build/html/index.html"
 
-test: $(READY) .venv/browser ## check code, notebooks and the built book
+test: $(READY) $(VIEWER) .venv/browser ## check code, notebooks and the built book
 	$(BIN)/ruff check
 	$(BIN)/ruff format --check
 	$(BIN)/mypy
@@ -22,7 +25,7 @@ test: $(READY) .venv/browser ## check code, notebooks and the built book
 	$(BIN)/pytest
 	@echo "All checks passed."
 
-test-slow: $(READY) .venv/browser ## install the wheel on its own; test random input for minutes
+test-slow: $(READY) $(VIEWER) .venv/browser ## install the wheel on its own; test random input for minutes
 	$(BIN)/pytest -m "slow or hypothesis" --hypothesis-profile=long
 
 audit: book .venv/browser ## weigh the pages; Lighthouse and axe judge them
@@ -34,7 +37,7 @@ bench: $(READY) ## measure speed beside other packages (one minute)
 mutate: $(READY) ## break the mathematics and see whether the tests notice (an hour)
 	$(BIN)/python tools/mutate.py
 
-lab: $(READY) ## open the notebooks in JupyterLab, with live scenes
+lab: $(READY) $(VIEWER) ## open the notebooks in JupyterLab, with figures that turn
 	$(BIN)/jupyter lab book
 
 notebooks: $(READY) ## run the notebooks and store what they print
@@ -46,11 +49,14 @@ lock: $(READY) ## write new requirements.txt and package-lock.json
 	$(BIN)/npm install --package-lock-only --no-audit --no-fund
 
 clean: ## remove everything that make has made
-	rm -rf .venv _build node_modules dist .*_cache .hypothesis .benchmarks
+	rm -rf .venv _build node_modules rotedu/figures/static dist .*_cache .hypothesis .benchmarks
 
 $(READY): requirements.txt pyproject.toml tools/set_up.py
 	@$(PYTHON) tools/set_up.py
 	@touch $@
+
+$(VIEWER): $(READY) package-lock.json $(wildcard viewer/*.* viewer/src/*.js)
+	@$(BIN)/python tools/bundle.py
 
 .venv/browser: $(READY)
 	@$(PYTHON) tools/set_up.py --browser

@@ -77,8 +77,27 @@ def kernels(install: Callable[[str], Path], folder: Path) -> Path:
 
 def test_the_wheel_holds_the_package_and_nothing_else(wheel: Path) -> None:
     tracked = run("git", "ls-files", "rotedu", cwd=ROOT).split()
+    names = ("figure-loader.js", "figure.js", "licences.txt")
+    viewer = [f"rotedu/figures/static/{name}" for name in names]
     packed = [name for name in zipfile.ZipFile(wheel).namelist() if ".dist-info/" not in name]
-    assert sorted(packed) == sorted(tracked)
+    assert sorted(packed) == sorted(tracked + viewer)
+
+
+def test_no_wheel_is_built_without_the_viewer(tmp_path: Path) -> None:
+    """An editable installation needs no viewer, and says what to run only when it is needed."""
+    tracked = run(
+        "git", "ls-files", "rotedu", "viewer", "*.toml", "*.py", "*.md", "LICENSE", cwd=ROOT
+    )
+    for name in tracked.splitlines():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(ROOT / name, tmp_path / name)
+    build = [find_uv_bin(), "build", "--wheel", "--out-dir", tmp_path / "dist", tmp_path]
+    failed = subprocess.run(build, capture_output=True, text=True, check=False)
+    assert failed.returncode != 0
+    assert "python tools/bundle.py" in failed.stdout + failed.stderr
+    run(find_uv_bin(), "venv", "--quiet", "-p", sys.executable, tmp_path / "env", cwd=tmp_path)
+    install = ["pip", "install", "--quiet", "-p", tmp_path / "env", "-e", tmp_path]
+    run(find_uv_bin(), *install, cwd=tmp_path)
 
 
 def test_the_mathematics_needs_numpy_alone(install: Callable[[str], Path], folder: Path) -> None:

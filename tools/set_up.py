@@ -1,9 +1,9 @@
 """Set up everything that the Makefile's targets need, inside the checkout.
 
-``python3 tools/set_up.py`` makes the virtual environment ``.venv`` from requirements.txt and makes
-sure that VTK can draw. With ``--browser`` it looks instead for a browser for the tests of the built
-book. It installs something outside the checkout only if the system lacks an OpenGL library or a
-browser, and only if it may use apt.
+``python3 tools/set_up.py`` makes the virtual environment ``.venv`` from requirements.txt, bundles
+the viewer for notebooks and makes sure that VTK can draw. With ``--browser`` it looks instead for a
+browser for the tests of the built book. It installs something outside the checkout only if the
+system lacks an OpenGL library or a browser, and only if it may use apt.
 """
 
 import os
@@ -87,6 +87,12 @@ def make_environment() -> None:
     subprocess.run([*uv, "-r", "requirements.txt"], cwd=ROOT, check=True)
 
 
+def bundle_viewer() -> None:
+    """Bundle the viewer for notebooks, which needs what was just installed."""
+    say("bundling the viewer for notebooks")
+    subprocess.run([PYTHON, ROOT / "tools" / "bundle.py"], check=True)
+
+
 def can_draw() -> bool:
     """Tell whether VTK draws a picture on this machine."""
     trial = subprocess.run([PYTHON, "-c", TRIAL_RENDER], stderr=subprocess.PIPE, check=False)
@@ -121,4 +127,5 @@ if __name__ == "__main__":
         find_browser()
     else:
         make_environment()
+        bundle_viewer()
         make_vtk_draw()

@@ -1,34 +1,68 @@
 /*
- * node build.js <folder> bundles the viewer into <folder>/scene/:
+ * node build.js <folder> bundles the viewer for pages into <folder>/scene/:
  *   loader.js        a classic script on every page with scenes, which also runs from files
  *   viewer-HASH.js   a module that is fetched when the first scene goes live
  *   explorables-HASH.js   another one, for pages with figures that answer the hand
  *   scene.css        the styles of both
+ *
+ * node build.js --notebook <folder> bundles it for notebooks into <folder>/:
+ *   figure-loader.js   a module that travels with every figure
+ *   figure.js          a module that the loader fetches once, with styles and fonts in it
+ *   licences.txt       the licences of what is in it
  */
-import { copyFile, mkdir } from "node:fs/promises";
+import { createHash } from "node:crypto";
+import { copyFile, mkdir, readFile, writeFile } from "node:fs/promises";
 import { basename, dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
 
 const here = dirname(fileURLToPath(import.meta.url));
-const folder = join(process.argv[2], "scene");
 const common = { bundle: true, minify: true, target: "es2022", legalComments: "eof" };
 
-await mkdir(folder, { recursive: true });
-const { metafile } = await build({
-  ...common,
-  entryPoints: [join(here, "src/viewer.js"), join(here, "src/explorables.js")],
-  entryNames: "[name]-[hash]",
-  outdir: folder,
-  format: "esm",
-  metafile: true,
-});
-const [explorables, viewer] = Object.keys(metafile.outputs).map((file) => basename(file)).sort();
-await build({
-  ...common,
-  entryPoints: [join(here, "src/loader.js")],
-  outdir: folder,
-  format: "iife",
-  define: { VIEWER: JSON.stringify(viewer), EXPLORABLES: JSON.stringify(explorables) },
-});
-await copyFile(join(here, "scene.css"), join(folder, "scene.css"));
+async function forPages(folder) {
+  await mkdir(folder, { recursive: true });
+  const { metafile } = await build({
+    ...common,
+    entryPoints: [join(here, "src/viewer.js"), join(here, "src/explorables.js")],
+    entryNames: "[name]-[hash]",
+    outdir: folder,
+    format: "esm",
+    metafile: true,
+  });
+  const files = Object.keys(metafile.outputs).map((file) => basename(file));
+  const [explorables, viewer] = files.sort();
+  await build({
+    ...common,
+    entryPoints: [join(here, "src/loader.js")],
+    outdir: folder,
+    format: "iife",
+    define: { VIEWER: JSON.stringify(viewer), EXPLORABLES: JSON.stringify(explorables) },
+  });
+  await copyFile(join(here, "scene.css"), join(folder, "scene.css"));
+}
+
+async function forNotebooks(folder) {
+  const styles = await build({
+    ...common,
+    entryPoints: [join(here, "widget.css")],
+    write: false,
+    // Every browser that runs the viewer reads woff2.
+    loader: { ".woff2": "dataurl", ".woff": "empty", ".ttf": "empty" },
+  });
+  const module = (entry, outfile, define) =>
+    build({ ...common, entryPoints: [join(here, entry)], outfile, format: "esm", define });
+  const figure = join(folder, "figure.js");
+  await module("src/widget.js", figure, { STYLES: JSON.stringify(styles.outputFiles[0].text) });
+  const digest = createHash("sha256").update(await readFile(figure)).digest("hex");
+  await module("src/widget-loader.js", join(folder, "figure-loader.js"), {
+    DIGEST: JSON.stringify(digest.slice(0, 16)),
+  });
+  const licences = ["katex", "three"].map(async (name) => {
+    const text = await readFile(join(here, "../node_modules", name, "LICENSE"), "utf8");
+    return `${name}\n\n${text}`;
+  });
+  await writeFile(join(folder, "licences.txt"), (await Promise.all(licences)).join("\n\n\n"));
+}
+
+const [first, second] = process.argv.slice(2);
+await (first === "--notebook" ? forNotebooks(second) : forPages(join(first, "scene")));

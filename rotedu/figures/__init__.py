@@ -3,22 +3,23 @@
 A page in a browser has no Python behind it. This package turns the window that ``Plotter.show()``
 would open into something that a page can carry. `backend` makes a poster, labels and an alternative
 text, `gltf` writes the scene to a file, and `pages` puts everything on a page of Sphinx. There the
-viewer in the folder ``viewer`` replaces the poster with the scene, which the reader can turn.
-Nothing here depends on what the scenes show.
+viewer in the folder ``viewer`` replaces the poster with the scene, which the reader can turn. A
+notebook shows the same figure as a `widget`. Nothing here depends on what the scenes show.
 
 Use in another book
 -------------------
 1. Install the package next to `pyvista` and `myst_nb`. Two entry points announce it:
-   the group ``pyvista.jupyter_backends`` brings the backend ``book``
-   (`rotedu.figures.backend.book_figure`), the group ``myst_nb.mime_renderers`` brings
-   `rotedu.figures.pages.SceneRenderer`.
+   the group ``pyvista.jupyter_backends`` brings the backends ``book``
+   (`rotedu.figures.backend.book_figure`) and ``widget`` (`rotedu.figures.widget.figure`), the
+   group ``myst_nb.mime_renderers`` brings `rotedu.figures.pages.SceneRenderer`.
 2. Bundle the viewer once, with Node: ``npm install three esbuild``, then ``node
    viewer/build.js <folder>``; the folder must be one of Sphinx's ``html_static_path``. All
    files come from the book's own host, and no script is inline.
 3. Add ``rotedu.figures.pages`` to the Sphinx extensions (in Jupyter Book:
    ``sphinx: extra_extensions``). While Sphinx runs, notebooks then use the backend
-   ``book``; anywhere else they keep their own. Pages with scenes load ``scene/scene.css`` and
-   ``scene/loader.js``; the viewer follows when a scene comes near the screen.
+   ``book``; anywhere else ``widget``, unless they choose another. Pages with scenes load
+   ``scene/scene.css`` and ``scene/loader.js``; the viewer follows when a scene comes near the
+   screen.
 4. Describe the scene in words, then show it as usual::
 
        plotter = pyvista.Plotter()

@@ -7,6 +7,7 @@ page, and the scene itself as binary glTF. ``still`` makes a picture.
 
 import base64
 import ctypes
+import importlib.util
 import io
 import os
 import sys
@@ -116,7 +117,7 @@ def book_figure(plotter: pyvista.Plotter, **_: object) -> BookFigure:
     plotter.render()
     gltf = scene_gltf(plotter)
     scene = {"alt": alt, "width": width, "height": height, "labels": labels}
-    _close_after_cell(plotter)
+    close_after_cell(plotter)
     return BookFigure(scene, take_poster(plotter), gltf)
 
 
@@ -137,11 +138,11 @@ def still_picture(plotter: pyvista.Plotter, **_: object) -> Image.Image:
         The picture.
     """
     plotter.render()
-    _close_after_cell(plotter)
+    close_after_cell(plotter)
     return Image.fromarray(np.asarray(plotter.screenshot(return_img=True)))
 
 
-def _close_after_cell(plotter: pyvista.Plotter) -> None:
+def close_after_cell(plotter: pyvista.Plotter) -> None:
     """Close a scene when its cell has run, because pyvista needs it until then."""
     shell = get_ipython()
     if shell is None:
@@ -267,15 +268,23 @@ def _stands_behind(plotter: pyvista.Plotter, eye: np.ndarray, point: np.ndarray)
     return False
 
 
-def announce_chosen_backend() -> None:
+def announce_backend() -> None:
     """Register the backend that pyvista is set to use, if it is one of ours.
 
-    To find it by name, pyvista would load all installed backends, and trame takes 16 MB.
+    Where none is set, notebooks get figures that turn. To find a backend by name, pyvista would
+    load all that are installed.
     """
-    name = pyvista.global_theme.jupyter_backend or ""
-    handler = {"book": book_figure, "still": still_picture}.get(name)
-    if handler is not None:
-        pyvista.register_jupyter_backend(name, handler)
+    name = pyvista.global_theme.jupyter_backend
+    if name is None and hasattr(get_ipython(), "kernel"):
+        name = "widget" if importlib.util.find_spec("anywidget") else "still"
+    handlers: dict[str, Any] = {"book": book_figure, "still": still_picture}
+    if name == "widget":
+        from rotedu.figures.widget import figure
+
+        handlers[name] = figure
+    if name is not None and name in handlers:
+        pyvista.register_jupyter_backend(name, handlers[name], override=True)
+        pyvista.set_jupyter_backend(name)
 
 
-announce_chosen_backend()
+announce_backend()

@@ -104,7 +104,7 @@ class Exploration:
         defaults = inspect.signature(function).parameters
         start = {name: kind.value(name, defaults[name].default) for name, kind in inputs.items()}
         # These are no inputs, so they go past __setattr__.
-        vars(self).update(function=function, inputs=inputs, values=start, varying=set())
+        vars(self).update(function=function, inputs=inputs, values=start, varying=set(), widgets=[])
 
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *self.inputs]
@@ -119,6 +119,8 @@ class Exploration:
         if name not in self.inputs:
             raise AttributeError(f"{name}: expected one of {', '.join(self.inputs)}")
         self.values[name] = self.inputs[name].value(name, value)
+        for widget in self.widgets:
+            widget.values = dict(self.values)
 
     def __repr__(self) -> str:
         return f"<figure: {self.function.__name__}, {', '.join(self.inputs)}>"
@@ -202,7 +204,34 @@ class Exploration:
         name = self.function.__name__.replace("_", "-")
         return panel(name, self.inputs, self.values, recorded.outputs, recorded.charts)
 
+    def widget(self) -> Any:
+        """Make the figure for a notebook, joined to the values of the inputs."""
+        from rotedu.figures.widget import figure
+
+        plotter = self.draw()
+        spec = self.spec(plotter) | {"panel": self.panel(plotter)}
+        made = figure(plotter, explorable=spec, values=dict(self.values))
+        made.observe(self._follow, "values")
+        made.on_msg(self._answer)
+        self.widgets.append(made)
+        return made
+
+    def _follow(self, change: dict[str, Any]) -> None:
+        """Take the values that the hand has set."""
+        for name, value in change["new"].items():
+            self.values[name] = self.inputs[name].value(name, value)
+
+    def _answer(self, widget: Any, question: dict[str, Any], buffers: Any) -> None:
+        """Compute the frame that a figure without a model asks for."""
+        if "frame" in question:
+            try:
+                widget.send({"frame": self.frame(**question["frame"])})
+            except ValueError as error:
+                widget.send({"refused": str(error)})
+
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> Any:
+        if pyvista.global_theme.jupyter_backend == "widget":
+            return self.widget()._repr_mimebundle_(include=include, exclude=exclude)
         plotter = self.draw()
         if pyvista.global_theme.jupyter_backend == "book":
             figure = book_figure(plotter)

@@ -17,17 +17,18 @@ const QUIET = 500;
  * @param live what `show` has returned for the scene
  * @param data as `rotedu.figures.explorable` describes the figure
  * @param {Object<string, function>} models frames from inputs, by name
- * @param {{ask?: function, tell?: function}} [python] in a notebook: asks for a frame, and hears of
- *   values that the hand has changed
- * @returns {{set: function, receive: function}} set inputs, or show a frame that was asked for
+ * @param {{values: object, ask: function, tell: function}} [python] in a notebook: the values that
+ *   Python has set, and functions that ask it for a frame and tell it what the hand has changed
+ * @returns {{set: function, receive: function}} set inputs, or show what was asked for
  */
-export function explore(element, live, data, models, python = {}) {
+export function explore(element, live, data, models, python) {
   const model = data.model && models[data.model];
   if (data.model && !reproduces(model, data)) return { set() {}, receive() {} };
 
   const scene = element.querySelector(".scene");
   const status = element.querySelector(".explorable-status");
-  let inputs = structuredClone(data.start);
+  let inputs = structuredClone({ ...data.start, ...python?.values });
+  let asked = null;
   let refused = "";
   let timer;
 
@@ -54,8 +55,21 @@ export function explore(element, live, data, models, python = {}) {
     panel.show(inputs, { outputs: {}, charts: {} });
     finish({ refused });
   };
+  /** Ask Python for one frame at a time. */
+  const ask = () => {
+    if (asked) return;
+    asked = inputs;
+    python.ask(inputs);
+  };
+  const receive = ({ frame, refused: why }) => {
+    const behind = asked !== inputs;
+    asked = null;
+    if (frame) show(frame);
+    else refuse({ message: why });
+    if (behind) ask();
+  };
   const update = () => {
-    if (!model && python.ask) return python.ask(inputs);
+    if (!model && python) return ask();
     try {
       show(model ? model(inputs) : storedFrame(data, inputs));
     } catch (error) {
@@ -73,7 +87,7 @@ export function explore(element, live, data, models, python = {}) {
   /** What the hand does, unlike what Python sets, is told to Python. */
   const change = (changes, spoken = "") => {
     set(changes);
-    python.tell?.(inputs);
+    python?.tell(inputs);
     if (!refused && spoken) say(spoken);
   };
   const reset = () => {
@@ -92,13 +106,12 @@ export function explore(element, live, data, models, python = {}) {
     const wanted = fromText(location.hash, data);
     if (wanted) set({ ...data.start, ...wanted });
   };
-  if (python.tell) update();
-  else {
-    update();
+  update();
+  if (!python) {
     follow();
     addEventListener("hashchange", follow);
   }
-  return { set, receive: show };
+  return { set, receive };
 }
 
 /** Give points the length that they must have. */

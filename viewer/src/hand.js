@@ -29,7 +29,7 @@ export function takeInHand(camera, scene, canvas, target) {
     controls.touches.TWO = isFull() ? TOUCH.DOLLY_PAN : TOUCH.DOLLY_ROTATE;
   };
   grip();
-  document.addEventListener("fullscreenchange", grip);
+  scene.addEventListener("fullscreenchange", grip);
   scene.addEventListener(
     "wheel",
     (event) => {

@@ -4,7 +4,7 @@
  * The data-state of a scene is poster, loading, live or failed.
  */
 /* global VIEWER, EXPLORABLES */
-import { SERVE, onClickOnly, pixels, reason, status } from "./page.js";
+import { SERVE, onClickOnly, openWebGL, reason, status } from "./page.js";
 
 const home = document.currentScript.src;
 const scenes = [...document.querySelectorAll(".scene[data-scene]")];
@@ -32,15 +32,6 @@ async function goLive(scene) {
   } catch (error) {
     fail(scene, reason(error));
   }
-}
-
-/** Open the only WebGL context of the page, as large as its first scene. */
-function openWebGL(scene) {
-  const canvas = document.createElement("canvas");
-  Object.assign(canvas, pixels(scene));
-  const opened = canvas.getContext("webgl2", { alpha: true, antialias: true });
-  if (!opened) throw new Error("this browser draws no WebGL");
-  return opened;
 }
 
 function loadModule(name) {

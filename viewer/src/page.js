@@ -1,4 +1,4 @@
-/* What the loader adds to the page. */
+/* What a page gets before the viewer is there. */
 
 // Nobody sees more pixels than this per CSS pixel.
 const MOST = 2;
@@ -37,4 +37,13 @@ export function onClickOnly(scene, goLive) {
 export function pixels({ clientWidth, clientHeight }) {
   const density = Math.min(devicePixelRatio, MOST);
   return { width: Math.round(clientWidth * density), height: Math.round(clientHeight * density) };
+}
+
+/** Open the only WebGL context of the page, as large as its first scene. */
+export function openWebGL(scene) {
+  const canvas = document.createElement("canvas");
+  Object.assign(canvas, pixels(scene));
+  const opened = canvas.getContext("webgl2", { alpha: true, antialias: true });
+  if (!opened) throw new Error("this browser draws no WebGL");
+  return opened;
 }

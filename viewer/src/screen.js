@@ -28,9 +28,13 @@ function pause() {
   return new Promise((resolve) => setTimeout(resolve));
 }
 
-/** Call back when pictures must be drawn again. */
+/**
+ * Call back when pictures must be drawn again.
+ * @returns a function that ends this
+ */
 export function onRestored(redraw) {
   restored.add(redraw);
+  return () => restored.delete(redraw);
 }
 
 /** Draw a scene into its canvas. */

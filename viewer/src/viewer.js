@@ -20,7 +20,8 @@ const MOVING = 1.5;
  * @param {WebGL2RenderingContext} context shared by all scenes
  * @param {{width: number, height: number, alt: string}} made the size of the scene as it was made,
  *   and the text for those who cannot see it
- * @returns what moves the scene: see `live` below
+ * @returns what moves the scene; of these, rest gives the scene's memory on the graphics card back and
+ *   leaves its picture, wake undoes this, and remove ends all
  */
 export async function show(element, file, context, { width, height, alt }) {
   const { objects, parts, surfaces, around, clouds, camera: pose } = await read(file);
@@ -44,6 +45,7 @@ export async function show(element, file, context, { width, height, alt }) {
 
   const watchers = [];
   let view = null;
+  let resting = false;
   const look = () => {
     if (view) return ride(rider, view, canvas);
     camera.updateMatrixWorld();
@@ -60,6 +62,7 @@ export async function show(element, file, context, { width, height, alt }) {
     return camera;
   };
   const drawNow = () => {
+    if (resting) return;
     const eye = look();
     sortSeeThrough(objects, eye);
     draw(scene, eye, canvas);
@@ -78,7 +81,7 @@ export async function show(element, file, context, { width, height, alt }) {
     const size = pixels(element);
     const now = `${size.width} ${size.height}`;
     // The observer also calls at the start, and when the scene is folded away.
-    if (now === fitted || size.width === 0) return;
+    if (resting || now === fitted || size.width === 0) return;
     fitted = now;
     Object.assign(canvas, size);
     scaleWidths(objects, Math.min(canvas.width / width, canvas.height / height));
@@ -97,8 +100,29 @@ export async function show(element, file, context, { width, height, alt }) {
   controls.addEventListener("change", redraw);
   controls.addEventListener("start", () => hint.remove());
   canvas.addEventListener("keydown", () => hint.remove());
-  new ResizeObserver(fit).observe(element);
-  onRestored(redraw);
+  const observer = new ResizeObserver(fit);
+  observer.observe(element);
+  const forget = onRestored(redraw);
+
+  const rest = () => {
+    resting = true;
+    // The next frame makes anew what is disposed of.
+    for (const { geometry, material } of objects) {
+      geometry.dispose();
+      material.dispose();
+    }
+  };
+  const wake = () => {
+    if (!resting) return;
+    resting = false;
+    fitted = "";
+    fit();
+  };
+  const remove = () => {
+    observer.disconnect();
+    forget();
+    rest();
+  };
 
   const places = new Map(labels.map((entry) => [entry.label.dataset.label, entry]));
   return {
@@ -124,6 +148,9 @@ export async function show(element, file, context, { width, height, alt }) {
     },
     axes: () => axes(camera),
     reset,
+    rest,
+    wake,
+    remove,
   };
 }
 

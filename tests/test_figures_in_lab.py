@@ -1,0 +1,242 @@
+"""Figures in a real JupyterLab, with a real kernel and a real browser."""
+
+import os
+import socket
+import subprocess
+import sys
+import time
+import urllib.error
+import urllib.request
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import nbformat
+import pytest
+from test_figures_in_browser import (
+    CONTEXTS,
+    INK,
+    NO_WEBGL,
+    difference,
+    drag,
+    live_picture,
+    lost_contexts,
+)
+
+from rotedu import scenes
+from rotedu.figures.backend import scene_labels
+from rotedu.figures.gltf import scene_gltf
+from rotedu.figures.widget import STATIC, packed_viewer
+
+# Counts the buffers that the page has made on the graphics card, and those it still holds.
+BUFFERS = """
+    window.buffers = { made: 0, held: 0 };
+    const { createBuffer, deleteBuffer } = WebGL2RenderingContext.prototype;
+    WebGL2RenderingContext.prototype.createBuffer = function () {
+        buffers.made += 1;
+        buffers.held += 1;
+        return createBuffer.call(this);
+    };
+    WebGL2RenderingContext.prototype.deleteBuffer = function (buffer) {
+        buffers.held -= 1;
+        deleteBuffer.call(this, buffer);
+    };
+"""
+LIVE = ".scene[data-state=live]"
+SEEN = "scenes => scenes.map(scene => scene.querySelector('canvas').ariaLabel)"
+IMPORTS = "from rotedu import scenes"
+KERNEL_IS_THERE = """
+    () => window.jupyterapp?.shell.currentWidget?.sessionContext?.session?.kernel?.status === "idle"
+"""
+Open = Callable[..., Any]
+
+pytestmark = pytest.mark.skipif(
+    not (STATIC / "figure.js").exists(), reason="the viewer for notebooks is not bundled: make lab"
+)
+
+
+def numbered(i: int) -> str:
+    """A cell with a figure that says its number."""
+    return f"plotter = scenes.figure_1()\nplotter.alt_text = 'Number {i}'\nplotter.show()"
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return tmp_path_factory.mktemp("lab")
+
+
+@pytest.fixture(scope="module")
+def lab(folder: Path) -> Iterator[str]:
+    """JupyterLab with its factory settings."""
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        port = probe.getsockname()[1]
+    options = ["--no-browser", f"--port={port}", "--IdentityProvider.token=", "--allow-root"]
+    # For the tests: the commands of JupyterLab's menus.
+    options.append("--LabApp.expose_app_in_browser=True")
+    home = {"HOME": str(folder), "JUPYTER_CONFIG_DIR": str(folder / "configuration")}
+    environment = {
+        name: value for name, value in os.environ.items() if name != "PYVISTA_JUPYTER_BACKEND"
+    }
+    with (folder / "lab.log").open("w") as log:
+        server = subprocess.Popen(
+            [sys.executable, "-m", "jupyterlab", *options],
+            cwd=folder,
+            env=environment | home,
+            stdout=log,
+            stderr=log,
+        )
+    url = f"http://127.0.0.1:{port}"
+    for _ in range(120):
+        try:
+            urllib.request.urlopen(f"{url}/api", timeout=30)
+        except urllib.error.URLError:
+            time.sleep(0.5)
+        else:
+            break
+    yield url
+    server.terminate()
+    server.wait()
+
+
+@pytest.fixture
+def run(lab: str, folder: Path, browser: Any) -> Iterator[Open]:
+    """Open a new notebook with these cells and run them; errors of the page are failures."""
+    errors: list[str] = []
+    contexts = []
+
+    def run_cells(name: str, *cells: str, script: str = "") -> Any:
+        notebook = nbformat.v4.new_notebook(
+            cells=[nbformat.v4.new_code_cell(cell) for cell in cells],
+            metadata={"kernelspec": {"name": "python3", "display_name": "Python 3"}},
+        )
+        nbformat.write(notebook, folder / f"{name}.ipynb")
+        context = browser.new_context(viewport={"width": 1200, "height": 900})
+        contexts.append(context)
+        page = context.new_page()
+        page.received = []
+        page.on(
+            "websocket",
+            lambda ws: ws.on("framereceived", lambda frame: page.received.append(len(frame))),
+        )
+        page.on("pageerror", lambda error: errors.append(str(error)))
+        page.add_init_script(script)
+        page.goto(f"{lab}/lab/tree/{name}.ipynb?reset")
+        page.wait_for_function(KERNEL_IS_THERE, timeout=30_000)
+        command(page, "notebook:run-all-cells", wait=False)
+        return page
+
+    yield run_cells
+    for context in contexts:
+        context.close()
+    assert errors == []
+
+
+def command(page: Any, name: str, wait: bool = True, **arguments: str) -> Any:
+    """Call a command of JupyterLab's menus."""
+    script = "([name, arguments]) => jupyterapp.commands.execute(name, arguments)"
+    if not wait:
+        script = script.replace("jupyterapp", "void jupyterapp")
+    return page.evaluate(script, [name, arguments])
+
+
+def test_a_figure_lives_in_a_notebook(run: Open) -> None:
+    page = run("one", IMPORTS, "scenes.figure_1().show()", "import time; time.sleep(60)")
+    scene = page.locator(LIVE)
+    # It does not wait for the cell after it.
+    scene.wait_for(timeout=15_000)
+    figure_1 = scenes.figure_1()
+    assert scene.locator(".scene-label .katex").count() == len(scene_labels(figure_1))
+    assert scene.locator("canvas").get_attribute("aria-label") == figure_1.alt_text
+
+    before = live_picture(scene)
+    assert (before[..., 3] > 0).mean() > 0.01
+    place = scene.locator(".scene-label").first.bounding_box()
+    drag(scene, 120, 30)
+    assert difference(before, live_picture(scene)) > 2
+    assert scene.locator(".scene-label").first.bounding_box() != place
+
+    # The keys are the figure's: in JupyterLab, 0 twice would ask whether to restart the kernel.
+    active = page.locator(".jp-Cell.jp-mod-active").inner_text()
+    scene.locator("canvas").focus()
+    for key in ("ArrowDown", "ArrowDown", "0", "0"):
+        page.keyboard.press(key)
+    page.wait_for_timeout(300)
+    assert page.locator(".jp-Dialog").count() == 0
+    assert page.locator(".jp-Cell.jp-mod-active").inner_text() == active
+    assert difference(before, live_picture(scene)) < 0.1
+
+    light = scene.evaluate(INK)
+    command(page, "apputils:change-theme", theme="JupyterLab Dark")
+    page.wait_for_function("document.body.dataset.jpThemeLight === 'false'")
+    page.wait_for_timeout(500)
+    assert scene.evaluate(INK) != light
+
+
+@pytest.mark.slow
+def test_ten_figures_bring_the_viewer_once(run: Open) -> None:
+    count = 10
+    page = run("ten", IMPORTS, *map(numbered, range(count)))
+    page.locator(LIVE).first.wait_for(timeout=30_000)
+    page.get_by_text(f"[{count + 1}]:").wait_for(timeout=30_000)
+    viewer, gltf = len(packed_viewer()), len(scene_gltf(scenes.figure_1()))
+    assert viewer > 4 * gltf
+    assert sum(size > viewer for size in page.received) == 1
+    # Other messages of JupyterLab count, too.
+    assert sum(page.received) < viewer + count * (gltf + 10_000) + 100_000
+
+
+@pytest.mark.slow
+def test_thirty_figures_stay_usable(run: Open) -> None:
+    count = 30
+    page = run("thirty", IMPORTS, *map(numbered, range(count)), script=CONTEXTS + BUFFERS)
+    page.locator(LIVE).first.wait_for(timeout=30_000)
+    page.get_by_text(f"[{count + 1}]:").wait_for(state="attached", timeout=30_000)
+    page.locator(".jp-Cell").first.click()
+    command(page, "notebook:enter-command-mode")
+    page.keyboard.press("ArrowUp")
+    page.locator(".jp-WindowedPanel-outer").hover()
+    seen: set[str] = set()
+    for _ in range(120):
+        seen |= set(page.locator(LIVE).evaluate_all(SEEN))
+        if len(seen) == count:
+            break
+        page.mouse.wheel(0, 250)
+        page.wait_for_timeout(200)
+    assert len(seen) == count
+    assert lost_contexts(page) == [False]
+    # Far figures have given back what they had on the graphics card.
+    buffers = page.evaluate("buffers")
+    assert buffers["made"] > 10 * count
+    assert buffers["held"] < buffers["made"] / 4
+
+    page.mouse.wheel(0, -100_000)
+    first = page.locator(LIVE, has=page.locator("canvas[aria-label='Number 0']"))
+    first.wait_for(timeout=20_000)
+    before = live_picture(first)
+    drag(first, 120, 30)
+    assert difference(before, live_picture(first)) > 2
+
+    command(page, "editmenu:clear-all")
+    page.wait_for_function("buffers.held === 0", timeout=10_000)
+
+
+@pytest.mark.slow
+def test_missing_webgl_is_said(run: Open) -> None:
+    page = run("without", IMPORTS, numbered(7), script=NO_WEBGL)
+    message = page.locator("p.scene-message")
+    message.wait_for(timeout=30_000)
+    assert "WebGL" in message.inner_text()
+    assert "Number 7" in message.inner_text()
+
+
+@pytest.mark.slow
+def test_a_figure_asks_for_the_viewer_if_the_first_one_is_closed(run: Open) -> None:
+    first = "from rotedu.figures.widget import figure\nfirst = figure(scenes.figure_1())"
+    page = run("closed", IMPORTS, first, numbered(1), "first.close()")
+    page.get_by_text("[4]:").wait_for(timeout=30_000)
+    command(page, "docmanager:save")
+    page.received.clear()
+    page.goto(page.url.partition("?")[0])
+    page.locator(LIVE, has=page.locator("canvas[aria-label='Number 1']")).wait_for(timeout=30_000)
+    assert sum(size > len(packed_viewer()) for size in page.received) == 1

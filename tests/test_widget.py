@@ -1,0 +1,151 @@
+"""The Python side of figures in notebooks, with a comm that keeps what is sent."""
+
+import gzip
+import json
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any, ClassVar
+
+import comm
+import nbformat
+import pytest
+from comm.base_comm import BaseComm
+from demanding import demanding_scene, new_plotter
+from nbclient import NotebookClient
+
+from rotedu import scenes
+from rotedu.figures import widget
+from rotedu.figures.backend import scene_labels
+from rotedu.figures.gltf import scene_gltf
+from rotedu.figures.widget import MISSING, Figure, figure
+
+ROOT = Path(__file__).parents[1]
+VIEWER = b"export const render = () => 'the viewer';" * 100
+
+
+class Wire(BaseComm):
+    """A comm that keeps what is sent, in place of a browser."""
+
+    sent: ClassVar[list[tuple[str, str, dict[str, Any], list[bytes]]]] = []
+
+    def publish_msg(
+        self, msg_type: str, data: Any = None, metadata: Any = None, buffers: Any = None, **_: Any
+    ) -> None:
+        self.sent.append((self.comm_id, msg_type, data or {}, list(buffers or [])))
+
+
+@pytest.fixture
+def sent(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> list[Any]:
+    """What a new kernel sends, with a viewer that is easy to recognise."""
+    (tmp_path / "figure.js").write_bytes(VIEWER)
+    (tmp_path / "figure-loader.js").write_text("export default {};")
+    monkeypatch.setattr(widget, "STATIC", tmp_path)
+    monkeypatch.setattr(Figure, "is_first", True)
+    monkeypatch.setattr(comm, "create_comm", Wire)
+    monkeypatch.setattr(Wire, "sent", [])
+    return Wire.sent
+
+
+def opened(sent: list[Any], made: Figure) -> tuple[dict[str, Any], int]:
+    """What a figure sends when it is made: its state with all buffers in place, and its bytes."""
+    ((_, _, data, buffers),) = [
+        message for message in sent if message[:2] == (made.model_id, "comm_open")
+    ]
+    state = data["state"] | {
+        path[0]: bytes(buffer) for path, buffer in zip(data["buffer_paths"], buffers, strict=True)
+    }
+    return state, len(json.dumps(data)) + sum(map(len, buffers))
+
+
+def ask(sent: list[Any], made: Figure, question: dict[str, Any]) -> list[Any]:
+    """Ask as the browser does, and return the answers: content and buffers."""
+    sent.clear()
+    message = {"data": {"method": "custom", "content": question}}
+    made._handle_msg({"content": message, "buffers": []})
+    return [(data["content"], buffers) for _, _, data, buffers in sent]
+
+
+def test_a_figure_carries_its_scene(sent: list[Any]) -> None:
+    plotter = demanding_scene()
+    state, _ = opened(sent, figure(plotter))
+    assert state["gltf"] == scene_gltf(plotter)
+    assert state["scene"] == {
+        "alt": plotter.alt_text,
+        "width": plotter.window_size[0],
+        "height": plotter.window_size[1],
+        "labels": scene_labels(plotter),
+    }
+
+
+def test_a_scene_needs_no_description_here(sent: list[Any]) -> None:
+    assert figure(new_plotter()).scene["alt"]
+
+
+def test_the_viewer_travels_with_the_first_figure_alone(sent: list[Any]) -> None:
+    plotter = scenes.figure_1()
+    states, sizes = zip(*[opened(sent, figure(plotter)) for _ in range(10)], strict=True)
+    assert gzip.decompress(states[0]["viewer"]) == VIEWER
+    assert [state["viewer"] for state in states[1:]] == 9 * [b""]
+    # Besides the scene and its labels a figure sends little.
+    own = len(scene_gltf(plotter)) + len(json.dumps(scene_labels(plotter)))
+    assert max(sizes[1:]) < own + 3_000
+
+
+def test_a_figure_answers_the_loader(sent: list[Any]) -> None:
+    made = figure(scenes.figure_1())
+    assert ask(sent, made, {"get": "sign of life"}) == [({"got": "sign of life"}, [])]
+    ((content, (buffer,)),) = ask(sent, made, {"get": "viewer"})
+    assert content == {"got": "viewer"}
+    assert gzip.decompress(buffer) == VIEWER
+    assert ask(sent, made, {"get": "something else"}) == []
+
+
+def test_a_missing_viewer_is_said(sent: list[Any]) -> None:
+    (widget.STATIC / "figure.js").unlink()
+    with pytest.raises(FileNotFoundError, match="make lab") as caught:
+        figure(scenes.figure_1())
+    assert str(caught.value) == MISSING
+
+
+def test_the_loader_is_small() -> None:
+    loader = Path(widget.__file__).parent / "static" / "figure-loader.js"
+    if not loader.exists():
+        pytest.skip(MISSING)
+    assert loader.stat().st_size < 1_500
+
+
+def outputs(monkeypatch: pytest.MonkeyPatch, *cells: str) -> list[Any]:
+    """Run cells in a kernel without a backend in its environment; return the last outputs."""
+    monkeypatch.delenv("PYVISTA_JUPYTER_BACKEND")
+    notebook = nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(cell) for cell in cells])
+    NotebookClient(notebook, timeout=120, kernel_name="python3").execute()
+    return list(notebook.cells[-1].outputs)
+
+
+@pytest.mark.skipif(not (widget.STATIC / "figure.js").exists(), reason=MISSING)
+def test_in_a_kernel_widgets_are_the_default_and_vtk_draws_nothing(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    shown, printed = outputs(
+        monkeypatch,
+        "from rotedu import scenes\nplotter = scenes.figure_1()",
+        "plotter.show()\nprint(plotter._rendered)",
+    )
+    if shown.output_type == "stream":
+        shown, printed = printed, shown
+    assert "application/vnd.jupyter.widget-view+json" in shown.data
+    assert "turned" in shown.data["text/plain"]
+    assert printed.text == "False\n"
+
+
+def test_without_widgets_there_is_a_picture(monkeypatch: pytest.MonkeyPatch) -> None:
+    hide = "import sys\nsys.modules['anywidget'] = None\n"
+    (shown,) = outputs(monkeypatch, hide + "from rotedu import scenes", "scenes.figure_1().show()")
+    assert "image/png" in shown.data
+
+
+def test_outside_a_kernel_no_widgets_are_loaded() -> None:
+    code = "import sys, rotedu.figures; print('anywidget' in sys.modules)"
+    run = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True)
+    assert run.stdout == "False\n"

@@ -1,0 +1,118 @@
+/* A figure in a notebook: the scene of a widget, drawn by the viewer of the pages. */
+/* global STYLES */
+import katex from "katex";
+import * as models from "../models/index.js";
+import { explore } from "./explore.js";
+import { openWebGL, status } from "./page.js";
+import { element } from "./stage.js";
+import { show } from "./viewer.js";
+
+const NEAR = "50% 0%";
+let context;
+
+document.head.append(element("style", {}, STYLES));
+
+/**
+ * Show the figure of a model while it is near the screen, as anywidget asks for it.
+ * @param {{model, el: HTMLElement}} view
+ * @returns a function that removes the figure
+ */
+export function render({ model, el }) {
+  const { labels, ...made } = model.get("scene");
+  const scene = element(
+    "div",
+    {
+      class: "scene",
+      "data-state": "loading",
+      // Else JupyterLab takes the keys before the canvas: twice 0 would restart the kernel.
+      "data-lm-suppress-shortcuts": "true",
+      style: `aspect-ratio: ${made.width} / ${made.height}`,
+    },
+    ...labels.map(createLabel),
+  );
+  el.classList.add("scene-in-notebook");
+  const data = model.get("explorable");
+  const figure = data.name ? createExplorable(scene, data) : scene;
+  el.replaceChildren(figure);
+
+  const goLive = async () => {
+    try {
+      context ??= openWebGL(scene);
+      const shown = await show(scene, arrayBuffer(model.get("gltf")), context, made);
+      scene.dataset.state = "live";
+      if (data.name) join(model, (python) => explore(figure, shown, data, models, python));
+      return shown;
+    } catch (error) {
+      scene.dataset.state = "failed";
+      const line = status();
+      figure.replaceWith(line);
+      line.textContent = `This figure cannot be shown: ${error.message}. ${made.alt}`;
+    }
+  };
+  let shown;
+  const observer = new IntersectionObserver(
+    async (entries) => {
+      const { isIntersecting } = entries.at(-1);
+      if (isIntersecting) shown ??= goLive();
+      const drawn = await shown;
+      if (isIntersecting) drawn?.wake();
+      else drawn?.rest();
+    },
+    // The notebook scrolls within a part of the page, for which browsers have a margin of its own.
+    { rootMargin: NEAR, scrollMargin: NEAR },
+  );
+  observer.observe(scene);
+  return async () => {
+    observer.disconnect();
+    (await shown)?.remove();
+  };
+}
+
+/** Put a scene and its panel into one box. */
+function createExplorable(scene, { name, panel }) {
+  const figure = element(
+    "div",
+    { class: "explorable", "data-name": name, "data-lm-suppress-shortcuts": "true" },
+    scene,
+  );
+  figure.insertAdjacentHTML("beforeend", panel);
+  // Another page has the address of this state.
+  figure.querySelector("[data-action=link]").remove();
+  return figure;
+}
+
+/** Let values and frames go to Python and back. */
+function join(model, begin) {
+  let told;
+  const hand = begin({
+    values: model.get("values"),
+    ask: (values) => model.send({ frame: values }),
+    tell(values) {
+      told = values;
+      model.set("values", values);
+      model.save_changes();
+    },
+  });
+  model.on("change:values", () => {
+    if (model.get("values") !== told) hand.set(model.get("values"));
+  });
+  model.on("msg:custom", (message) => {
+    if (message.frame || message.refused) hand.receive(message);
+  });
+}
+
+/** Make a label; between dollar signs it is a formula. */
+function createLabel({ name, text, color, position }) {
+  const ink = element("span", { style: `color: ${color}` });
+  if (text.startsWith("$") && text.endsWith("$")) {
+    katex.render(text.replace(/^\$+|\$+$/g, ""), ink, { throwOnError: false });
+  } else {
+    ink.textContent = text;
+  }
+  const place = { "data-position": position.join(" "), "data-label": name };
+  return element("span", { class: "scene-label", ...place }, ink);
+}
+
+function arrayBuffer({ buffer, byteOffset, byteLength }) {
+  return buffer.slice(byteOffset, byteOffset + byteLength);
+}

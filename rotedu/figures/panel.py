@@ -45,7 +45,8 @@ def panel(
         '<form class="explorable-panel" autocomplete="off"><fieldset disabled>'
         f'<legend class="explorable-legend">Controls of the figure</legend>'
         f'<div class="explorable-controls">{controls.replace("{id}", name)}</div>'
-        f'<dl class="explorable-outputs">{rows}</dl>{drawn}'
+        f'<div class="explorable-outputs">{rows}</div>'
+        f'<div class="explorable-charts">{drawn}</div>'
         '<div class="explorable-buttons explorable-whole">'
         '<button type="button" data-action="reset">Reset</button>'
         '<button type="button" data-action="link">Link to this state</button></div>'
@@ -70,13 +71,12 @@ def _plain(x: float, digits: int) -> float:
 
 
 def _output(name: str, output: Output) -> str:
-    matrix = ' class="explorable-matrix"' if np.ndim(_numbers(output.value)) == 2 else ""
+    matrix = " explorable-matrix" if np.ndim(_numbers(output.value)) == 2 else ""
     return (
-        f"<div{matrix}><dt>{escape(output.label)}</dt>"
+        f'<label class="explorable-output{matrix}"><span>{escape(output.label)}</span>'
         # The status line below speaks; numbers that change with the hand are silent.
-        f'<dd><output name="{name}" aria-live="off" data-digits="{output.digits}"'
-        f' data-unit="{output.unit}">'
-        f"{escape(text_of(output))}</output></dd></div>"
+        f' <output name="{name}" aria-live="off" data-digits="{output.digits}"'
+        f' data-unit="{output.unit}">{escape(text_of(output))}</output></label>'
     )
 
 

@@ -34,7 +34,7 @@ class Figure(anywidget.AnyWidget):
         The text for those who cannot see it (``alt``), its size in pixels (``width``, ``height``)
         and its ``labels`` as `rotedu.figures.backend.scene_labels` finds them.
     gltf : bytes
-        What to draw, as `rotedu.figures.gltf.scene_gltf` writes it.
+        What to draw, as ``rotedu.figures.gltf.scene_gltf`` writes it.
 
     Raises
     ------

@@ -26,7 +26,10 @@ RUN = """async ([figure, kind, frames]) => {
         const angle = i / 4;
         const place = { clientX: x + 9 * Math.cos(angle) - 9, clientY: y + 9 * Math.sin(angle) };
         if (kind === "drag") handle.dispatchEvent(new PointerEvent("pointermove", place));
-        else canvas.dispatchEvent(new KeyboardEvent("keydown", { key: i % 2 ? "ArrowLeft" : "ArrowRight" }));
+        else {
+            const key = i % 2 ? "ArrowLeft" : "ArrowRight";
+            canvas.dispatchEvent(new KeyboardEvent("keydown", { key }));
+        }
     };
     const next = () => new Promise(requestAnimationFrame);
     const intervals = [], handlers = [];

@@ -4,7 +4,8 @@ A page in a browser has no Python behind it. This package turns the window that 
 would open into something that a page can carry. `backend` makes a poster, labels and an alternative
 text, `gltf` writes the scene to a file, and `pages` puts everything on a page of Sphinx. There the
 viewer in the folder ``viewer`` replaces the poster with the scene, which the reader can turn. A
-notebook shows the same figure as a `widget`. Nothing here depends on what the scenes show.
+notebook shows the same figure as a `widget`. `explorable` lets the hand change what a scene shows.
+Nothing here depends on what the scenes show.
 
 Use in another book
 -------------------
@@ -27,6 +28,9 @@ Use in another book
        plotter.add_point_labels([[0, 0, 1]], ["$P_0$"], show_points=False)
        describe(plotter, "A ball with its north pole marked P0.")
        plotter.show()
+
+5. For a slider, write a function of a number that returns a scene, and show it with
+   ``explore(function, u=(0, 1))``. `frames` says what may differ between its scenes.
 
 A label may hold a formula between dollar signs. Meshes added with ``pickable=False`` never hide the
 labels behind them. A scene raises a `ValueError` if the viewer could not show it like the poster:

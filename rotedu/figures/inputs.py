@@ -10,6 +10,8 @@ from typing import Any
 
 import numpy as np
 
+SAME = 1e-12
+
 
 @dataclass(frozen=True)
 class Slider:
@@ -112,7 +114,9 @@ class Handles:
         lengths = np.linalg.norm(points, axis=-1, keepdims=True)
         if not (np.isfinite(lengths) & (lengths > 0)).all():
             raise ValueError(f"{name}: expected finite points other than the origin, got {given}")
-        scaled: list[Any] = (points * (self.length / lengths if self.length else 1)).tolist()
+        # What has the length already stays exactly as it is.
+        wanted = np.where(abs(lengths - self.length) < SAME, lengths, self.length or lengths)
+        scaled: list[Any] = (points * (wanted / lengths)).tolist()
         return scaled
 
     def spec(self) -> dict[str, Any]:

@@ -34,9 +34,9 @@ class Figure(anywidget.AnyWidget):
         The text for those who cannot see it (``alt``), its size in pixels (``width``, ``height``)
         and its ``labels`` as `rotedu.figures.backend.scene_labels` finds them.
     gltf : bytes
-        What to draw, as `rotedu.figures.gltf.scene_gltf` writes it.
+        What to draw, as ``rotedu.figures.gltf.scene_gltf`` writes it.
     explorable : dict, optional
-        What the hand can change, as `rotedu.figures.explorable.Exploration.spec` describes it, with
+        What the hand can change, as ``rotedu.figures.explorable.Exploration.spec`` describes it, with
         the ``panel`` below the scene. Without it the figure only turns.
     values : dict, optional
         The values of its inputs.

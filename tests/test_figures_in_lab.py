@@ -268,7 +268,6 @@ def test_the_hand_and_python_move_the_same_figure(run: Open) -> None:
         "explore",
         EXPLORE,
         "curve = explore(scenes.closed_curve_by_hand)\ncurve",
-        "arcs = explore(scenes.arcs_of_arcs, u=(0, 1))\narcs",
     )
     figure = page.locator('.explorable[data-name="closed-curve-by-hand"][data-values]')
     figure.wait_for(timeout=30_000)
@@ -288,7 +287,10 @@ def test_the_hand_and_python_move_the_same_figure(run: Open) -> None:
     assert figure.locator("input[type=range][name=u]").input_value() == "0.75"
     assert "expected 0.2 to 0.5, got 2" in page.evaluate(EXECUTE, "curve.fraction = 2")
 
-    # Without a model each frame comes from Python.
+
+@pytest.mark.slow
+def test_without_a_model_each_frame_comes_from_python(run: Open) -> None:
+    page = run("asking", EXPLORE, "arcs = explore(scenes.arcs_of_arcs, u=(0, 1))\narcs")
     arcs = page.locator('.explorable[data-name="arcs-of-arcs"][data-values]')
     arcs.wait_for(timeout=30_000)
     label = arcs.locator('[data-label="Q_{3,3}"]')

@@ -36,8 +36,8 @@ class Figure(anywidget.AnyWidget):
     gltf : bytes
         What to draw, as ``rotedu.figures.gltf.scene_gltf`` writes it.
     explorable : dict, optional
-        What the hand can change, as ``rotedu.figures.explorable.Exploration.spec`` describes it, with
-        the ``panel`` below the scene. Without it the figure only turns.
+        What the hand can change, as ``Exploration.spec`` of `rotedu.figures.explorable` describes
+        it, with the ``panel`` below the scene. Without it the figure only turns.
     values : dict, optional
         The values of its inputs.
 

@@ -33,10 +33,10 @@ from rotedu.scenes.general_rotation import (
     stages,
 )
 from rotedu.scenes.introduction import four_descriptions, turning_spoon
-from rotedu.scenes.ordinary_rotation import figure_1, rotated_mesh
+from rotedu.scenes.ordinary_rotation import figure_1, figure_1_by_hand, rotated_mesh
 from rotedu.scenes.orientations import (
     TWO_ORIENTATIONS,
-    carried_around,
+    carried_around_by_hand,
     carried_mesh,
     four_orientations,
     four_ways_between,
@@ -55,11 +55,12 @@ __all__ = [
     "arcs_of_arcs",
     "camera_arcs",
     "camera_curve",
-    "carried_around",
+    "carried_around_by_hand",
     "carried_mesh",
     "closed_curve_by_hand",
     "double_cover",
     "figure_1",
+    "figure_1_by_hand",
     "figure_2",
     "figure_3",
     "figure_4",

@@ -2,10 +2,11 @@
 
 import numpy as np
 import pyvista
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from rotedu.colors import AXIS, CROSS, NEUTRAL, RESULT, VECTOR
-from rotedu.figures import describe
+from rotedu.figures import Handles, Slider, describe, explorable, read_out
+from rotedu.figures.frames import place_part
 from rotedu.ordinary_rotation import rotate, rotation_matrix, transform
 from rotedu.scenes.parts import (
     ORIGIN,
@@ -13,6 +14,7 @@ from rotedu.scenes.parts import (
     add_coordinate_axes,
     add_label,
     add_line,
+    add_lines,
     add_point,
     fan,
     new_scene,
@@ -20,11 +22,14 @@ from rotedu.scenes.parts import (
     turning,
 )
 
+VECTOR_1, AXIS_1 = (0.9, -0.3, 0.95), (-0.15, 0.1, 1.0)
+"""The vector and the axis of Fig. 1."""
+# A shorter piece is not drawn.
+HAIR = 1e-6
+
 
 def figure_1(
-    vector: ArrayLike = (1.0, -0.35, 0.75),
-    axis: ArrayLike = (-0.15, 0.1, 1.0),
-    angle: float = np.deg2rad(75),
+    vector: ArrayLike = VECTOR_1, axis: ArrayLike = AXIS_1, angle: float = np.deg2rad(75)
 ) -> pyvista.Plotter:
     """Draw Fig. 1: a vector turned about an axis, and the three terms of (3-1).
 
@@ -42,49 +47,123 @@ def figure_1(
     pyvista.Plotter
         The scene.
     """
-    r = np.asarray(vector, float)
     n = np.asarray(axis, float) / np.linalg.norm(axis)
+    plotter = turned_vector(np.asarray(vector, float), n, angle)
+    describe(
+        plotter,
+        f"A vector r and its copy r', turned by {np.rad2deg(angle):.0f} degrees about the axis n."
+        " The tips of both lie on a circle around the axis. Three arrows, head to tail, lead"
+        " from the origin to the tip of r': one along r, one parallel to n, and one"
+        " perpendicular to both.",
+    )
+    return plotter
+
+
+def turned_vector(r: NDArray[np.float64], n: NDArray[np.float64], angle: float) -> pyvista.Plotter:
+    """Draw a vector turned about a unit vector, and the terms of (3-1)."""
     center = (r @ n) * n
     turned = rotate(r, n, angle)
     spoke = r - center
 
-    plotter = new_scene(eye=(4.45, 2.1, 2.35), target=(0.0, 0.05, 0.42))
+    plotter = new_scene(eye=(4.2, 1.9, 3.0), target=(0.0, 0.05, 0.45))
     add_coordinate_axes(plotter, 1.1)
     add_label(plotter, (0, 0.09, -0.07), "$O$")
 
-    add_line(plotter, turning(r, n, 2 * np.pi, 80), NEUTRAL, radius=0.005)
-    sector = center + turning(0.42 * spoke, n, angle)
-    plotter.add_mesh(
-        fan(center, sector), color=NEUTRAL, opacity=0.5, lighting=False, pickable=False
-    )
-    for tip in (r, turned):
-        add_line(plotter, [center, tip], NEUTRAL, radius=0.004)
-    add_point(plotter, center, NEUTRAL, radius=0.022)
+    add_line(plotter, turning(r, n, 2 * np.pi, 80), NEUTRAL, radius=0.005, name="circle")
+    sector = fan(center, center + turning(0.42 * spoke, n, angle))
+    name = place_part(plotter, "sector", points=sector.points)
+    plotter.add_mesh(sector, color=NEUTRAL, opacity=0.5, lighting=False, pickable=False, name=name)
+    spokes = [np.stack([center, tip]) for tip in (r, turned)]
+    add_lines(plotter, spokes, NEUTRAL, radius=0.004, name="spokes")
+    add_point(plotter, center, NEUTRAL, radius=0.022, name="centre")
     add_label(plotter, center + rotate(0.6 * spoke, n, 0.43 * angle), r"$\theta$")
     add_label(plotter, center - 0.14 * spoke, r"$\vec r_\parallel$")
     add_label(plotter, center + 0.72 * spoke + 0.09 * n, r"$\vec r_\perp$")
 
-    add_arrow(plotter, ORIGIN, 1.2 * n, AXIS)
-    add_arrow(plotter, ORIGIN, r, VECTOR)
-    add_arrow(plotter, ORIGIN, turned, RESULT)
+    add_arrow(plotter, ORIGIN, 1.2 * n, AXIS, radius=0.012, name="n")
+    add_arrow(plotter, ORIGIN, r, VECTOR, radius=0.012, name="r")
+    add_arrow(plotter, ORIGIN, turned, RESULT, radius=0.012, name="turned")
     add_label(plotter, 1.29 * n, r"$\hat n$", AXIS)
-    for tip, name, color in ((r, r"$\vec r$", VECTOR), (turned, r"$\vec r^{\,\prime}$", RESULT)):
-        add_label(plotter, tip + 0.2 * (tip - center) - 0.05 * n, name, color)
+    for tip, text, color in ((r, r"$\vec r$", VECTOR), (turned, r"$\vec r^{\,\prime}$", RESULT)):
+        add_label(plotter, tip + 0.2 * (tip - center) - 0.05 * n, text, color)
+    add_terms(plotter, terms(r, n, angle), radius=0.018, name="term")
+    return plotter
 
-    first = np.cos(angle) * r
-    second = first + (1 - np.cos(angle)) * (r @ n) * n
-    add_line(plotter, [ORIGIN, first], VECTOR, radius=0.026)
-    add_line(plotter, [first, second], AXIS, radius=0.018)
-    add_arrow(plotter, second, turned, CROSS, radius=0.012)
-    for corner, color in ((first, VECTOR), (second, AXIS)):
-        add_point(plotter, corner, color)
 
+def terms(r: NDArray[np.float64], n: NDArray[np.float64], angle: float) -> NDArray[np.float64]:
+    """Return the three terms of (3-1), shape (3, 3)."""
+    cos, sin = np.cos(angle), np.sin(angle)
+    return np.stack([cos * r, (1 - cos) * (r @ n) * n, sin * np.cross(n, r)])
+
+
+def add_terms(
+    plotter: pyvista.Plotter, three: NDArray[np.float64], radius: float, name: str
+) -> None:
+    """Add three terms as arrows head to tail, without those that vanish."""
+    start = ORIGIN
+    for i, (term, color) in enumerate(zip(three, (VECTOR, AXIS, CROSS), strict=True), start=1):
+        seen = bool(np.linalg.norm(term) > HAIR)
+        end = start + (term if seen else HAIR)
+        arrow = add_arrow(plotter, start, end, color, radius, name=f"{name} {i}")
+        arrow.visibility = seen
+        start = start + term
+
+
+@explorable(
+    model="figure1",
+    vector=Handles("r", length=0),
+    axis=Handles("n", reach=1.2),
+    theta=Slider(0, 360, "angle θ", step=1, plays=8),
+    around=Slider(0, 360, "another start", step=1, plays=8),
+)
+def figure_1_by_hand(
+    vector: ArrayLike = VECTOR_1,
+    axis: ArrayLike = AXIS_1,
+    theta: float = 75,
+    around: float = 150,
+) -> pyvista.Plotter:
+    """Draw Fig. 1 with a second vector, whose tip starts elsewhere on the same circle.
+
+    Parameters
+    ----------
+    vector : array_like, shape (3,)
+        The vector r.
+    axis : array_like, shape (3,)
+        The rotation axis n; it is normalised.
+    theta : float
+        The rotation angle in degrees.
+    around : float
+        Where the second vector starts: degrees about the axis, counted from r.
+
+    Returns
+    -------
+    pyvista.Plotter
+        The scene.
+    """
+    r = np.asarray(vector, float)
+    n = np.asarray(axis, float) / np.linalg.norm(axis)
+    angle = np.radians(theta)
+    other = rotate(r, n, np.radians(around))
+    here, there = (terms(start, n, angle) for start in (r, other))
+
+    plotter = turned_vector(r, n, angle)
+    add_line(plotter, [ORIGIN, other], VECTOR, radius=0.004, name="other")
+    add_point(plotter, other, VECTOR, radius=0.024, name="other start")
+    add_point(plotter, rotate(other, n, angle), RESULT, radius=0.024, name="other end")
+    add_terms(plotter, there, radius=0.01, name="other term")
+
+    cos, sin = np.cos(angle), np.sin(angle)
+    read_out(plotter, "lengths", [cos, (1 - cos) * (r @ n), sin], "coefficients of r, n, n × r")
+    apart = np.linalg.norm(there - here, axis=1)
+    read_out(plotter, "apart", apart, "the two paths differ by")
+    read_out(plotter, "matrix", rotation_matrix(n, angle), "matrix (3-3)")
     describe(
         plotter,
-        f"A vector r and its copy r', turned by {np.rad2deg(angle):.0f} degrees about the axis n."
-        " The tips of both lie on a circle around the axis. A path of three straight pieces leads"
-        " from the origin to the tip of r': one piece along r, one parallel to n, and an arrow"
-        " perpendicular to both.",
+        "A vector r turned about the axis n becomes r', and its tip stays on a circle around the"
+        " axis. Three arrows, head to tail, lead from the origin to the tip of r': a blue one"
+        " along r, an orange one parallel to n, and a purple one perpendicular to both. Three"
+        " thinner arrows do the same for a vector that starts elsewhere on the circle. Both orange"
+        " arrows have the same length and direction.",
     )
     return plotter
 

@@ -4,27 +4,29 @@ import numpy as np
 import pyvista
 from numpy.typing import ArrayLike, NDArray
 
-from rotedu.arcs import nlerp, slerp
+from rotedu.arcs import angle_between, arc_axis, nlerp, slerp
 from rotedu.closed_curve import closed_curve
 from rotedu.colors import CROSS, NEUTRAL, RESULT, VECTOR
 from rotedu.control_points import control_points
-from rotedu.figures import describe
+from rotedu.figures import Handles, Slider, describe, explorable, read_out
+from rotedu.figures.frames import place_part
 from rotedu.general_rotation import matrix_from_euler_angles
 from rotedu.ordinary_rotation import rotation_matrix, transform
 from rotedu.orientations import closed_rotation_curve, slerp_rotations
 from rotedu.quaternions import Quaternion
 from rotedu.scenes.parts import (
     ORIGIN,
-    add_arc,
     add_arrow,
     add_label,
     add_line,
+    add_lines,
     add_point,
     add_sphere,
     add_thin,
     fan,
     new_scene,
     teaspoon,
+    triangle_mesh,
     turning,
 )
 
@@ -32,47 +34,97 @@ TWO_ORIENTATIONS = ((0, 0, 0), (150, -60, 150))
 """Angles about U, V and W, in degrees, of the orientations of `four_ways_between`."""
 
 
-def carried_around(steps: int = 3, size: float = 0.33) -> pyvista.Plotter:
-    """Draw an arrow carried around the octant by the rotations of the arcs (5-3).
+STATIONS = 9
+"""Number of arrows that `carried_around_by_hand` leaves on the way."""
+SIZE = 0.33
+
+
+@explorable(
+    model="carriedAround",
+    corners=Handles(["A", "B", "C"]),
+    t=Slider(0, 1, "way round, t", plays=8),
+)
+def carried_around_by_hand(
+    corners: ArrayLike = ((1, 0, 0), (0, 1, 0), (0, 0, 1)), t: float = 1
+) -> pyvista.Plotter:
+    """Draw an arrow carried around a triangle by the rotations of the arcs (5-3).
 
     Parameters
     ----------
-    steps : int
-        Number of arrows on each of the three arcs.
-    size : float
-        Length of the arrows.
+    corners : array_like, shape (3, 3)
+        The corners of the triangle; they are normalised.
+    t : float
+        How far the arrow has come, from 0 to 1. Each side takes a third.
 
     Returns
     -------
     pyvista.Plotter
         The scene.
     """
+    p = np.asarray(corners, float)
+    p = p / np.linalg.norm(p, axis=1, keepdims=True)
+    after = np.roll(p, -1, axis=0)
+    axes, angles = arc_axis(p, after), angle_between(p, after)
+    start, ahead = p[0], np.cross(axes[0], p[0])
+
+    def carried(t: float) -> NDArray[np.float64]:
+        """Return where the arrow begins, and its direction, shape (2, 3)."""
+        turns = rotation_matrix(axes, angles * np.clip(3 * t - np.arange(3), 0, 1))
+        return transform(turns[2] @ turns[1] @ turns[0], [start, ahead])
+
+    back = carried(1)[1]
+    twist = np.arctan2(np.linalg.det([start, ahead, back]), ahead @ back)
+    nearness = 1 + np.sum(p * after)
+    area = 2 * np.arctan2(np.linalg.det(p), nearness)
+
     plotter = new_scene(eye=(4.2, 2.65, 3.05), target=ORIGIN)
     add_sphere(plotter)
-    carried = np.eye(3)
-    for start, end in zip(np.eye(3), np.roll(np.eye(3), -1, axis=0), strict=True):
-        add_arc(plotter, start, end, NEUTRAL, radius=0.009)
-        axis = np.cross(start, end)
-        for t in np.arange(steps) / steps:
-            at, ahead, _ = (rotation_matrix(axis, t * np.pi / 2) @ carried).T
-            first = t == 0 and start[0] == 1
-            add_arrow(plotter, at, at + size * ahead, VECTOR if first else NEUTRAL, radius=0.013)
-        carried = rotation_matrix(axis, np.pi / 2) @ carried
-    at, ahead, _ = carried.T
-    add_arrow(plotter, at, at + size * ahead, RESULT, radius=0.013)
-    sector = at + turning(0.7 * size * np.eye(3)[1], at, np.pi / 2)
-    plotter.add_mesh(fan(at, sector), color=NEUTRAL, opacity=0.35, lighting=False, pickable=False)
-    add_label(plotter, at + np.array([0, 0.16, 0.14]), r"$90^\circ$")
-    for name, place in zip("123", ((1, -0.1, -0.08), (0, 1, -0.13), (0, -0.04, 1.12)), strict=True):
-        add_label(plotter, place, f"$e_{name}$")
+    inside = spherical_triangle(p)
+    name = place_part(plotter, "inside", points=inside.points)
+    plotter.add_mesh(inside, color=RESULT, opacity=0.3, lighting=False, pickable=False, name=name)
+    s = np.linspace(0, 1, 25)
+    sides = [slerp(here, there, s) for here, there in zip(p, after, strict=True)]
+    add_lines(plotter, sides, NEUTRAL, radius=0.009, name="sides")
+    for k in range(STATIONS):
+        at, way = carried(k / STATIONS)
+        color = NEUTRAL if k else VECTOR
+        arrow = add_arrow(plotter, at, at + SIZE * way, color, radius=0.013, name=f"station {k}")
+        arrow.visibility = k <= t * STATIONS
+    at, way = carried(t)
+    add_arrow(plotter, at, at + SIZE * way, RESULT, radius=0.015, name="arrow")
+
+    sector = fan(start, start + turning(0.7 * SIZE * ahead, start, twist))
+    name = place_part(plotter, "sector", points=sector.points)
+    plotter.add_mesh(
+        sector, color=RESULT, opacity=0.5, lighting=False, pickable=False, name=name
+    ).visibility = t == 1
+    for letter, point, others in zip("ABC", p, p.sum(axis=0) - p, strict=True):
+        outwards = 2 * point - others
+        place = point + 0.13 * outwards / np.linalg.norm(outwards)
+        add_point(plotter, point, NEUTRAL, radius=0.03, name=letter)
+        add_label(plotter, place, f"${letter}$", name=letter)
+    read_out(plotter, "twist", np.degrees(twist), "twist on arrival", 1, "°")
+    read_out(plotter, "area", np.degrees(area), "area inside", 1, "°")
     describe(
         plotter,
-        "A see-through sphere with a triangle of three quarter circles from e1 to e2, to e3 and"
-        " back to e1. A blue arrow at e1 points to e2. Grey arrows show its journey: it points"
-        " forwards along the first side, outwards from the second, and backwards along the third."
-        " The green arrow that arrives at e1 points to e3, at 90 degrees to the blue one.",
+        "A see-through sphere with a triangle ABC, whose corners can be dragged. A blue arrow"
+        " at A points to B. Grey arrows show its journey along the three sides, always at the same"
+        " angle to the side. The green arrow that arrives at A is turned against the blue one. The"
+        " sector between the two is filled in green, and so is the triangle.",
     )
     return plotter
+
+
+def spherical_triangle(corners: NDArray[np.float64], steps: int = 12) -> pyvista.PolyData:
+    """Fill a triangle of the unit sphere with arcs from its first corner to the opposite side."""
+    p, q, r = corners
+    s = np.linspace(0, 1, steps + 1)
+    points = slerp(p, slerp(q, r, s)[:, np.newaxis], s)
+    i = np.arange(len(s) ** 2).reshape(len(s), -1)
+    squares = np.stack([i[:-1, :-1], i[1:, :-1], i[1:, 1:], i[:-1, 1:]], axis=-1).reshape(-1, 4)
+    return triangle_mesh(
+        points.reshape(-1, 3), np.concatenate([squares[:, [0, 1, 2]], squares[:, [0, 2, 3]]])
+    )
 
 
 def carried_mesh(

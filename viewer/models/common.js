@@ -1,5 +1,5 @@
 /* What the models share. */
-import { slerp } from "../src/sphere.js";
+import { rotate, slerp } from "../src/sphere.js";
 
 export const DEGREES = 180 / Math.PI;
 export const ORIGIN = [0, 0, 0];
@@ -13,4 +13,9 @@ export function spread(count) {
 export function arcs(starts, ends) {
   const t = spread(13);
   return starts.map((p, i) => t.map((x) => slerp(p, ends[i], x)));
+}
+
+/** The path of a turned point: `rotedu.scenes.parts.turning`. */
+export function turning(point, axis, angle, steps) {
+  return spread(steps + 1).map((x) => rotate(point, axis, x * angle));
 }

@@ -1,0 +1,72 @@
+/* Models of `rotedu.scenes.ordinary_rotation`. */
+import { combine, cross, dot, length, rotate, rotationMatrix, unit } from "../src/sphere.js";
+import { DEGREES, ORIGIN, turning } from "./common.js";
+
+const HAIR = 1e-6;
+
+/** `figure_1_by_hand` */
+export function figure1({ vector: r, axis, theta, around }) {
+  const n = unit(axis);
+  const angle = theta / DEGREES;
+  const cos = Math.cos(angle);
+  const sin = Math.sin(angle);
+  const center = n.map((x) => dot(r, n) * x);
+  const spoke = combine(1, r, -1, center);
+  const turned = rotate(r, n, angle);
+  const other = rotate(r, n, around / DEGREES);
+  const here = terms(r, n, angle);
+  const there = terms(other, n, angle);
+  const rim = turning(spoke.map((x) => 0.42 * x), n, angle, 48);
+  const beside = (tip) => combine(1, combine(1.2, tip, -0.2, center), -0.05, n);
+  return {
+    parts: {
+      circle: { paths: [turning(r, n, 2 * Math.PI, 80)] },
+      sector: { points: [center, ...rim.map((x) => combine(1, center, 1, x))] },
+      spokes: { paths: [[center, r], [center, turned]] },
+      centre: { at: center },
+      n: { from: ORIGIN, to: n.map((x) => 1.2 * x) },
+      r: { from: ORIGIN, to: r },
+      turned: { from: ORIGIN, to: turned },
+      other: { paths: [[ORIGIN, other]] },
+      "other start": { at: other },
+      "other end": { at: rotate(other, n, angle) },
+      ...headToTail(here, "term"),
+      ...headToTail(there, "other term"),
+    },
+    labels: {
+      "\\theta": combine(1, center, 0.6, rotate(spoke, n, 0.43 * angle)),
+      "\\vec r_\\parallel": combine(1, center, -0.14, spoke),
+      "\\vec r_\\perp": combine(1, combine(1, center, 0.72, spoke), 0.09, n),
+      "\\hat n": n.map((x) => 1.29 * x),
+      "\\vec r": beside(r),
+      "\\vec r^{\\,\\prime}": beside(turned),
+    },
+    outputs: {
+      lengths: [cos, (1 - cos) * dot(r, n), sin],
+      apart: here.map((term, i) => length(combine(1, there[i], -1, term))),
+      matrix: rotationMatrix(n, angle),
+    },
+  };
+}
+
+/** The three terms of (3-1). */
+function terms(r, n, angle) {
+  const cos = Math.cos(angle);
+  return [
+    r.map((x) => cos * x),
+    n.map((x) => (1 - cos) * dot(r, n) * x),
+    cross(n, r).map((x) => Math.sin(angle) * x),
+  ];
+}
+
+/** Arrows for terms, without those that vanish: `add_terms`. */
+function headToTail(three, name) {
+  let from = ORIGIN;
+  const arrows = three.map((term, i) => {
+    const to = combine(1, from, 1, term);
+    const arrow = length(term) > HAIR ? { from, to, hidden: false } : { hidden: true };
+    from = to;
+    return [`${name} ${i + 1}`, arrow];
+  });
+  return Object.fromEntries(arrows);
+}

@@ -1,0 +1,68 @@
+/* Models of `rotedu.scenes.orientations`. */
+import {
+  angleBetween,
+  arcAxis,
+  combine,
+  cross,
+  dot,
+  rotationMatrix,
+  slerp,
+  transform,
+  unit,
+} from "../src/sphere.js";
+import { DEGREES, spread, turning } from "./common.js";
+
+const STATIONS = 9;
+const SIZE = 0.33;
+
+/** `carried_around_by_hand` */
+export function carriedAround({ corners, t }) {
+  const p = corners.map(unit);
+  const after = [p[1], p[2], p[0]];
+  const axes = p.map((point, i) => arcAxis(point, after[i]));
+  const angles = p.map((point, i) => angleBetween(point, after[i]));
+  const [start] = p;
+  const ahead = cross(axes[0], start);
+
+  /** Where the arrow begins, and its direction. */
+  const carried = (t) => {
+    const turns = axes.map((axis, i) => {
+      return rotationMatrix(axis, angles[i] * Math.min(1, Math.max(0, 3 * t - i)));
+    });
+    return [start, ahead].map((vector) => turns.reduce((v, turn) => transform(turn, v), vector));
+  };
+  const arrow = ([at, way]) => ({ from: at, to: combine(1, at, SIZE, way) });
+
+  const [, back] = carried(1);
+  const twist = Math.atan2(dot(start, cross(ahead, back)), dot(ahead, back));
+  const nearness = 1 + p.reduce((sum, point, i) => sum + dot(point, after[i]), 0);
+  const area = 2 * Math.atan2(dot(p[0], cross(p[1], p[2])), nearness);
+
+  const side = spread(25);
+  const rim = turning(ahead.map((x) => 0.7 * SIZE * x), start, twist, 48);
+  const parts = {
+    inside: { points: triangle(p) },
+    sides: { paths: p.map((point, i) => side.map((s) => slerp(point, after[i], s))) },
+    arrow: arrow(carried(t)),
+    sector: { points: [start, ...rim.map((x) => combine(1, start, 1, x))], hidden: t !== 1 },
+  };
+  for (let k = 0; k < STATIONS; k++) {
+    parts[`station ${k}`] = { ...arrow(carried(k / STATIONS)), hidden: k > t * STATIONS };
+  }
+  const labels = {};
+  p.forEach((point, i) => {
+    const others = combine(1, p[(i + 1) % 3], 1, p[(i + 2) % 3]);
+    parts["ABC"[i]] = { at: point };
+    labels["ABC"[i]] = combine(1, point, 0.13, unit(combine(2, point, -1, others)));
+  });
+  return { parts, labels, outputs: { twist: DEGREES * twist, area: DEGREES * area } };
+}
+
+/** Points of a triangle: `spherical_triangle`. */
+function triangle([p, q, r]) {
+  const s = spread(13);
+  return s.flatMap((u) => {
+    const opposite = slerp(q, r, u);
+    return s.map((v) => slerp(p, opposite, v));
+  });
+}

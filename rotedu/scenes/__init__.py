@@ -26,8 +26,8 @@ from rotedu.scenes.control_points import (
 )
 from rotedu.scenes.errata import two_curves
 from rotedu.scenes.general_rotation import (
+    euler_angles_by_hand,
     fixed_and_carried,
-    gimbals,
     one_for_three,
     principal_orders,
     stages,
@@ -59,6 +59,7 @@ __all__ = [
     "carried_mesh",
     "closed_curve_by_hand",
     "double_cover",
+    "euler_angles_by_hand",
     "figure_1",
     "figure_1_by_hand",
     "figure_2",
@@ -72,7 +73,6 @@ __all__ = [
     "four_descriptions",
     "four_orientations",
     "four_ways_between",
-    "gimbals",
     "letter_f",
     "one_for_three",
     "principal_orders",

@@ -6,23 +6,30 @@ import numpy as np
 import pyvista
 from numpy.typing import ArrayLike, NDArray
 
+from rotedu.arcs import nlerp
 from rotedu.colors import AXIS, CROSS, NEUTRAL, RESULT, VECTOR
-from rotedu.figures import describe
+from rotedu.figures import Slider, describe, draw_chart, explorable, read_out
+from rotedu.figures.frames import place_part
 from rotedu.general_rotation import (
     axis_angle_from_euler_angles,
+    euler_angles,
+    matrix_from_euler_angles,
     perspective,
     rotation_v,
     scaling,
     shearing,
     translation,
 )
-from rotedu.ordinary_rotation import rotate, rotation_matrix, transform
+from rotedu.ordinary_rotation import axis_angle, rotate, rotation_matrix, transform
+from rotedu.orientations import slerp_rotations
+from rotedu.quaternions import Quaternion
 from rotedu.scenes.parts import (
     ORIGIN,
     add_arrow,
     add_coordinate_axes,
     add_label,
     add_line,
+    add_lines,
     add_point,
     add_sphere,
     add_thin,
@@ -217,56 +224,193 @@ def one_for_three(
     return plotter
 
 
-def gimbals(
-    theta_v: ArrayLike = (np.pi / 7, np.pi / 2), theta_w: float = np.deg2rad(-15)
+SPOON = 0.8
+"""Half the length of the spoons of `euler_angles_by_hand`."""
+STEP = 1e-4
+
+
+@explorable(
+    model="eulerAngles",
+    u=Slider(-180, 180, "angle u, about U", step=1),
+    v=Slider(-180, 180, "angle v, about V", step=1),
+    w=Slider(-180, 180, "angle w, about W", step=1),
+    t=Slider(0, 1, "part of the way, t", plays=6),
+)
+def euler_angles_by_hand(
+    u: float = 90, v: float = 90, w: float = 90, t: float = 1
 ) -> pyvista.Plotter:
-    """Draw a teaspoon in two rings, each turning within the next, for several angles about V.
+    """Draw three ways to turn to a pose, and the gimbals of its Euler angles.
 
     Parameters
     ----------
-    theta_v : array_like, shape (n,)
-        The angles about V in radians. At a quarter turn the rings lie in one plane.
-    theta_w : float
-        The angle about W in radians.
+    u, v, w : float
+        Angles of the pose about U, V and W in degrees. Where `v` is 90 or -90, the gimbals lock.
+    t : float
+        Part of the way from the start to the pose, from 0 to 1.
 
     Returns
     -------
     pyvista.Plotter
         The scene.
     """
-    pitches = np.atleast_1d(np.asarray(theta_v, float))
-    right = np.array([0.8, 0.6, 0.0])
-    plotter = new_scene(eye=(13.2, -17.6, 7.2), target=(-0.05, -0.04, 0), view_angle=10.8)
-    outer, inner = 1.3, 1.08
-    across = 3.5 * (np.arange(len(pitches)) - (len(pitches) - 1) / 2)
-    for place, pitch in zip(across[:, np.newaxis] * right, pitches, strict=True):
-        frame = rotation_matrix((0, 0, 1), theta_w)
-        ring = frame @ rotation_matrix((0, 1, 0), pitch)
-        w, v, u = np.array([0, 0, 1]), frame[:, 1], ring[:, 0]
-        for radius, side, color in ((outer, w, NEUTRAL), (inner, u, CROSS)):
-            hoop = pyvista.ParametricTorus(radius, 0.045, u_res=97, v_res=13)
-            hoop.points = hoop.points @ np.array([v, side, np.cross(v, side)]) + place
-            add_thin(plotter, hoop, color)
-        for axis, first, last in ((w, outer, 1.6), (v, inner, outer + 0.25), (u, 0.95, inner)):
-            for sign in (1, -1):
-                ends = place + sign * np.outer((first, last), axis)
-                add_line(plotter, ends, AXIS, radius=0.03)
-        add_turned_spoon(plotter, 0.95 * ring, place, RESULT)
-        for axis, far, name in (
-            (w, 1.8, "W"),
-            (v, 1.8, r"V^{\,\prime}"),
-            # Outside both rings if it points along W.
-            (u, 1.8 if abs(w @ u) > 0.9 else 1.52, r"U^{\,\prime\prime}"),
-        ):
-            add_label(plotter, place + far * axis, f"${name}$", AXIS)
+    angles = np.array([u, v, w], float)
+    now = t * angles
+    back = np.array([0.48, -0.74, 0.47])
+    right = np.cross((0, 0, 1), back)
+    right /= np.linalg.norm(right)
+    up = np.cross(back, right)
+    plotter = new_scene(eye=23.1 * back, target=ORIGIN, view_angle=10)
+    places = (1.3 * right - 0.05 * up, 1.13 * up - 1.75 * right, -0.87 * up - 1.75 * right)
+    names, colors = ("angles", "slerp", "nlerp"), (CROSS, RESULT, NEUTRAL)
+
+    steps = np.linspace(0, 1, 33)
+    ways = three_ways(angles, steps)
+    here = [turns[0] for turns in three_ways(angles, [t])]
+    for name, color, place, path, turn in zip(names, colors, places, ways, here, strict=True):
+        if name != "angles":
+            ball = pyvista.Sphere(
+                radius=SPOON, center=tuple(place), theta_resolution=48, phi_resolution=32
+            )
+            plotter.add_mesh(ball, color=NEUTRAL, opacity=0.18, smooth_shading=True)
+        add_moved(plotter, f"{name} spoon", teaspoon(41, 16), SPOON * turn, place, color)
+        add_line(plotter, place + SPOON * path[:, :, 0], color, radius=0.014, name=f"{name} path")
+        add_point(plotter, place + SPOON * path[0, :, 0], VECTOR, 0.035, name=f"{name} start")
+        add_point(plotter, place + SPOON * turn[:, 0], color, 0.045, name=f"{name} tip")
+    texts = ("three angles", "matrices: slerp", "quaternions: nlerp")
+    below = (1.75, 0.95, 0.95)
+    for text, color, place, far in zip(texts, (CROSS, RESULT, "black"), places, below, strict=True):
+        add_label(plotter, place - far * up, text, color)
+    add_gimbals(plotter, now, places[0], right)
+
+    nearby = pose(now + np.array([(1, 0, 0), (-1, 0, 0), (0, 0, 1)]))
+    apart = degrees_between(nearby[:2], nearby[2]).min()
+    read_out(plotter, "same", apart < 1e-6, "u and w do the same")
+    read_out(plotter, "apart", apart, "1° of u and 1° of w differ by", 2, "°")
+    sideways = pose([0, 0, now[2]])[:, 0]
+    swung = rotation_matrix(sideways, np.deg2rad(1)) @ here[0]
+    read_out(
+        plotter, "angle_change", angle_change(now, swung), "a 1° swing changes angles by", 1, "°"
+    )
+    read_out(plotter, "entry_change", abs(swung - here[0]).max(), "… and a matrix entry by", 3)
+    path = pose(np.multiply.outer(t * steps, angles))
+    turned = degrees_between(path[:-1], path[1:]).sum()
+    read_out(plotter, "by_angles", turned, "turned by three angles", 0, "°")
+    read_out(plotter, "by_slerp", degrees_between(np.eye(3), here[1]), "by slerp", 0, "°")
+    read_out(plotter, "matrix", here[0], "matrix of the three angles")
+    before, after = (three_ways(angles, steps + h) for h in (-STEP, STEP))
+    speeds = [degrees_between(p, q) / (2 * STEP) for p, q in zip(before, after, strict=True)]
+    draw_chart(
+        plotter,
+        "speeds",
+        dict(zip(("three angles", "slerp", "nlerp"), speeds, strict=True)),
+        over="t",
+        x=(0, 1),
+        y=(0, 250),
+        label="speed, degrees for a step of 1 in t",
+        colors=dict(zip(("three angles", "slerp", "nlerp"), colors, strict=True)),
+    )
     describe(
         plotter,
-        "A teaspoon spins on an axis in a ring. The ring turns on an axis in a larger ring, which"
-        " turns about a vertical axis W. On the left the three axes point in different directions."
-        " On the right the inner ring has turned until the axis of the spoon is vertical, too: both"
-        " rings lie in one plane.",
+        "Three teaspoons on their way from a level start to the same pose. The one on the right is"
+        " held by two rings, which turn about axes W, V' and U''. The two on the left turn freely"
+        " inside see-through spheres. Lines show the paths of their tips: the same arc in both"
+        " spheres, and another line in the rings.",
     )
     return plotter
+
+
+def pose(angles: ArrayLike) -> NDArray[np.float64]:
+    """Return 3x3 matrices from angles about U, V and W in degrees, shape (..., 3)."""
+    u, v, w = np.moveaxis(np.deg2rad(angles), -1, 0)
+    return np.asarray(matrix_from_euler_angles(u, v, w)[..., :3, :3])
+
+
+def three_ways(angles: NDArray[np.float64], t: ArrayLike) -> list[NDArray[np.float64]]:
+    """Turn from the start to a pose by its three angles, by slerp and by nlerp.
+
+    Parameters
+    ----------
+    angles : ndarray, shape (3,)
+        Angles of the pose about U, V and W in degrees.
+    t : array_like, shape (n,)
+        Parts of the way.
+
+    Returns
+    -------
+    list of ndarray, shape (n, 3, 3)
+        The orientations on each of the ways.
+    """
+    end = pose(angles)
+    q = nlerp([1, 0, 0, 0], Quaternion.from_matrix(end).components, t)
+    return [
+        pose(np.multiply.outer(t, angles)),
+        slerp_rotations(np.eye(3), end, t),
+        Quaternion(q[:, 0], q[:, 1:]).matrix(),
+    ]
+
+
+def degrees_between(before: NDArray[np.float64], after: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the angles by which some orientations are turned to others."""
+    return np.asarray(np.degrees(axis_angle(before.mT @ after)[1]))
+
+
+def angle_change(angles: NDArray[np.float64], matrix: NDArray[np.float64]) -> float:
+    """Return the largest change from Euler angles to the nearest ones of a matrix, in degrees."""
+    u, v, w = np.degrees(euler_angles(matrix))
+    triples = np.array([(u, v, w), (u + 180, 180 - v, w + 180)])
+    return float(abs((triples - angles + 180) % 360 - 180).max(axis=1).min())
+
+
+def add_moved(
+    plotter: pyvista.Plotter,
+    name: str,
+    mesh: pyvista.PolyData,
+    turn: NDArray[np.float64],
+    place: NDArray[np.float64],
+    color: str,
+) -> None:
+    """Add a mesh, turned or scaled by a 3x3 matrix and put at a place."""
+    matrix = np.eye(4)
+    matrix[:3, :3], matrix[:3, 3] = turn, place
+    name = place_part(plotter, name, matrix=matrix.T.ravel())
+    add_thin(plotter, mesh, color, name).user_matrix = matrix
+
+
+def add_gimbals(
+    plotter: pyvista.Plotter,
+    angles: NDArray[np.float64],
+    place: NDArray[np.float64],
+    right: NDArray[np.float64],
+) -> None:
+    """Add two rings, each turning within the next, for Euler angles in degrees.
+
+    Parameters
+    ----------
+    plotter : pyvista.Plotter
+        The scene.
+    angles : ndarray, shape (3,)
+        Angles about U, V and W in degrees.
+    place : ndarray, shape (3,)
+        The centre.
+    right : ndarray, shape (3,)
+        The direction to the right in the picture, which keeps the names of U'' and W apart.
+    """
+    u = pose(angles)[:, 0]
+    v = pose(angles * (0, 0, 1))[:, 1]
+    w = np.array([0, 0, 1])
+    for name, radius, side in (("outer ring", 1.1, w), ("inner ring", 0.92, u)):
+        hoop = pyvista.ParametricTorus(radius, 0.038, u_res=97, v_res=13)
+        turn = np.column_stack([v, side, np.cross(v, side)])
+        add_moved(plotter, name, hoop, turn, place, NEUTRAL)
+    for name, axis, first, last in (("W", w, 1.1, 1.36), ("V", v, 0.92, 1.31), ("U", u, 0.8, 0.92)):
+        ends = [place + sign * np.outer((first, last), axis) for sign in (1, -1)]
+        add_lines(plotter, ends, AXIS, radius=0.026, name=f"axis {name}")
+    for name, axis, aside, text in (
+        ("W", w, 0.1, "$W$"),
+        ("V", v, 0, r"$V^{\,\prime}$"),
+        ("U", u, -0.2, r"$U^{\,\prime\prime}$"),
+    ):
+        add_label(plotter, place + 1.48 * axis + aside * right, text, AXIS, name=name)
 
 
 def stages(steps: Sequence[ArrayLike] | None = None) -> pyvista.Plotter:

@@ -1,0 +1,139 @@
+/* Models of `rotedu.scenes.general_rotation`. */
+import {
+  axisAngle,
+  combine,
+  cross,
+  eulerAngles as anglesOf,
+  length,
+  matrixFromEulerAngles,
+  product,
+  quaternionFromMatrix,
+  quaternionMatrix,
+  rotationMatrix,
+  slerpRotations,
+  transpose,
+  unit,
+} from "../src/sphere.js";
+import { DEGREES, spread } from "./common.js";
+
+const SPOON = 0.8;
+const STEP = 1e-4;
+const IDENTITY = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
+const NAMES = ["angles", "slerp", "nlerp"];
+const BACK = [0.48, -0.74, 0.47];
+const RIGHT = unit(cross([0, 0, 1], BACK));
+const UP = cross(BACK, RIGHT);
+const PLACES = [
+  combine(-0.05, UP, 1.3, RIGHT),
+  combine(1.13, UP, -1.75, RIGHT),
+  combine(-0.87, UP, -1.75, RIGHT),
+];
+
+const pose = (angles) => matrixFromEulerAngles(...angles.map((angle) => angle / DEGREES));
+const column = (matrix, k) => matrix.map((row) => row[k]);
+const scaled = (factor, v) => combine(factor, v, 0, v);
+
+/** The three ways to a pose, as functions of t, and the angle of the shortest. */
+function threeWays(angles) {
+  const end = pose(angles);
+  const { axis, angle } = axisAngle(end);
+  const q = quaternionFromMatrix(end);
+  // Two shortest ways lead through a half turn; this refuses it.
+  slerpRotations(IDENTITY, end, 0);
+  const ways = [
+    (t) => pose(scaled(t, angles)),
+    (t) => rotationMatrix(axis, t * angle),
+    (t) => quaternionMatrix(combine(1 - t, [1, 0, 0, 0], t, q)),
+  ];
+  return { ways, angle: DEGREES * angle };
+}
+
+/** The angle between orientations that are close together. */
+function degreesBetween(before, after) {
+  const change = before.flatMap((row, i) => combine(1, row, -1, after[i]));
+  return 2 * DEGREES * Math.asin(length(change) / Math.sqrt(8));
+}
+
+/** The largest change from Euler angles to the nearest ones of a matrix, in degrees. */
+function angleChange(angles, matrix) {
+  const [u, v, w] = anglesOf(matrix).map((angle) => DEGREES * angle);
+  const change = (triple) =>
+    Math.max(...triple.map((angle, i) => Math.abs(remainder(angle - angles[i]))));
+  return Math.min(change([u, v, w]), change([u + 180, 180 - v, w + 180]));
+}
+
+/** The same angle between -180 and 180 degrees. */
+const remainder = (angle) => angle - 360 * Math.round(angle / 360);
+
+/** A matrix of 4x4 by columns, from a 3x3 matrix and a place. */
+function placed(matrix, place) {
+  const columns = transpose(matrix).map((v) => [...v, 0]);
+  return [...columns.flat(), ...place, 1];
+}
+
+/** `rotedu.scenes.general_rotation.add_gimbals` */
+function gimbals(angles, place) {
+  const axes = { W: [0, 0, 1], V: column(pose([0, 0, angles[2]]), 1), U: column(pose(angles), 0) };
+  const { W, V, U } = axes;
+  const ring = (side) => ({ matrix: placed(transpose([V, side, cross(V, side)]), place) });
+  const parts = { "outer ring": ring(W), "inner ring": ring(U) };
+  const labels = {};
+  for (const [name, first, last, aside] of [
+    ["W", 1.1, 1.36, 0.1],
+    ["V", 0.92, 1.31, 0],
+    ["U", 0.8, 0.92, -0.2],
+  ]) {
+    const axis = axes[name];
+    const paths = [1, -1].map((sign) =>
+      [first, last].map((far) => combine(1, place, sign * far, axis)),
+    );
+    parts[`axis ${name}`] = { paths };
+    labels[name] = combine(1, combine(1, place, 1.48, axis), aside, RIGHT);
+  }
+  return { parts, labels };
+}
+
+/** `euler_angles_by_hand` */
+export function eulerAngles({ u, v, w, t }) {
+  const angles = [u, v, w];
+  const now = scaled(t, angles);
+  const { ways, angle } = threeWays(angles);
+  const steps = spread(33);
+  const { parts, labels } = gimbals(now, PLACES[0]);
+  ways.forEach((way, k) => {
+    const tip = (turn) => combine(1, PLACES[k], SPOON, column(turn, 0));
+    const here = way(t);
+    const turn = here.map((row) => scaled(SPOON, row));
+    parts[`${NAMES[k]} spoon`] = { matrix: placed(turn, PLACES[k]) };
+    parts[`${NAMES[k]} path`] = { paths: [steps.map((x) => tip(way(x)))] };
+    parts[`${NAMES[k]} tip`] = { at: tip(here) };
+  });
+
+  const here = pose(now);
+  const [moreU, lessU, moreW] = [[1, 0, 0], [-1, 0, 0], [0, 0, 1]].map((change) =>
+    pose(combine(1, now, 1, change)),
+  );
+  const apart = Math.min(degreesBetween(moreU, moreW), degreesBetween(lessU, moreW));
+  const sideways = column(pose([0, 0, now[2]]), 0);
+  const swung = product(rotationMatrix(sideways, 1 / DEGREES), here);
+  const changes = swung.flatMap((row, i) => row.map((x, j) => Math.abs(x - here[i][j])));
+  const path = steps.map((x) => ways[0](t * x));
+  const turned = path.slice(1).map((turn, i) => degreesBetween(path[i], turn));
+  const speeds = ways.map((way) =>
+    steps.map((x) => degreesBetween(way(x - STEP), way(x + STEP)) / (2 * STEP)),
+  );
+  return {
+    parts,
+    labels,
+    outputs: {
+      same: apart < 1e-6 ? "yes" : "no",
+      apart,
+      angle_change: angleChange(now, swung),
+      entry_change: Math.max(...changes),
+      by_angles: turned.reduce((sum, x) => sum + x),
+      by_slerp: t * angle,
+      matrix: here,
+    },
+    charts: { speeds: { "three angles": speeds[0], slerp: speeds[1], nlerp: speeds[2] } },
+  };
+}

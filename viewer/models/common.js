@@ -14,3 +14,8 @@ export function arcs(starts, ends) {
   const t = spread(13);
   return starts.map((p, i) => t.map((x) => slerp(p, ends[i], x)));
 }
+
+/** The 16 numbers, by columns, that turn a part by a 3x3 matrix about the origin. */
+export function placing([[a, b, c], [d, e, f], [g, h, i]]) {
+  return [a, d, g, 0, b, e, h, 0, c, f, i, 0, 0, 0, 0, 1];
+}

@@ -4,7 +4,7 @@ Each module holds the scenes of the chapter with the same name. `parts` holds wh
 `rotedu.colors` lists what the colours mean. To show a scene, write ``figure_1().show()``.
 """
 
-from rotedu.scenes.arcs import CAMERA_SEES, CAMERA_TARGETS, camera_arcs, figure_2
+from rotedu.scenes.arcs import CAMERA_SEES, CAMERA_TARGETS, camera_arcs, figure_2, slerp_by_hand
 from rotedu.scenes.closed_curve import (
     ARCS,
     FIGURE_8,
@@ -78,6 +78,7 @@ __all__ = [
     "principal_orders",
     "reversed_axis",
     "rotated_mesh",
+    "slerp_by_hand",
     "stages",
     "teaspoon",
     "turning_spoon",

@@ -1,14 +1,25 @@
-"""Scenes of Chapter 5, arcs: a camera and its targets; two points, their arc and its axis."""
+"""Scenes of Chapter 5, arcs: a camera, an arc and its axis, and slerp beside nlerp."""
 
 from collections.abc import Sequence
 
 import numpy as np
 import pyvista
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
-from rotedu.arcs import angle_between, arc_axis, slerp
-from rotedu.colors import NEUTRAL, RESULT, VECTOR
-from rotedu.figures import describe
+from rotedu.arcs import angle_between, arc_axis, nlerp, slerp
+from rotedu.colors import AXIS, CROSS, NEUTRAL, RESULT, VECTOR
+from rotedu.figures import (
+    Choice,
+    Handles,
+    Slider,
+    Switch,
+    describe,
+    draw_chart,
+    explorable,
+    place_part,
+    read_out,
+)
+from rotedu.quaternions import Quaternion
 from rotedu.scenes.parts import (
     ORIGIN,
     add_angle,
@@ -17,9 +28,11 @@ from rotedu.scenes.parts import (
     add_axis,
     add_label,
     add_line,
+    add_lines,
     add_point,
     add_sphere,
     new_scene,
+    teaspoon,
     turning,
 )
 
@@ -128,5 +141,184 @@ def figure_2(
         f"A see-through unit sphere. Two arrows v1 and v2, {angle:.0f} degrees apart, lead from its"
         " centre to its surface. A third arrow, the axis v, is perpendicular to both. An arc of a"
         f" great circle joins v1 and v2. A point v(t) lies {t:.0%} of the way along this arc.",
+    )
+    return plotter
+
+
+# Below this angle the sines are their angles to the last digit, but never 0/0.
+TINY = 1e-9
+
+
+def weights(theta: float, t: NDArray[np.float64]) -> list[NDArray[np.float64]]:
+    """Return the factors of both ends in (5-2); where the ends coincide, their limits 1 - t and t.
+
+    Parameters
+    ----------
+    theta : float
+        Angle between the ends.
+    t : ndarray, shape (...)
+        Fractions of the arc.
+
+    Returns
+    -------
+    list of ndarray, shape (...)
+        The factors of the start and of the end.
+    """
+    size = max(theta, TINY)
+    return [np.sin(share * size) / np.sin(size) for share in (1 - t, t)]
+
+
+def speed_of_nlerp(theta: float, t: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return how fast nlerp moves, as a multiple of slerp's constant speed.
+
+    Parameters
+    ----------
+    theta : float
+        Angle between the ends.
+    t : ndarray, shape (...)
+        Fractions of the chord.
+
+    Returns
+    -------
+    ndarray, shape (...)
+        The derivative of the angle travelled, divided by `theta`.
+    """
+    size = max(theta, TINY)
+    squared_distance_from_centre = 1 - 2 * t * (1 - t) * (1 - np.cos(size))
+    speed: NDArray[np.float64] = np.sin(size) / (size * squared_distance_from_centre)
+    return speed
+
+
+@explorable(
+    model="slerp",
+    p=Handles("p"),
+    q=Handles("q"),
+    t=Slider(0, 1, "fraction t", plays=5),
+    what=Choice("between", ["directions", "orientations"]),
+    turn=Slider(0, 360, "turn of the spoon", step=1),
+    flip=Switch("flip the sign of the end"),
+)
+def slerp_by_hand(
+    p: ArrayLike = (0.68, -0.73, -0.04),
+    q: ArrayLike = (-0.23, 0.97, -0.04),
+    t: float = 0.2,
+    what: str = "directions",
+    turn: float = 150.0,
+    flip: bool = False,
+) -> pyvista.Plotter:
+    """Draw slerp and nlerp between two directions, or between two orientations of a spoon.
+
+    Parameters
+    ----------
+    p, q : array_like, shape (3,)
+        The directions; they are normalised. The spoon's tip starts at p, and the axis of its turn
+        is that of the arc from p to q (5-1).
+    t : float
+        Fraction of the way, from 0 to 1.
+    what : str
+        ``"directions"`` or ``"orientations"``.
+    turn : float
+        Angle of the spoon's turn in degrees. Directions do not use it.
+    flip : bool
+        Whether the end is -q instead of q: the opposite direction, but the same orientation.
+
+    Returns
+    -------
+    pyvista.Plotter
+        The scene.
+    """
+    start, other = (np.asarray(v, float) / np.linalg.norm(v) for v in (p, q))
+    spoons = what == "orientations"
+    up = np.eye(3)[2]
+    axis = arc_axis(start, other) if spoons else up
+    turns = Quaternion.from_axis_angle(axis, np.radians([0, turn])).components
+    first, last = turns if spoons else (start, other)
+    last = -last if flip else last
+    theta = float(angle_between(first, last))
+    times = np.linspace(0, 1, 61)
+
+    def tip(end: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return where an end takes the tip of the spoon; a direction is its own tip."""
+        return Quaternion(end[..., 0], end[..., 1:]).rotate(start) if spoons else end
+
+    end, here, there = tip(last), tip(slerp(first, last, t)), tip(nlerp(first, last, t))
+    tenths = tip(nlerp(first, last, np.arange(1, 10) / 10))
+
+    plotter = new_scene(eye=(4.3, 2.3, 2.6), target=(0, 0, 0))
+    add_sphere(plotter)
+    add_line(plotter, tip(slerp(first, last, times)), RESULT, radius=0.012, name="arc")
+    add_lines(plotter, [[ORIGIN, x] for x in tenths], CROSS, radius=0.003, name="tenths")
+    add_line(plotter, [start, end], CROSS, radius=0.006, name="chord").visibility = not spoons
+    circle = turning(start, axis, 2 * np.pi, 96)
+    add_line(plotter, circle, NEUTRAL, radius=0.004, name="circle").visibility = spoons
+    arrow = add_arrow(plotter, ORIGIN, 1.1 * axis, AXIS, name="axis")
+    arrow.visibility = spoons
+    for name, point, color, radius in (
+        ("p", start, VECTOR, 0.034),
+        ("q", other, NEUTRAL, 0.026),
+        ("end", end, VECTOR, 0.034),
+        ("slerp", here, RESULT, 0.04),
+        ("nlerp", there, CROSS, 0.04),
+    ):
+        add_point(plotter, point, color, radius, name=name)
+    held = np.column_stack([start, np.cross(axis, start), axis])
+    for name, turned, color in (
+        ("spoon at the start", first, VECTOR),
+        ("spoon at the end", last, VECTOR),
+        ("spoon", slerp(first, last, t), RESULT),
+    ):
+        matrix = np.eye(4)
+        if spoons:
+            matrix[:3, :3] = Quaternion(turned[0], turned[1:]).matrix() @ held
+        name = place_part(plotter, name, matrix=matrix.T.ravel())
+        mesh = teaspoon(stations=41, around=12)
+        spoon = plotter.add_mesh(mesh, color=color, smooth_shading=True, name=name)
+        spoon.user_matrix, spoon.visibility = matrix, spoons
+
+    for name, text, place, color in (
+        ("p", "$p$", 1.1 * start + 0.14 * up, VECTOR),
+        ("q", "$q$", 1.1 * other + 0.14 * up, VECTOR),
+        ("-q", "$-q$", 1.1 * end + 0.14 * up if flip and not spoons else None, VECTOR),
+        ("axis", "axis", 1.2 * axis if spoons else None, AXIS),
+        ("slerp", "slerp", 1.2 * here - 0.17 * up, RESULT),
+        ("nlerp", "nlerp", 1.2 * there, CROSS),
+    ):
+        add_label(plotter, place, text, color, name=name)
+
+    angle = np.degrees(theta)
+    way = 2 * angle if spoons else angle
+    start_weight, end_weight = weights(theta, np.array(t))
+    read_out(plotter, "angle", angle, "angle θ between the ends", 1, "°")
+    read_out(plotter, "way", way, "slerp turns by", 1, "°")
+    read_out(plotter, "start_weight", start_weight, "weight of the start", 2)
+    read_out(plotter, "end_weight", end_weight, "weight of the end", 2)
+    read_out(plotter, "speed", speed_of_nlerp(theta, np.array(t)), "speed of nlerp (slerp: 1)", 2)
+    draw_chart(
+        plotter,
+        "weights",
+        dict(zip(("start", "end"), weights(theta, times), strict=True)),
+        over="t",
+        x=(0, 1),
+        y=(0, 4),
+        label="weights",
+        colors={"start": VECTOR, "end": NEUTRAL},
+    )
+    draw_chart(
+        plotter,
+        "speeds",
+        {"slerp": np.ones_like(times), "nlerp": speed_of_nlerp(theta, times)},
+        over="t",
+        x=(0, 1),
+        y=(0, 4),
+        label="speed",
+        colors={"slerp": RESULT, "nlerp": CROSS},
+    )
+    spoons_say = " Blue spoons show the start and the end, a green one slerp." if spoons else ""
+    describe(
+        plotter,
+        f"A see-through sphere with an arc of {way:.0f} degrees that starts at a blue point p; p"
+        " and a second point q can be dragged. A green point, slerp, and a purple point, nlerp,"
+        f" travel along it, here at {t:.0%} of the time. Thin rays show that equal steps of"
+        f" nlerp are short near the ends of the arc and long in its middle.{spoons_say}",
     )
     return plotter

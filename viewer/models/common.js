@@ -19,3 +19,8 @@ export function arcs(starts, ends) {
 export function turning(point, axis, angle, steps) {
   return spread(steps + 1).map((x) => rotate(point, axis, x * angle));
 }
+
+/** The 16 numbers, by columns, that turn a part by a 3x3 matrix about the origin. */
+export function placing([[a, b, c], [d, e, f], [g, h, i]]) {
+  return [a, d, g, 0, b, e, h, 0, c, f, i, 0, 0, 0, 0, 1];
+}

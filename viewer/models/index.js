@@ -1,4 +1,5 @@
 /* The models of all scenes that have handles; `rotedu.scenes` names them. */
+export { slerp } from "./arcs.js";
 export { closedCurve } from "./closed_curve.js";
 export { figure1 } from "./ordinary_rotation.js";
 export { carriedAround } from "./orientations.js";

@@ -322,8 +322,6 @@ def control_points_by_hand(
     add_arcs(plotter, [reflected], [after], CROSS, name="halved")
     plotter.actors["halved"].visibility = step > 1
     add_point(plotter, -reflected, NEUTRAL, 0.024, name="opposite").visibility = step >= 1
-    place = beside(-reflected, [before]) if step >= 1 else None
-    add_label(plotter, place, r"$-\bar P_{i-1}$", name="opposite")
 
     # With (5-13) as printed, b_i comes to the second auxiliary point and its name.
     last = FAR if printed_double else NEAR
@@ -368,7 +366,8 @@ def control_points_by_hand(
         "A see-through sphere with three blue points P_{i-1}, P_i and P_{i+1} that can be dragged."
         " Purple paths lead to two auxiliary points: straight on beyond P_i by as far again, then"
         " halfway to P_{i+1}. The green control point a_i lies halfway back to P_i, and b_i lies"
-        " on the other side of P_i. With a misprint, what it makes wrong is red.",
+        " on the other side of P_i. A grey point lies"
+        " opposite the first auxiliary point. With a misprint, what it makes wrong is red.",
     )
     return plotter
 

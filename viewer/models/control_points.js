@@ -45,7 +45,6 @@ export function controlPoints({ points, step, printed_axis, printed_double }) {
     "P_{i-1}": beside(before, [here]),
     P_i: beside(here, [before, after]),
     "P_{i+1}": beside(after, [here, reflected]),
-    opposite: step < 1 ? null : beside(opposite, [before]),
   };
   // With (5-13) as printed, b_i comes to the second auxiliary point and its name.
   const last = printed_double ? FAR : NEAR;

@@ -160,7 +160,7 @@ class Exploration:
         places: set[tuple[str, ...]] = {
             ("parts", name, key)
             for name, place in recorded.parts.items()
-            for key in (*place, "hidden")
+            for key in (*place, "color", "hidden")
             if key != "radius"
         }
         places |= {(kind, name) for kind in ("labels", "charts") for name in self.base[kind]}

@@ -17,6 +17,7 @@ from rotedu.scenes.conclusions import worn_rotations, worn_spoons
 from rotedu.scenes.control_points import (
     LOOP,
     NEIGHBOURS,
+    control_points_by_hand,
     figure_3,
     figure_4,
     figure_5,
@@ -58,6 +59,7 @@ __all__ = [
     "carried_around_by_hand",
     "carried_mesh",
     "closed_curve_by_hand",
+    "control_points_by_hand",
     "double_cover",
     "euler_angles_by_hand",
     "figure_1",

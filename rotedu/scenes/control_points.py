@@ -1,14 +1,17 @@
-"""Scenes of Chapter 5, control points: the construction, and the misprint in (5-9)."""
+"""Scenes of Chapter 5, control points: the construction, and the misprints (5-9) and (5-13)."""
+
+from math import ceil
 
 import numpy as np
 import pyvista
 from numpy.typing import ArrayLike, NDArray
 
-from rotedu.arcs import arc_axis, slerp
+from rotedu.arcs import angle_between, arc_axis, slerp
 from rotedu.closed_curve import closed_curve, de_casteljau
-from rotedu.colors import CROSS, RESULT, VECTOR, WRONG
+from rotedu.colors import CROSS, NEUTRAL, RESULT, VECTOR, WRONG
 from rotedu.control_points import bisect, double
-from rotedu.figures import describe
+from rotedu.figures import Handles, Slider, Switch, describe, explorable, read_out
+from rotedu.scenes.closed_curve import add_arcs
 from rotedu.scenes.parts import (
     ORIGIN,
     add_angle,
@@ -250,6 +253,130 @@ def figure_7(points: ArrayLike = NEIGHBOURS) -> pyvista.Plotter:
         " plane.",
     )
     return plotter
+
+
+STEPS = (
+    "0 three given points",
+    "1 Double: go on",
+    "2 Bisect: aim between",
+    "3 Bisect: halfway back, a",
+    "4 Double: the other side, b",
+)
+# Lengths of vectors and angles in radians that look equal.
+SAME = 1e-6
+# From a point to its label.
+NEAR, FAR = 0.17, 0.36
+
+
+@explorable(
+    model="controlPoints",
+    points=Handles(("P_i-1", "P_i", "P_i+1")),
+    step=Slider(0, 4, "steps taken", step=1, stride=1, plays=8),
+    printed_axis=Switch("(5-9) as printed"),
+    printed_double=Switch("(5-13) as printed"),
+)
+def control_points_by_hand(
+    points: ArrayLike = NEIGHBOURS,
+    step: float = 4,
+    printed_axis: bool = False,
+    printed_double: bool = False,
+) -> pyvista.Plotter:
+    """Draw the four steps to the control points, with either misprint, and test the result.
+
+    Parameters
+    ----------
+    points : array_like, shape (3, 3)
+        P_{i-1}, P_i and P_{i+1}; they are normalised.
+    step : float
+        How many of the steps are taken, from 0 to 4. A part of a step goes part of its way.
+    printed_axis : bool
+        Whether the second step turns about the axis of (5-9) as printed.
+    printed_double : bool
+        Whether the fourth step takes (5-13) as printed.
+
+    Returns
+    -------
+    pyvista.Plotter
+        The scene.
+    """
+    before, here, after = np.asarray(points, float) / np.linalg.norm(points, axis=1, keepdims=True)
+    share = np.clip(step - np.arange(4), 0, 1)[:, np.newaxis] * np.linspace(0, 1, 25)
+    reflected = slerp(before, here, 2)
+    # About the reversed axis, half of the angle turns away from the next point.
+    half = -0.5 if printed_axis else 0.5
+    middle = slerp(reflected, after, half)
+    a = slerp(middle, here, 0.5)
+    doubled = (here, a) if printed_double else (a, here)
+    b = slerp(*doubled, 2)
+
+    plotter = new_scene(eye=(1.5, 4.75, 2.9), target=(0, 0, 0.06))
+    add_sphere(plotter)
+    add_arcs(plotter, [before, here], [here, after], VECTOR, name="given")
+    for name, point, others in (
+        (BEFORE, before, [here]),
+        (HERE, here, [before, after]),
+        (AFTER, after, [here, reflected]),
+    ):
+        add_point(plotter, point, VECTOR, 0.036, name=name)
+        add_label(plotter, beside(point, others), name, VECTOR)
+    add_arcs(plotter, [reflected], [after], CROSS, name="halved")
+    plotter.actors["halved"].visibility = step > 1
+    add_point(plotter, -reflected, NEUTRAL, 0.024, name="opposite").visibility = step >= 1
+
+    # With (5-13) as printed, b_i comes to the second auxiliary point and its name.
+    last = FAR if printed_double else NEAR
+    b_wrong = printed_axis or printed_double
+    aiming = slerp(reflected, after, half * share[1])
+    ways = (
+        (REFLECTED, slerp(before, here, 1 + share[0]), CROSS, False, [here, after], NEAR),
+        (MIDDLE, aiming, CROSS, printed_axis, [here, reflected], NEAR),
+        (A, slerp(middle, here, share[2] / 2), RESULT, printed_axis, [here, after], NEAR),
+        (B, slerp(*doubled, 2 * share[3]), RESULT, b_wrong, [here, reflected], last),
+    )
+    for k, (name, way, ink, wrong, others, distance) in enumerate(ways):
+        color, taken = WRONG if wrong else ink, step > k
+        line = add_line(plotter, way, color, radius=0.008 + 0.002 * k, name=f"path {k}")
+        line.visibility = taken
+        add_point(plotter, way[-1], color, name=name).visibility = taken
+        add_label(plotter, beside(way[-1], others, distance) if taken else None, name, ink)
+
+    forward = reflected - before
+    gap_after, place_of_a = (
+        np.degrees(angle_between(here, q)) * (-1 if q @ forward < 0 else 1) for q in (after, a)
+    )
+    near, far = (angle_between(here, q) for q in (a, b))
+    span = angle_between(reflected, after)
+    halves = np.array([angle_between(reflected, middle), angle_between(middle, after)])
+    turns_in, turns_out = np.cross(b, here), np.cross(here, a)
+    tests = (
+        ("on_sphere", 4, "a, b on the sphere", abs(np.linalg.norm([a, b], axis=1) - 1).max()),
+        ("on_circle", 4, "b, P, a on a great circle", abs(turns_in @ a)),
+        ("equally_far", 4, "a, b equally far from P", abs(near - far)),
+        ("no_corner", 4, "no corner at P", -(turns_in @ turns_out)),
+        ("midway", 2, "step 2 stops midway", abs(halves - span / 2).max()),
+    )
+    read_out(plotter, "now", STEPS[ceil(step)], "step")
+    for name, made, label, error in tests:
+        read_out(plotter, name, bool(error < SAME) if step >= made else "not yet", label)
+    read_out(plotter, "gap_before", np.degrees(angle_between(before, here)), "gap before", 0, "°")
+    read_out(plotter, "gap_after", gap_after, "gap after", 0, "°")
+    read_out(plotter, "place_of_a", place_of_a if step >= 3 else "not yet", "a from P", 0, "°")
+    describe(
+        plotter,
+        "A see-through sphere with three blue points P_{i-1}, P_i and P_{i+1} that can be dragged."
+        " Purple paths lead to two auxiliary points: straight on beyond P_i by as far again, then"
+        " halfway to P_{i+1}. The green control point a_i lies halfway back to P_i, and b_i lies"
+        " on the other side of P_i. A grey point lies"
+        " opposite the first auxiliary point. With a misprint, what it makes wrong is red.",
+    )
+    return plotter
+
+
+def beside(point: NDArray[np.float64], others: ArrayLike, distance: float = NEAR) -> ArrayLike:
+    """Return the place of a label: next to a point of the sphere, away from others."""
+    # The sum is never zero: all of its terms have a part that points outwards.
+    away = 0.3 * point + np.sum(point - np.asarray(others), axis=0)
+    return np.asarray(point + distance * away / np.linalg.norm(away))
 
 
 # Four points with four different gaps, all visible from one side.

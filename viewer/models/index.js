@@ -4,3 +4,4 @@ export { closedCurve } from "./closed_curve.js";
 export { figure1 } from "./ordinary_rotation.js";
 export { carriedAround } from "./orientations.js";
 export { eulerAngles } from "./general_rotation.js";
+export { controlPoints } from "./control_points.js";

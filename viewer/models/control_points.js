@@ -1,0 +1,98 @@
+/* Models of `rotedu.scenes.control_points`. */
+import { angleBetween, combine, cross, dot, length, slerp, unit } from "../src/sphere.js";
+import { DEGREES, ORIGIN, arcs, spread } from "./common.js";
+
+const SAME = 1e-6;
+const NEAR = 0.17;
+const FAR = 0.36;
+const CROSS = rgb("b65f92");
+const RESULT = rgb("009e73");
+const WRONG = rgb("cc002a");
+const STEPS = [
+  "0 three given points",
+  "1 Double: go on",
+  "2 Bisect: aim between",
+  "3 Bisect: halfway back, a",
+  "4 Double: the other side, b",
+];
+const SAMPLES = spread(25);
+
+/** `control_points_by_hand` */
+export function controlPoints({ points, step, printed_axis, printed_double }) {
+  const [before, here, after] = points.map(unit);
+  const path = (k, [p, q], from, to) => {
+    const share = Math.min(1, Math.max(0, step - k));
+    return SAMPLES.map((t) => slerp(p, q, from + share * t * (to - from)));
+  };
+  const reflected = slerp(before, here, 2);
+  // About the reversed axis, half of the angle turns away from the next point.
+  const half = printed_axis ? -0.5 : 0.5;
+  const middle = slerp(reflected, after, half);
+  const a = slerp(middle, here, 0.5);
+  const doubled = printed_double ? [here, a] : [a, here];
+  const b = slerp(...doubled, 2);
+  const opposite = combine(-1, reflected, 0, ORIGIN);
+
+  const parts = {
+    given: { paths: arcs([before, here], [here, after]) },
+    "$P_{i-1}$": { at: before },
+    "$P_i$": { at: here },
+    "$P_{i+1}$": { at: after },
+    halved: { paths: arcs([reflected], [after]), hidden: step <= 1 },
+    opposite: { at: opposite, hidden: step < 1 },
+  };
+  const labels = {
+    "P_{i-1}": beside(before, [here]),
+    P_i: beside(here, [before, after]),
+    "P_{i+1}": beside(after, [here, reflected]),
+  };
+  // With (5-13) as printed, b_i comes to the second auxiliary point and its name.
+  const last = printed_double ? FAR : NEAR;
+  const bWrong = printed_axis || printed_double;
+  const ways = [
+    ["\\bar P_{i-1}", path(0, [before, here], 1, 2), CROSS, false, [here, after], NEAR],
+    ["\\bar P_i", path(1, [reflected, after], 0, half), CROSS, printed_axis, [here, reflected], NEAR],
+    ["a_i", path(2, [middle, here], 0, 0.5), RESULT, printed_axis, [here, after], NEAR],
+    ["b_i", path(3, doubled, 0, 2), RESULT, bWrong, [here, reflected], last],
+  ];
+  ways.forEach(([name, way, ink, wrong, others, distance], k) => {
+    const [at, color, hidden] = [way.at(-1), wrong ? WRONG : ink, step <= k];
+    parts[`path ${k}`] = { paths: [way], color, hidden };
+    parts[`$${name}$`] = { at, color, hidden };
+    labels[name] = hidden ? null : beside(at, others, distance);
+  });
+
+  const forward = combine(1, reflected, -1, before);
+  const along = (q) => DEGREES * angleBetween(here, q) * (dot(q, forward) < 0 ? -1 : 1);
+  const [near, far] = [a, b].map((q) => angleBetween(here, q));
+  const span = angleBetween(reflected, after);
+  const halves = [angleBetween(reflected, middle), angleBetween(middle, after)];
+  const turnsIn = cross(b, here);
+  const most = (numbers) => Math.max(...numbers.map(Math.abs));
+  const lamp = (made, error) => (step < made ? "not yet" : error < SAME ? "yes" : "no");
+  return {
+    parts,
+    labels,
+    outputs: {
+      now: STEPS[Math.ceil(step)],
+      on_sphere: lamp(4, most([length(a) - 1, length(b) - 1])),
+      on_circle: lamp(4, Math.abs(dot(turnsIn, a))),
+      equally_far: lamp(4, Math.abs(near - far)),
+      no_corner: lamp(4, -dot(turnsIn, cross(here, a))),
+      midway: lamp(2, most(halves.map((x) => x - span / 2))),
+      gap_before: DEGREES * angleBetween(before, here),
+      gap_after: along(after),
+      place_of_a: step < 3 ? "not yet" : along(a),
+    },
+  };
+}
+
+/** The place of a label: next to a point of the sphere, away from others. */
+function beside(point, others, distance = NEAR) {
+  const sum = others.reduce((away, q) => combine(1, away, -1, q), ORIGIN);
+  return combine(1, point, distance, unit(combine(0.3 + others.length, point, 1, sum)));
+}
+
+function rgb(hex) {
+  return [0, 2, 4].map((i) => parseInt(hex.slice(i, i + 2), 16) / 255);
+}

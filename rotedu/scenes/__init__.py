@@ -9,7 +9,7 @@ from rotedu.scenes.closed_curve import (
     ARCS,
     FIGURE_8,
     arcs_of_arcs,
-    camera_curve,
+    camera_by_hand,
     closed_curve_by_hand,
     figure_8,
 )
@@ -55,7 +55,7 @@ __all__ = [
     "TWO_ORIENTATIONS",
     "arcs_of_arcs",
     "camera_arcs",
-    "camera_curve",
+    "camera_by_hand",
     "carried_around_by_hand",
     "carried_mesh",
     "closed_curve_by_hand",

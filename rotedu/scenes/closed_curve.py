@@ -6,21 +6,33 @@ import numpy as np
 import pyvista
 from numpy.typing import ArrayLike, NDArray
 
-from rotedu.arcs import slerp
+from rotedu.arcs import arc_axis, slerp
 from rotedu.closed_curve import closed_curve, de_casteljau, de_casteljau_levels
-from rotedu.colors import CROSS, NEUTRAL, RESULT, VECTOR
-from rotedu.control_points import control_points
-from rotedu.figures import Handles, Slider, describe, draw_chart, explorable, read_out
-from rotedu.scenes.arcs import CAMERA_SEES, CAMERA_TARGETS
+from rotedu.colors import AXIS, CROSS, NEUTRAL, RESULT, VECTOR
+from rotedu.control_points import bisect, control_points, double
+from rotedu.figures import (
+    Choice,
+    Handles,
+    Slider,
+    Switch,
+    describe,
+    draw_chart,
+    explorable,
+    place_part,
+    read_out,
+)
+from rotedu.scenes.arcs import CAMERA_SEES, CAMERA_TARGETS, camera
 from rotedu.scenes.parts import (
     ORIGIN,
     add_arc,
+    add_arrow,
     add_label,
     add_line,
     add_lines,
     add_point,
     add_sphere,
     new_scene,
+    turning,
 )
 
 # Uneven gaps, one of them beyond 90 degrees, and all points on the side of the camera.
@@ -114,7 +126,7 @@ def motion(
     fraction=Slider(0.2, 0.5, "fraction of a", step=0.005),
 )
 def closed_curve_by_hand(
-    points: ArrayLike = FIGURE_8, u: float = 0.1, fraction: float = 1 / 2
+    points: ArrayLike = FIGURE_8, u: float = 0.65, fraction: float = 1 / 2
 ) -> pyvista.Plotter:
     """Draw Fig. 8 with de Casteljau's construction of one point, speed and curvature.
 
@@ -140,7 +152,7 @@ def closed_curve_by_hand(
     segment = min(int(u * n), n - 1)
     within = u * n - segment
     levels = de_casteljau_levels(control[segment], within)
-    t = np.linspace(0, 1, 13)
+    t = np.linspace(0, 1, 25)
 
     plotter = new_scene(eye=(4.28, 2.42, 2.51), target=(0, 0, 0))
     add_sphere(plotter)
@@ -172,15 +184,15 @@ def closed_curve_by_hand(
     speed = np.degrees(np.linalg.norm(velocity, axis=-1))
     arriving, leaving = np.roll(velocity[:, -1], 1, axis=0), velocity[:, 0]
     velocity_here, curvature_here = motion(control[segment], within)
-    read_out(plotter, "speed", np.degrees(np.linalg.norm(velocity_here)), "speed", 1, "°/s")
-    read_out(plotter, "curvature", curvature_here, "curvature", 2)
+    read_out(plotter, "speed", np.degrees(np.linalg.norm(velocity_here)), "speed here", 0, "°/s")
+    read_out(plotter, "curvature", curvature_here, "curvature here", 2)
     jump = np.degrees(np.linalg.norm(leaving - arriving, axis=-1)).max()
-    read_out(plotter, "velocity_jump", jump, "velocity jumps at the points by at most", 1, "°/s")
+    read_out(plotter, "velocity_jump", jump, "largest jump of velocity", 1, "°/s")
     jump = abs(curvature[:, 0] - np.roll(curvature[:, -1], 1)).max()
-    read_out(plotter, "curvature_jump", jump, "curvature by up to", 2)
+    read_out(plotter, "curvature_jump", jump, "largest jump of curvature", 2)
     for name, values, top, text in (
-        ("speeds", speed, (0.0, 250.0), "speed, degrees a second"),
-        ("curvatures", curvature, (-6.0, 6.0), "curvature: positive to the left"),
+        ("speeds", speed, (0.0, 200.0), "speed, degrees a second"),
+        ("curvatures", curvature, (-4.0, 4.0), "curvature: positive to the left"),
     ):
         draw_chart(
             plotter,
@@ -254,40 +266,145 @@ def arcs_of_arcs(control: ArrayLike = ARCS, u: float = 0.4) -> pyvista.Plotter:
     return plotter
 
 
-def camera_curve(fraction: float = 1 / 2) -> pyvista.Plotter:
-    """Draw where a camera looks between four targets: along arcs, and along the curve.
+GRID = (
+    *(turning((0, 0, -1), (np.cos(x), np.sin(x), 0), np.pi) for x in np.arange(12) * np.pi / 6),
+    *(turning((np.cos(x), 0, np.sin(x)), (0, 0, 1), 2 * np.pi) for x in (-np.pi / 6, np.pi / 6)),
+)
+"""Meridians and parallels, 30 degrees apart."""
+LEG = 24
+WIDTH, HEIGHT = 0.21, 0.14
+
+
+@explorable(
+    model="camera",
+    targets=Handles(CAMERA_SEES),
+    path=Choice("path", ["arcs", "curve"]),
+    roll=Choice("roll", ["upright", "carried"]),
+    ride=Switch("ride along"),
+    u=Slider(0, 1, "once round, u", plays=12),
+)
+def camera_by_hand(
+    targets: ArrayLike = CAMERA_TARGETS,
+    path: str = "curve",
+    roll: str = "carried",
+    ride: bool = False,
+    u: float = 1.0,
+) -> pyvista.Plotter:
+    """Draw a camera that looks from target to target and back to the first, on either path.
 
     Parameters
     ----------
-    fraction : float
-        As for `rotedu.control_points.control_points`.
+    targets : array_like, shape (4, 3)
+        The directions to door, clock, window and desk; they are normalised.
+    path : str
+        On ``arcs``, or on the closed ``curve``. Each of the four legs takes a second.
+    roll : str
+        ``upright`` keeps the sides of the picture vertical. ``carried`` starts upright at the door;
+        from there on, nothing turns the camera about its line of sight.
+    ride : bool
+        See what the camera sees. Here, this only takes the camera away.
+    u : float
+        Place on the way round, from 0 to 1.
 
     Returns
     -------
     pyvista.Plotter
         The scene.
     """
-    targets = np.asarray(CAMERA_TARGETS)
-    targets = targets / np.linalg.norm(targets, axis=1, keepdims=True)
-    curve = closed_curve(targets, 30, fraction)
+    p = np.asarray(targets, float)
+    p = p / np.linalg.norm(p, axis=1, keepdims=True)
+    after = np.roll(p, -1, axis=0)
+    a, b = control_points(p)
+    arcs, curves = np.stack([p, after], axis=1), np.stack([p, a, np.roll(b, -1, axis=0), after], 1)
+    t = np.arange(LEG) / LEG
+    ways = {
+        "arcs": de_casteljau(arcs[:, np.newaxis], t).reshape(-1, 3),
+        "curve": closed_curve(p, LEG),
+    }
+    legs = arcs if path == "arcs" else curves
+    leg = min(int(4 * u), 3)
+    within = 4 * u - leg
+    ahead = de_casteljau(legs[leg], within)
+    vertical = up = upright(ahead)
+    if roll == "carried":
+        passed = ways[path][: min(int(4 * LEG * u), 4 * LEG - 1) + 1]
+        up = carried(upright(p[0]), [*passed, ahead])
 
     plotter = new_scene(eye=(5.1, -0.3, 2.3), target=(0, 0, 0.02))
     add_sphere(plotter)
-    add_point(plotter, ORIGIN, NEUTRAL)
-    add_label(plotter, (0, -0.1, 0.13), "camera")
-    for start, end in zip(targets, np.roll(targets, -1, axis=0), strict=True):
-        add_arc(plotter, start, end, CROSS)
-        add_line(plotter, [ORIGIN, start], NEUTRAL, radius=0.003)
-    add_line(plotter, [*curve, curve[0]], RESULT, radius=0.014)
-    places = ((0, 0, -0.14), (0, 0.16, -0.1), (0, 0, 0.15), (0, -0.16, -0.1))
-    for name, target, place in zip(CAMERA_SEES, targets, places, strict=True):
-        add_point(plotter, target, VECTOR, 0.036)
-        add_label(plotter, target + place, name, VECTOR)
+    ground = pyvista.Sphere(start_phi=90, theta_resolution=48, phi_resolution=16)
+    ground.points /= np.linalg.norm(ground.points, axis=1, keepdims=True)
+    plotter.add_mesh(ground, color=NEUTRAL, opacity=0.25, smooth_shading=True, pickable=False)
+    add_lines(plotter, GRID, NEUTRAL, radius=0.002, name="grid")
+    add_line(
+        plotter, turning((1, 0, 0), (0, 0, 1), 2 * np.pi), NEUTRAL, radius=0.005, name="horizon"
+    )
+    for name, color, radius in (("arcs", CROSS, 0.009), ("curve", RESULT, 0.014)):
+        line = add_line(plotter, [*ways[name], p[0]], color, radius, name=name)
+        line.visibility = not ride or name == path
+    # Labels stay clear of the path and of the side of the picture that is up.
+    away = p - p.mean(axis=0)
+    away -= np.sum(away * p, axis=1, keepdims=True) * p
+    away /= np.maximum(np.linalg.norm(away, axis=1, keepdims=True), STEP)
+    places = 1.1 * p + 0.16 * (away + np.cross(p, away))
+    for name, target, place in zip(CAMERA_SEES, p, places, strict=True):
+        add_point(plotter, target, VECTOR, 0.036, name=name)
+        add_label(plotter, place, name, VECTOR)
+
+    pose = np.eye(4)
+    pose[:3, :3] = np.column_stack([ahead, np.cross(up, ahead), up])
+    body = camera([1, 0, 0])
+    name = place_part(plotter, "camera", matrix=pose.T.ravel())
+    seen = [plotter.add_mesh(body, color=NEUTRAL, pickable=False, user_matrix=pose, name=name)]
+    corners = picture(ahead, vertical)
+    seen.append(add_line(plotter, [*corners, corners[0]], NEUTRAL, 0.005, name="upright"))
+    corners = picture(ahead, up)
+    seen.append(add_line(plotter, [*corners, corners[0]], AXIS, 0.01, name="picture"))
+    edges = [[ORIGIN, corner] for corner in corners]
+    seen.append(add_lines(plotter, edges, AXIS, radius=0.004, name="edges"))
+    top = ahead + HEIGHT * up
+    seen.append(add_arrow(plotter, top, top + 0.28 * up, AXIS, name="up"))
+    for actor in seen:
+        actor.visibility = not ride
+    add_label(plotter, None if ride else top + 0.36 * up, "up", AXIS)
+
+    arriving, leaving = np.roll(motion(legs, 1.0)[0], 1, axis=0), motion(legs, 0.0)[0]
+    speed = np.linalg.norm(motion(legs[leg], within)[0])
+    across = np.linalg.norm(np.cross(arriving, leaving), axis=1)
+    bends = np.arctan2(across, np.sum(arriving * leaving, axis=1))
+    rolled = np.arctan2(np.cross(vertical, up) @ ahead, vertical @ up)
+    read_out(plotter, "rolled", np.degrees(rolled), "rolled by", 0, "°")
+    read_out(plotter, "speed", np.degrees(speed), "speed", 0, "°/s")
+    read_out(plotter, "bends", np.degrees(bends), f"bends at {', '.join(CAMERA_SEES)}", 0, "°")
     describe(
         plotter,
-        "A see-through sphere with a camera at its centre. Grey lines lead to four blue points on"
-        " the sphere: a door, a clock, a window and a desk. Thin purple arcs join them in this"
-        " order and back to the door, with a corner at each point. A thick green curve runs"
-        " through the same points without a corner and swings out beyond the arcs.",
+        "A see-through sphere with a camera at its centre, a horizon and a darker lower half."
+        " Purple arcs join four blue points, a door, a clock, a window and a desk, with a corner at"
+        " each point. A green curve runs through the same points without a corner. An orange frame"
+        " on the sphere shows the picture that the camera takes and which side of it is up; a grey"
+        " frame shows how an upright camera would hold it.",
     )
     return plotter
+
+
+def picture(ahead: NDArray[np.float64], up: NDArray[np.float64]) -> list[NDArray[np.float64]]:
+    """Return the corners of what a camera at the origin sees, where it meets the unit sphere."""
+    left = np.cross(up, ahead)
+    signs = ((1, 1), (1, -1), (-1, -1), (-1, 1))
+    return [ahead + x * WIDTH * left + y * HEIGHT * up for x, y in signs]
+
+
+def upright(ahead: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the upward direction of the picture of an upright camera."""
+    return np.cross(ahead, arc_axis([0, 0, 1], ahead))
+
+
+def carried(up: NDArray[np.float64], way: ArrayLike) -> NDArray[np.float64]:
+    """Carry a direction along a path on the sphere, by the rotation of each short arc.
+
+    Two half turns, about the start and about the middle of an arc, make up its rotation. Unlike an
+    axis, they also exist where the path stands still.
+    """
+    for p, q in pairwise(np.asarray(way)):
+        up = double(double(up, p), bisect(p, q))
+    return up

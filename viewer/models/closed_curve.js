@@ -3,27 +3,14 @@ import {
   closedCurve as curveThrough,
   combine,
   controlPoints,
-  cross,
-  deCasteljau,
   deCasteljauLevels,
-  dot,
   length,
   unit,
 } from "../src/sphere.js";
-import { DEGREES, ORIGIN, arcs, spread } from "./common.js";
+import { DEGREES, ORIGIN, arcs, motion, spread } from "./common.js";
 
 const MOST = 8;
-const SAMPLES = 13;
-const STEP = 1e-4;
-
-/** Velocity and geodesic curvature of a Bezier curve on the sphere, by differences. */
-function motion(control, u) {
-  const [before, here, after] = [-STEP, 0, STEP].map((x) => deCasteljau(control, u + x));
-  const velocity = combine(1 / (2 * STEP), after, -1 / (2 * STEP), before);
-  const acceleration = here.map((x, i) => (after[i] - 2 * x + before[i]) / STEP ** 2);
-  const speed = Math.max(length(velocity), STEP);
-  return { velocity, curvature: dot(cross(here, velocity), acceleration) / speed ** 3 };
-}
+const SAMPLES = 25;
 
 /** `closed_curve_by_hand` */
 export function closedCurve({ points, u, fraction }) {

@@ -1,8 +1,10 @@
 /* What the models share. */
-import { rotate, slerp } from "../src/sphere.js";
+import { combine, cross, deCasteljau, dot, length, rotate, slerp } from "../src/sphere.js";
 
 export const DEGREES = 180 / Math.PI;
 export const ORIGIN = [0, 0, 0];
+
+const STEP = 1e-4;
 
 /** Numbers evenly spread from 0 to 1, both included. */
 export function spread(count) {
@@ -23,4 +25,13 @@ export function turning(point, axis, angle, steps) {
 /** The 16 numbers, by columns, that turn a part by a 3x3 matrix about the origin. */
 export function placing([[a, b, c], [d, e, f], [g, h, i]]) {
   return [a, d, g, 0, b, e, h, 0, c, f, i, 0, 0, 0, 0, 1];
+}
+
+/** Velocity and geodesic curvature: `rotedu.scenes.closed_curve.motion`. */
+export function motion(control, u) {
+  const [before, here, after] = [-STEP, 0, STEP].map((x) => deCasteljau(control, u + x));
+  const velocity = combine(1 / (2 * STEP), after, -1 / (2 * STEP), before);
+  const acceleration = here.map((x, i) => (after[i] - 2 * x + before[i]) / STEP ** 2);
+  const speed = Math.max(length(velocity), STEP);
+  return { velocity, curvature: dot(cross(here, velocity), acceleration) / speed ** 3 };
 }

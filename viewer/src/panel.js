@@ -108,13 +108,14 @@ export function text(value, { digits, unit }) {
   return rows.map(row).join("\n") + unit;
 }
 
-/** A new point beyond the last one, as far from it as the one before, but on the sphere. */
+/** A new point in the middle of the widest gap of a closed sequence. */
 function added(points) {
-  const [before, last] = points.slice(-2);
-  const [next] = points;
-  const between = last.map((x, i) => x + next[i] + 0.3 * (x - before[i]));
-  const length = Math.hypot(...between) / Math.hypot(...last);
-  return [...points, between.map((x) => x / length)];
+  const after = (i) => points[(i + 1) % points.length];
+  const gaps = points.map((point, i) => Math.hypot(...point.map((x, k) => x - after(i)[k])));
+  const widest = gaps.indexOf(Math.max(...gaps));
+  const between = points[widest].map((x, k) => x + after(widest)[k]);
+  const scale = Math.hypot(...points[widest]) / Math.hypot(...between);
+  return points.toSpliced(widest + 1, 0, between.map((x) => x * scale));
 }
 
 /** Move a slider from its low to its high end. */

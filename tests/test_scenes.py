@@ -9,6 +9,7 @@ from rotedu import colors, scenes
 from rotedu.arcs import angle_between
 from rotedu.control_points import bisect, control_points, double
 from rotedu.figures.backend import scene_labels
+from rotedu.figures.frames import shown
 from rotedu.ordinary_rotation import rotate
 from rotedu.scenes import control_points as construction
 from rotedu.scenes.arcs import camera
@@ -96,14 +97,48 @@ def meshes(plotter: pyvista.Plotter, color: str) -> list[pyvista.PolyData]:
     return [a.mapper.dataset for a in actors if a.prop.color == pyvista.Color(color)]
 
 
-@pytest.mark.parametrize("between", [0.3, np.deg2rad(50), 1.2])
+@pytest.mark.parametrize("between", [-70, 0, 50, 180])
 def test_two_mirrors_turn_the_letter_by_twice_their_angle(between: float) -> None:
-    plotter = scenes.two_mirrors(between)
-    (before,), (after,) = (meshes(plotter, color) for color in (colors.VECTOR, colors.RESULT))
-    turned = rotate(before.points, [0, 0, 1], 2 * between)
-    np.testing.assert_allclose(after.points, turned, rtol=0, atol=1e-6)
-    np.testing.assert_allclose(after.volume, before.volume, rtol=1e-5)
-    assert before.volume > 0
+    plotter = scenes.two_mirrors_by_hand(first=80, second=80 + between, both=33, letter=140)
+    names = ("letter", "image", "image of the image")
+    before, mirrored, after = (plotter.actors[name].user_matrix[:3, :3] for name in names)
+    assert np.isclose(np.linalg.det(mirrored), -1)
+    turned = Rotation.from_euler("z", [[140], [140 + 2 * between]], degrees=True).as_matrix()
+    np.testing.assert_allclose([before, after], turned, rtol=0, atol=1e-14)
+    outputs = shown(plotter).outputs
+    assert outputs["turned"].value == 2 * between
+    assert outputs["home"].value == ("yes" if between in (0, 180) else "no")
+    # SciPy puts the scalar part last.
+    w, *v = outputs["q"].value
+    turn = Rotation.from_quat([*v, w]).as_matrix()
+    np.testing.assert_allclose(turn @ before, after, rtol=0, atol=1e-14)
+    assert np.isclose(w, np.cos(np.deg2rad(between)), atol=1e-14)
+
+
+@pytest.mark.parametrize(
+    ("theta", "back"),
+    [(0, ("yes", "yes")), (180, ("no", "no")), (360, ("yes", "no")), (720, ("yes", "yes"))],
+)
+def test_the_spoon_is_back_after_one_turn_and_its_quaternion_after_two(theta, back) -> None:
+    plotter = scenes.double_cover_by_hand(theta)
+    outputs = shown(plotter).outputs
+    assert (outputs["spoon_back"].value, outputs["q_back"].value) == back
+    turn = Rotation.from_euler("z", theta, degrees=True).as_matrix()
+    np.testing.assert_allclose(plotter.actors["spoon"].user_matrix[:3, :3], turn, atol=1e-14)
+    np.testing.assert_allclose(outputs["matrix"].value, turn, atol=1e-14)
+    np.testing.assert_allclose(
+        outputs["q"].value,
+        [np.cos(np.deg2rad(theta / 2)), 0, 0, np.sin(np.deg2rad(theta / 2))],
+        atol=1e-14,
+    )
+
+
+def test_the_ribbon_is_twisted_as_far_as_the_spoon_has_turned() -> None:
+    ribbon = scenes.double_cover_by_hand(540).actors["ribbon, left"].mapper.dataset.points
+    border = ribbon[np.hypot(*ribbon.T[:2]) > 0.01]
+    border = border[np.argsort(-border[:, 2])]
+    twist = np.unwrap(np.arctan2(border[:, 1], border[:, 0]))
+    assert np.isclose(np.rad2deg(twist[-1] - twist[0]), 540, atol=1e-3)
 
 
 def test_no_turn_maps_the_letter_f_to_its_mirror_image() -> None:

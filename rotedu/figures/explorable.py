@@ -22,7 +22,7 @@ from rotedu.figures.inputs import Input, Slider
 from rotedu.figures.panel import panel
 
 # Frames of a page for one slider, and for each of two.
-FRAMES = {1: 33, 2: 11}
+FRAMES = {1: 73, 2: 11}
 Scene = Callable[..., pyvista.Plotter]
 Function = TypeVar("Function", bound=Scene)
 

@@ -43,7 +43,7 @@ from rotedu.scenes.orientations import (
     four_ways_between,
 )
 from rotedu.scenes.parts import teaspoon
-from rotedu.scenes.quaternions import double_cover, letter_f, two_mirrors
+from rotedu.scenes.quaternions import double_cover_by_hand, letter_f, two_mirrors_by_hand
 
 __all__ = [
     "ARCS",
@@ -60,7 +60,7 @@ __all__ = [
     "carried_mesh",
     "closed_curve_by_hand",
     "control_points_by_hand",
-    "double_cover",
+    "double_cover_by_hand",
     "euler_angles_by_hand",
     "figure_1",
     "figure_1_by_hand",
@@ -85,7 +85,7 @@ __all__ = [
     "teaspoon",
     "turning_spoon",
     "two_curves",
-    "two_mirrors",
+    "two_mirrors_by_hand",
     "worn_rotations",
     "worn_spoons",
 ]

@@ -2,22 +2,33 @@
 
 import numpy as np
 import pyvista
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from rotedu.colors import AXIS, CROSS, NEUTRAL, RESULT, VECTOR
-from rotedu.figures import describe
-from rotedu.ordinary_rotation import rotate
+from rotedu.figures import Slider, describe, explorable, read_out
+from rotedu.figures.frames import place_part
+from rotedu.general_rotation import homogeneous
+from rotedu.ordinary_rotation import rotate, rotation_matrix
+from rotedu.quaternions import Quaternion
 from rotedu.scenes.parts import (
     ORIGIN,
     add_arrow,
     add_label,
     add_line,
     add_point,
-    fan,
     new_scene,
+    teaspoon,
     triangle_mesh,
     turning,
 )
+
+W = np.array([0.0, 0.0, 1.0])
+# In degrees. An arc that is smaller has no room for the head of its arrow.
+SMALLEST_ARC = 8.0
+# In degrees. What is this close to its start is back.
+BACK = 0.5
+# Length of the ribbon.
+RIBBON = 1.1
 
 
 def letter_f(size: float = 0.5, thickness: float = 0.07) -> pyvista.PolyData:
@@ -43,15 +54,26 @@ def letter_f(size: float = 0.5, thickness: float = 0.07) -> pyvista.PolyData:
     return letter
 
 
-def two_mirrors(between: float = np.deg2rad(50), at: float = np.deg2rad(-25)) -> pyvista.Plotter:
+@explorable(
+    model="twoMirrors",
+    first=Slider(0, 180, "mirror 1", step=1),
+    second=Slider(0, 180, "mirror 2", step=1),
+    both=Slider(0, 360, "turn both mirrors", step=1, stride=30, plays=8),
+    letter=Slider(-180, 180, "letter", step=1),
+)
+def two_mirrors_by_hand(
+    first: float = 0, second: float = 50, both: float = 0, letter: float = -25
+) -> pyvista.Plotter:
     """Draw a letter mirrored twice, which turns by twice the angle between the mirrors.
 
     Parameters
     ----------
-    between : float
-        Angle in radians from the first mirror to the second.
-    at : float
-        Angle in radians from the first mirror to the letter.
+    first, second : float
+        Angle in degrees of each mirror about the W axis, from the U axis.
+    both : float
+        Angle in degrees by which both mirrors turn further.
+    letter : float
+        Angle in degrees of the letter.
 
     Returns
     -------
@@ -59,115 +81,176 @@ def two_mirrors(between: float = np.deg2rad(50), at: float = np.deg2rad(-25)) ->
         The scene.
     """
 
-    def out(angle: float, radius: float = 1.0, height: float = 0.0) -> NDArray[np.float64]:
-        """Return a point off the axis; the angle counts from the first mirror."""
-        azimuth = angle + (np.pi - between) / 2
-        return np.array([radius * np.cos(azimuth), radius * np.sin(azimuth), height])
+    def out(angle: float, radius: float = 1.0) -> NDArray[np.float64]:
+        """Return a point off the axis."""
+        return rotate([radius, 0, 0], W, np.deg2rad(angle))
 
-    n = np.eye(3)[2]
-    plotter = new_scene(eye=(0.35, -2.6, 3.9), target=(0.0, 0.74, 0.05), view_angle=22)
-    add_arrow(plotter, -0.15 * n, 0.6 * n, AXIS)
-    add_label(plotter, (-0.16, 0, 0.35), r"$\hat n$", AXIS)
+    between = second - first
+    angles = (first + both, second + both)
+    m1, m2 = (Quaternion(0, out(angle + 90)) for angle in angles)
+    start = rotation_matrix(W, np.deg2rad(letter))
+    once = m1 * Quaternion(0, start.T) * m1
+    twice = m2 * once * m2
 
-    for angle, name in ((0.0, "1"), (between, "2")):
-        foot, corner = out(angle, 1.6), out(angle, 1.6, 0.45)
-        frame = [ORIGIN, foot, corner, out(angle, 0.0, 0.45)]
-        mirror = triangle_mesh(frame, [[0, 1, 2], [0, 2, 3]])
-        plotter.add_mesh(mirror, color=NEUTRAL, opacity=0.45, lighting=False, pickable=False)
-        add_line(plotter, frame, NEUTRAL, radius=0.006)
-        m = rotate(out(angle), n, np.pi / 2)
-        add_arrow(plotter, corner, corner + 0.3 * m, CROSS, radius=0.01)
-        add_label(plotter, corner + 0.4 * m, rf"$\hat m_{name}$", CROSS)
+    plotter = new_scene(eye=(-3.6, -2.1, 6.1), target=(0, 0, 0.05), view_angle=25)
+    add_arrow(plotter, -0.15 * W, 0.5 * W, AXIS)
+    add_label(plotter, -0.28 * W, r"$\hat n$", AXIS)
+    add_line(plotter, turning(out(0, 1.05), W, 2 * np.pi), NEUTRAL, radius=0.004, name="ring")
+    for angle, m, k in zip(angles, (m1, m2), (1, 2), strict=True):
+        foot, top = out(angle, 1.45), 0.4 * W
+        edge = np.stack([ORIGIN, foot, foot + top, top])
+        sheet = triangle_mesh(edge, [[0, 1, 2], [0, 2, 3]])
+        name = place_part(plotter, f"mirror {k}", points=edge)
+        plotter.add_mesh(
+            sheet, color=NEUTRAL, opacity=0.45, lighting=False, pickable=False, name=name
+        )
+        # A mirror acts as if it went on beyond the axis.
+        add_line(plotter, [-foot, *edge], NEUTRAL, radius=0.004, name=f"edge {k}")
+        add_arrow(plotter, foot + top, foot + top + 0.3 * m.v, CROSS, 0.01, name=f"m {k}")
+        add_label(plotter, foot + top + 0.42 * m.v, rf"$\hat m_{k}$", CROSS, name=f"m {k}")
 
-    upright = letter_f()
-    upright.points = rotate(upright.points, n, at - between / 2) + out(at, 1.1)
-    mirrored = upright.reflect(rotate(out(0.0), n, np.pi / 2))
-    turned = mirrored.reflect(rotate(out(between), n, np.pi / 2))
-    for mesh, color in ((upright, VECTOR), (mirrored, CROSS), (turned, RESULT)):
-        plotter.add_mesh(mesh, color=color)
-
-    for begin, angle, radius, text in (
-        (0.0, between, 0.5, r"$\theta/2$"),
-        (at, 2 * between, 1.5, r"$\theta$"),
+    # Each letter is a little larger than the one before: where two coincide, the later one shows.
+    for name, images, color, size in (
+        ("letter", start.T, VECTOR, 0.46),
+        ("image", once.v, CROSS, 0.48),
+        ("image of the image", twice.v, RESULT, 0.5),
     ):
-        arc = turning(out(begin, radius), n, angle, steps=36)
-        add_line(plotter, arc[:-1], NEUTRAL, radius=0.008)
-        head = arc[-1] - 0.1 * rotate(out(begin + angle), n, np.pi / 2)
-        add_arrow(plotter, head, arc[-1], NEUTRAL, radius=0.01)
-        add_label(plotter, out(begin + angle / 2, radius + 0.15), text)
+        mesh = letter_f(size, thickness=0.2 * (size - 0.4))
+        mesh.points = rotate(mesh.points, W, -np.pi / 2) + out(0, 1.05)
+        matrix = homogeneous(images.T)
+        name = place_part(plotter, name, matrix=matrix.T.ravel())
+        plotter.add_mesh(mesh, color=color, name=name).user_matrix = matrix
+
+    for begin, angle, radius, text, name in (
+        (angles[0], between, 0.5, r"$\theta/2$", "half"),
+        (letter, 2 * between, 1.4, r"$\theta$", "whole"),
+    ):
+        drawn = abs(angle) >= SMALLEST_ARC
+        shown = angle if drawn else SMALLEST_ARC
+        arc = turning(out(begin, radius), W, np.deg2rad(shown), steps=60)
+        ahead = np.sign(shown) * out(begin + shown + 90)
+        add_line(plotter, arc, NEUTRAL, radius=0.008, name=name).visibility = drawn
+        head = add_arrow(plotter, arc[-1] - 0.1 * ahead, arc[-1], NEUTRAL, 0.01, f"{name}, head")
+        head.visibility = drawn
+        place = out(begin + angle / 2, radius + 0.16) if drawn else None
+        add_label(plotter, place, text, name=name)
+
+    read_out(plotter, "between", between, "from mirror 1 to mirror 2", 0, "°")
+    read_out(plotter, "turned", 2 * between, "the letter turns by", 0, "°")
+    read_out(plotter, "home", is_back(2 * between, 360), "green letter is home")
+    read_out(plotter, "q", -(m2 * m1).components, "q = −m₂m₁", 2)
     describe(
         plotter,
-        f"Two upright mirrors meet at an axis n, {np.rad2deg(between):.0f} degrees apart. A blue"
-        " letter F lies in front of the first. Its mirror image, purple and in mirror writing, lies"
-        " between the mirrors. Its own image in the second mirror is green and reads"
-        f" as an F again: it is the blue one, turned by {2 * np.rad2deg(between):.0f} degrees.",
+        f"Two upright mirrors meet at an axis n, {abs(between):.0f} degrees apart. A blue letter F"
+        " lies beside them. Its image in the first mirror is purple, in mirror writing. The image"
+        " of this image in the second mirror is green and reads as an F again:"
+        f" it is the blue one, turned by {abs(2 * between):.0f} degrees.",
     )
     return plotter
 
 
-def double_cover(angle: float = np.deg2rad(100), width: float = 0.4) -> pyvista.Plotter:
-    """Draw the quaternions [w, s n] of all rotations about one axis: a band with one edge.
+FRAME = 10.0
+"""Degrees from one frame of `double_cover_by_hand` to the next."""
 
-    A rotation takes the vector r to a place on the ring. There q lies w = cos(theta / 2) up and
-    s = sin(theta / 2) out, on one edge of the band; -q lies opposite, on the other edge.
+
+@explorable(theta=Slider(0, 720, "turned by θ", step=FRAME, stride=90, plays=12))
+def double_cover_by_hand(theta: float = 360) -> pyvista.Plotter:
+    """Draw a spoon that turns on a ribbon, and its quaternion on the edge of a band.
+
+    The spoon points to a place on a ring. There q lies cos(theta / 2) up and sin(theta / 2) out,
+    on one edge of the band; -q lies opposite, on the other edge.
 
     Parameters
     ----------
-    angle : float
-        Angle in radians of the rotation to show.
-    width : float
-        Half the width of the band, for a ring of radius 1.
+    theta : float
+        Angle in degrees by which the spoon has turned, from 0 to 720.
 
     Returns
     -------
     pyvista.Plotter
         The scene.
     """
+    angle = np.deg2rad(theta)
+    q = Quaternion.from_axis_angle(W, angle)
+    matrix = rotation_matrix(W, angle)
 
-    def ring(theta: NDArray[np.float64], side: float) -> NDArray[np.float64]:
-        """Return points of an edge (side 1 or -1) or of the ring between the edges (side 0)."""
-        w, s = side * width * np.cos(theta / 2), side * width * np.sin(theta / 2)
-        return np.stack([(1 + s) * np.cos(theta), (1 + s) * np.sin(theta), w], axis=-1)
+    plotter = new_scene(eye=(3.45, 2.25, 3.75), target=(0.0, 0.04, 0.11))
+    rounds = np.linspace(0, 2 * np.pi, 97)
+    edges = [on_band(rounds, side) for side in (1.0, 0.0, -1.0)]
+    plotter.add_mesh(sheet(edges), color=NEUTRAL, opacity=0.5, smooth_shading=True, pickable=False)
+    for edge in edges:
+        add_line(plotter, edge, NEUTRAL, radius=0.005)
+    # Not before the first frame after the start has the way a length.
+    way = np.deg2rad(np.arange(0, max(theta, FRAME) + FRAME / 4, FRAME / 2))
+    add_line(plotter, on_band(way, 1), RESULT, radius=0.018, name="way").visibility = theta >= FRAME
 
-    n = np.eye(3)[2]
-    theta = np.linspace(0, 2 * np.pi, 97)
-    q, core, minus_q = (ring(theta, side) for side in (1.0, 0.0, -1.0))
+    add_arrow(plotter, -0.35 * W, 1.25 * W, AXIS, radius=0.007)
+    add_label(plotter, [0, 0.1, 1.25], r"$\hat n$", AXIS)
+    spoon = teaspoon(stations=61, around=20)
+    spoon.points = 0.46 * (spoon.points - [-1, 0, 0.05])
+    actor = plotter.add_mesh(spoon, color=VECTOR, smooth_shading=True, name="spoon")
+    actor.user_matrix = homogeneous(matrix)
+    add_line(plotter, [[0, -0.2, RIBBON], [0, 0.2, RIBBON]], NEUTRAL, radius=0.02)
+    down = np.linspace(1, 0, 33)
+    middle = np.outer(RIBBON * down, W)
+    for name, side, color in (("left", 0.07, VECTOR), ("right", -0.07, CROSS)):
+        border = middle + rotate([0, side, 0], W, (1 - down) * angle)
+        plotter.add_mesh(
+            sheet([middle, border]),
+            color=color,
+            pickable=False,
+            name=f"ribbon, {name}",
+        )
 
-    plotter = new_scene(eye=(3.5, 2.3, 3.3), target=(0.0, 0.06, 0.03))
-    band = pyvista.StructuredGrid(*np.moveaxis(np.stack([q, core, minus_q]), -1, 0))
-    surface = band.extract_surface(algorithm=None)
-    plotter.add_mesh(surface, color=NEUTRAL, opacity=0.5, smooth_shading=True, pickable=False)
-    add_line(plotter, core, NEUTRAL, radius=0.006)
-    add_line(plotter, q, RESULT, radius=0.018)
-    add_line(plotter, minus_q, CROSS, radius=0.018)
+    ends = {side: on_band(angle, side) for side in (1.0, -1.0)}
+    add_line(plotter, list(ends.values()), NEUTRAL, radius=0.008, name="stick")
+    for side, color, text, start in ((1.0, RESULT, "q", "1"), (-1.0, CROSS, "-q", "-1")):
+        add_point(plotter, ends[side], color, radius=0.045, name=text)
+        add_label(plotter, on_band(angle + 0.17, 1.35 * side), f"${text}$", color, name=text)
+        add_point(plotter, on_band(0, side), NEUTRAL, radius=0.03)
+        add_label(plotter, on_band(-0.17, 1.25 * side), f"${start}$")
 
-    add_arrow(plotter, -0.3 * n, 0.85 * n, AXIS)
-    add_label(plotter, 0.96 * n, r"$\hat n$", AXIS)
-    here = np.array(angle)
-    add_arrow(plotter, ORIGIN, ring(np.array(0.0), 0), VECTOR)
-    add_arrow(plotter, ORIGIN, ring(here, 0), RESULT)
-    sector = turning((0.3, 0, 0), n, angle)
-    fill = fan(ORIGIN, sector)
-    plotter.add_mesh(fill, color=NEUTRAL, opacity=0.35, lighting=False, pickable=False)
-    add_label(plotter, 1.3 * sector[len(sector) // 2], r"$\theta$")
-    lift = 0.12 * n
-    add_label(plotter, 0.6 * ring(np.array(0.0), 0) + lift, r"$\vec r$", VECTOR)
-    add_label(plotter, 0.45 * ring(here, 0) + lift, r"$\vec r^{\,\prime}$", RESULT)
-    add_line(plotter, [ring(here, -1), ring(here, 1)], NEUTRAL, radius=0.008)
-    for place, side, color, text in (
-        (np.array(0.0), 1.0, RESULT, "$1$"),
-        (np.array(0.0), -1.0, CROSS, "$-1$"),
-        (here, 1.0, RESULT, "$q$"),
-        (here, -1.0, CROSS, "$-q$"),
-    ):
-        add_point(plotter, ring(place, side), color, radius=0.04)
-        add_label(plotter, ring(place, 1.5 * side), text, color)
+    read_out(plotter, "matrix", matrix, "matrix", 2)
+    read_out(plotter, "spoon_back", is_back(theta, 360), "spoon is back")
+    read_out(plotter, "q", q.components, "q (w x y z)", 2)
+    read_out(plotter, "q_back", is_back(theta, 720), "q is back")
     describe(
         plotter,
-        "A ring around an axis n. Two arrows point to the ring: r, and r turned by"
-        f" {np.rad2deg(angle):.0f} degrees. A band runs along the ring and makes half a twist in"
-        " one round. At r its edges are marked 1, above, and -1, below; at the turned arrow they"
-        " are marked q and -q. The green edge leaves 1 and arrives at -1 after one round. There the"
-        " purple edge takes over and comes back to 1 after a second round.",
+        "A spoon hangs on a ribbon that runs up along an axis n to a fixed bar. It points to a ring"
+        " about the axis. A band runs along the ring and makes half a twist in one round."
+        f" The spoon has turned by {theta:.0f} degrees, and the ribbon is twisted by as much."
+        " A green line on the edge of the band leads from 1 to q, beside the tip of the spoon; -q"
+        " is on the opposite edge.",
     )
     return plotter
+
+
+def on_band(theta: ArrayLike, side: float) -> NDArray[np.float64]:
+    """Return where the quaternion (side 1) or its opposite (side -1) of a turn is on the band.
+
+    Parameters
+    ----------
+    theta : array_like, shape (...)
+        Angle in radians of the turn about the W axis.
+    side : float
+        Fraction of the way from the ring to q.
+
+    Returns
+    -------
+    ndarray, shape (..., 3)
+        The points. The ring has radius 1, and the band is 0.8 wide.
+    """
+    w, s = 0.4 * side * np.cos(np.divide(theta, 2)), 0.4 * side * np.sin(np.divide(theta, 2))
+    return np.stack([(1 + s) * np.cos(theta), (1 + s) * np.sin(theta), w], axis=-1)
+
+
+def sheet(lines: ArrayLike) -> pyvista.PolyData:
+    """Span a surface between neighbouring lines, shape (k, n, 3)."""
+    grid = pyvista.StructuredGrid(*np.moveaxis(np.asarray(lines), -1, 0))
+    surface: pyvista.PolyData = grid.extract_surface(algorithm=None)
+    return surface
+
+
+def is_back(angle: float, lap: float) -> bool:
+    """Tell whether a turn, in degrees, ends where it began: after whole laps."""
+    return (abs(angle) + BACK) % lap < 2 * BACK

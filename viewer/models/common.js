@@ -11,6 +11,11 @@ export function spread(count) {
   return Array.from({ length: count }, (_, i) => i / (count - 1));
 }
 
+/** The sixteen numbers, by columns, of a matrix that takes U, V and W to three vectors. */
+export function columns([u, v, w]) {
+  return [...u, 0, ...v, 0, ...w, 0, 0, 0, 0, 1];
+}
+
 /** Arcs from each point to another: `rotedu.scenes.closed_curve.add_arcs`. */
 export function arcs(starts, ends) {
   const t = spread(13);

@@ -6,3 +6,4 @@ export { figure1 } from "./ordinary_rotation.js";
 export { carriedAround } from "./orientations.js";
 export { eulerAngles } from "./general_rotation.js";
 export { controlPoints } from "./control_points.js";
+export { twoMirrors } from "./quaternions.js";

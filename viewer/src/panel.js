@@ -134,12 +134,13 @@ function playing(specs, now, change) {
     button = pressed;
     button.textContent = "Pause";
     const { low, high, plays } = specs[name];
-    if (now()[name] >= high) change({ [name]: low });
+    // The figure may show the nearest value for which it has a frame.
+    let value = now()[name] < high ? now()[name] : low;
     let last;
     const tick = (time) => {
       const passed = last === undefined ? 0 : (time - last) / 1000;
       last = time;
-      const value = Math.min(high, now()[name] + (passed * (high - low)) / plays);
+      value = Math.min(high, value + (passed * (high - low)) / plays);
       change({ [name]: value });
       if (value < high) frame = requestAnimationFrame(tick);
       else stop();

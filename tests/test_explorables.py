@@ -181,9 +181,18 @@ def test_frames_hold_what_changes_and_nothing_else() -> None:
     assert len(frames) == FRAMES[1]
     for u, frame in zip(np.linspace(0, 1, FRAMES[1]), frames, strict=True):
         assert set(frame["parts"]) == {"ball", "strip"}
-        assert frame["parts"]["ball"] == {"at": pytest.approx([u, 0.5, 0])}
+        assert frame["parts"]["ball"] == {"at": pytest.approx([u, 0.5, 0], abs=1e-6)}
         assert set(frame["parts"]["strip"]) == {"points"}
         assert frame["outputs"] == {"sum": pytest.approx(u + 0.5)}
+
+
+def test_a_frame_undoes_what_the_frames_before_it_have_changed() -> None:
+    figure = explore(a_ball, u=(0, 1))
+    figure.u = 1
+    assert set(figure.frame()["parts"]) == {"ball", "strip"}
+    back = figure.frame(u=0.25)
+    assert back["parts"]["ball"] == {"at": [0.25, 0.5, 0]}
+    assert back["parts"]["strip"]["points"][-1] == [0.25, 0, 0]
 
 
 def test_two_sliders_make_a_grid() -> None:

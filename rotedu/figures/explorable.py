@@ -98,13 +98,25 @@ class Exploration:
         Draws the scene.
     inputs : dict
         What can be changed.
+    start : dict, optional
+        Values of the inputs to start from, in place of the function's defaults.
     """
 
-    def __init__(self, function: Scene, inputs: dict[str, Input]) -> None:
+    def __init__(
+        self, function: Scene, inputs: dict[str, Input], start: dict[str, Any] | None = None
+    ) -> None:
         defaults = inspect.signature(function).parameters
-        start = {name: kind.value(name, defaults[name].default) for name, kind in inputs.items()}
+        given = start or {name: defaults[name].default for name in inputs}
+        start = {name: kind.value(name, given[name]) for name, kind in inputs.items()}
         # These are no inputs, so they go past __setattr__.
-        vars(self).update(function=function, inputs=inputs, values=start, varying=set(), widgets=[])
+        vars(self).update(
+            function=function,
+            inputs=inputs,
+            start=start,
+            values=dict(start),
+            varying=set(),
+            widgets=[],
+        )
 
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *self.inputs]
@@ -133,13 +145,13 @@ class Exploration:
     def frame(self, **values: Any) -> dict[str, Any]:
         """Compute what has changed since the start, for the present values or for others."""
         frame = frame_of(self.draw(**values))
-        self.varying |= differences(self.base, frame)
+        self.varying.update(differences(self.base, frame))
         return only(frame, self.varying)
 
     @cached_property
     def base(self) -> dict[str, Any]:
         """The frame of the scene at the start."""
-        return frame_of(self.draw())
+        return frame_of(self.draw(**self.start))
 
     def spec(self, plotter: pyvista.Plotter) -> dict[str, Any]:
         """Describe the figure to the viewer.
@@ -178,7 +190,7 @@ class Exploration:
             "inputs": {
                 name: {"kind": kind.kind} | kind.spec() for name, kind in self.inputs.items()
             },
-            "start": self.values,
+            "start": self.start,
             "model": model,
             "frame": only(self.base, places),
             "grid": {} if model else dict.fromkeys(self.inputs, count),
@@ -202,13 +214,13 @@ class Exploration:
         """Write the controls, numbers and charts below the figure."""
         recorded = shown(plotter)
         name = self.function.__name__.replace("_", "-")
-        return panel(name, self.inputs, self.values, recorded.outputs, recorded.charts)
+        return panel(name, self.inputs, self.start, recorded.outputs, recorded.charts)
 
     def widget(self) -> Any:
         """Make the figure for a notebook, joined to the values of the inputs."""
         from rotedu.figures.widget import figure
 
-        plotter = self.draw()
+        plotter = self.draw(**self.start)
         spec = self.spec(plotter) | {"panel": self.panel(plotter)}
         made = figure(plotter, explorable=spec, values=dict(self.values))
         made.observe(self._follow, "values")
@@ -234,11 +246,13 @@ class Exploration:
             return self.widget()._repr_mimebundle_(include=include, exclude=exclude)
         plotter = self.draw()
         if pyvista.global_theme.jupyter_backend == "book":
+            # On a page it starts as it is now.
+            here = Exploration(self.function, self.inputs, self.values)
             figure = book_figure(plotter)
-            spec = self.spec(plotter)
+            spec = here.spec(plotter) | {"panel": here.panel(plotter)}
             if not spec["model"]:
-                spec["frames"] = self.frames()
-            figure.scene["explorable"] = spec | {"panel": self.panel(plotter)}
+                spec["frames"] = here.frames()
+            figure.scene["explorable"] = spec
             return figure._repr_mimebundle_()
         picture = io.BytesIO()
         still_picture(plotter).save(picture, "PNG")

@@ -179,6 +179,7 @@ def test_frames_hold_what_changes_and_nothing_else() -> None:
     figure = explore(a_ball, u=(0, 1))
     frames = figure.frames()
     assert len(frames) == FRAMES[1]
+    assert figure.inputs["u"].step == pytest.approx(1 / (FRAMES[1] - 1))
     for u, frame in zip(np.linspace(0, 1, FRAMES[1]), frames, strict=True):
         assert set(frame["parts"]) == {"ball", "strip"}
         assert frame["parts"]["ball"] == {"at": pytest.approx([u, 0.5, 0], abs=1e-6)}

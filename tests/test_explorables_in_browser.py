@@ -137,7 +137,7 @@ def test_a_figure_moves_and_tells_true_numbers(name: str, open_figure: Callable[
         mouse.move(x + 14, y + 9, steps=4)
         mouse.up()
     else:
-        turn(figure, "input[type=range] >> nth=0", 3 * ("ArrowLeft",))
+        turn(figure, "input[type=range] >> nth=0", ("Home", *3 * ("ArrowRight",)))
     after = check(name, figure)
     assert after != before
     assert difference(picture, live_picture(figure)) > 0.01

@@ -10,6 +10,7 @@ import inspect
 import io
 import itertools
 from collections.abc import Callable
+from dataclasses import replace
 from functools import cached_property
 from typing import Any, TypeVar
 
@@ -84,9 +85,18 @@ def explore(function: Scene, **sliders: Slider | tuple[float, float]) -> "Explor
     inputs = dict(getattr(function, "inputs", {}))
     for name, bounds in sliders.items():
         inputs[name] = bounds if isinstance(bounds, Slider) else Slider(*bounds)
+    if not getattr(function, "model", ""):
+        inputs = {name: on_grid(kind, len(inputs)) for name, kind in inputs.items()}
     if not inputs:
         raise ValueError(f"{function.__name__}: expected at least one input, got none")
     return Exploration(function, inputs)
+
+
+def on_grid(kind: Input, sliders: int) -> Input:
+    """Let a slider without a step of its own go from one frame of a page to the next."""
+    if isinstance(kind, Slider) and not kind.step and sliders in FRAMES:
+        return replace(kind, step=(kind.high - kind.low) / (FRAMES[sliders] - 1))
+    return kind
 
 
 class Exploration:

@@ -28,6 +28,7 @@ export function explore(element, live, data, models, python) {
   const scene = element.querySelector(".scene");
   const status = element.querySelector(".explorable-status");
   let inputs = structuredClone({ ...data.start, ...python?.values });
+  if (data.frames) inputs = stored(data, inputs);
   let asked = null;
   let refused = "";
   let timer;

@@ -417,7 +417,8 @@ def test_without_a_server_a_figure_says_how_to_move_it(
     assert "python -m http.server" in line.inner_text()
 
 
-@pytest.mark.parametrize("name", ["closed_curve_by_hand"])
+@pytest.mark.slow
+@pytest.mark.parametrize("name", BY_HAND)
 def test_axe_finds_nothing_in_the_middle_of_a_drag(
     name: str, open_figure: Callable[..., Any]
 ) -> None:

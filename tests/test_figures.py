@@ -330,7 +330,7 @@ class TestStillPicture:
             for source in (
                 "from rotedu import scenes\nplotter = scenes.figure_1()",
                 "plotter.show()",
-                "import sys\nprint(plotter.render_window, 'trame' in sys.modules)",
+                "import sys\nprint(plotter.render_window, 'anywidget' in sys.modules)",
             )
         ]
         NotebookClient(notebook).execute()

@@ -4,6 +4,7 @@
  */
 import { alongSphere, turned } from "./drag.js";
 
+const HINT = "Drag a ring to move its point, anything else to turn the figure";
 const STEP = Math.PI / 90;
 const STEPS = { Shift: 5, Alt: 0.1 };
 const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
@@ -22,6 +23,9 @@ export function addHandles(scene, live, specs, now, change) {
   const groups = Object.entries(specs)
     .filter(([, { kind }]) => kind === "points")
     .map(([name, spec]) => ({ name, spec, handles: [] }));
+
+  const hint = scene.querySelector(".scene-hint");
+  if (groups.length && hint) hint.textContent = HINT;
 
   /** The points of an input as a list, also if it is only one. */
   const listed = (value) => (Array.isArray(value[0]) ? value : [value]);

@@ -2,6 +2,7 @@
 
 const WIDTH = 320;
 const HEIGHT = 96;
+const ROUNDING = 1e-9;
 const calm = matchMedia("(prefers-reduced-motion: reduce)");
 
 /**
@@ -53,7 +54,7 @@ export function bindPanel(element, specs, now, { change, reset, link }) {
           else if (spec.kind === "number") control.value = value;
         }
         for (const field of named(`${name}-number`)) {
-          if (field !== document.activeElement) field.value = Number(value.toFixed(3));
+          if (field !== document.activeElement) field.value = value.toFixed(decimals(spec.step));
         }
         if (spec.most) {
           const [add, remove] = all(`[data-input="${name}"]`);
@@ -77,6 +78,11 @@ export function bindPanel(element, specs, now, { change, reset, link }) {
       chart.querySelector(`[data-curve="${curve}"]`).setAttribute("d", path(heights, low, high));
     }
   }
+}
+
+/** Decimals for a number with a smallest difference. */
+function decimals(step) {
+  return Math.max(0, Math.ceil(-Math.log10(step)));
 }
 
 function mark(chart, value) {
@@ -103,9 +109,10 @@ export function text(value, { digits, unit }) {
     const written = x.toFixed(digits);
     return (Number(written) === 0 ? written.replace("-", "") : written).replace("-", "\u2212");
   };
-  const row = (numbers) => [numbers].flat().map(number).join(" ");
-  const rows = Array.isArray(value?.[0]) ? value : [value];
-  return rows.map(row).join("\n") + unit;
+  const rows = (Array.isArray(value?.[0]) ? value : [value]).map((row) => [row].flat().map(number));
+  // The columns of a matrix are of one width.
+  const width = rows.length > 1 ? Math.max(...rows.flat().map((x) => x.length)) : 0;
+  return rows.map((row) => row.map((x) => x.padStart(width)).join(" ")).join("\n") + unit;
 }
 
 /** A new point in the middle of the widest gap of a closed sequence. */
@@ -147,11 +154,11 @@ function playing(specs, now, change) {
     };
     frame = requestAnimationFrame(tick);
   };
-  /** Go on by a stride; after the end, begin again. */
+  /** Go on to the next stride; after the end, begin again. */
   const step = (name) => {
     const { low, high, stride } = specs[name];
-    const value = now()[name];
-    change({ [name]: value >= high ? low : Math.min(high, value + stride) });
+    const taken = Math.floor((now()[name] - low) / stride + ROUNDING);
+    change({ [name]: now()[name] >= high ? low : Math.min(high, low + (taken + 1) * stride) });
   };
   return { stop, toggle, step };
 }

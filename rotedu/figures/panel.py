@@ -42,6 +42,7 @@ def panel(
     rows = "".join(_output(key, output) for key, output in outputs.items())
     drawn = "".join(_chart(key, chart, start) for key, chart in charts.items())
     return (
+        '<p class="explorable-status" role="status"></p>'
         '<form class="explorable-panel" autocomplete="off"><fieldset disabled>'
         f'<legend class="explorable-legend">Controls of the figure</legend>'
         f'<div class="explorable-controls">{controls.replace("{id}", name)}</div>'
@@ -50,7 +51,7 @@ def panel(
         '<div class="explorable-buttons explorable-whole">'
         '<button type="button" data-action="reset">Reset</button>'
         '<button type="button" data-action="link">Link to this state</button></div>'
-        '</fieldset></form><p class="explorable-status" role="status"></p>'
+        "</fieldset></form>"
     )
 
 
@@ -71,12 +72,13 @@ def _plain(x: float, digits: int) -> float:
 
 
 def _output(name: str, output: Output) -> str:
+    no = ' data-no=""' if output.value == "no" else ""
     matrix = " explorable-matrix" if np.ndim(_numbers(output.value)) == 2 else ""
     return (
         f'<label class="explorable-output{matrix}"><span>{escape(output.label)}</span>'
         # The status line below speaks; numbers that change with the hand are silent.
         f' <output name="{name}" aria-live="off" data-digits="{output.digits}"'
-        f' data-unit="{output.unit}">{escape(text_of(output))}</output></label>'
+        f' data-unit="{output.unit}"{no}>{escape(text_of(output))}</output></label>'
     )
 
 

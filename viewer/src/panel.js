@@ -65,6 +65,7 @@ export function bindPanel(element, specs, now, { change, reset, link }) {
       for (const [name, value] of Object.entries(outputs)) {
         const output = form.elements[name];
         output.textContent = text(value, output.dataset);
+        output.toggleAttribute("data-no", value === "no");
       }
       for (const [name, curves] of Object.entries(charts ?? {})) drawChart(name, curves);
       for (const chart of all("[data-over]")) mark(chart, inputs[chart.dataset.over]);

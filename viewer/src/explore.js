@@ -33,6 +33,8 @@ export function explore(element, live, data, models, python) {
   let refused = "";
   let timer;
 
+  /** The status line stands where the hint was. */
+  const makeRoom = () => scene.querySelector(".scene-hint")?.remove();
   const say = (text) => {
     clearTimeout(timer);
     timer = setTimeout(() => (status.textContent = text), QUIET);
@@ -51,6 +53,7 @@ export function explore(element, live, data, models, python) {
   /** A geometry without an answer keeps the last one, pale. */
   const refuse = (error) => {
     refused = error.message;
+    makeRoom();
     status.textContent = `${refused[0].toUpperCase()}${refused.slice(1)}.`;
     clearTimeout(timer);
     panel.show(inputs, { outputs: {}, charts: {} });
@@ -87,6 +90,7 @@ export function explore(element, live, data, models, python) {
   };
   /** What the hand does, unlike what Python sets, is told to Python. */
   const change = (changes, spoken = "") => {
+    makeRoom();
     set(changes);
     python?.tell(inputs);
     if (!refused && spoken) say(spoken);
@@ -97,6 +101,7 @@ export function explore(element, live, data, models, python) {
     say("Reset");
   };
   const link = () => {
+    makeRoom();
     location.hash = `explore-${data.name}?${toText(inputs, data.start)}`;
     status.textContent = "The address of this page now leads to this state.";
   };

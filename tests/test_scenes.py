@@ -52,8 +52,11 @@ def test_figure_1_takes_its_vector_axis_and_angle() -> None:
         assert np.linalg.norm(labels[text] - tip) < 0.25, text
         assert labels[text] @ tip > 0.95 * (tip @ tip), text
     assert np.allclose(np.cross(labels[r"$\hat n$"], axis), 0)
+    # The labels of r and r' lie below and above the circle: one does not cover the other at 0.
     turned = rotate(labels[r"$\vec r$"], axis, angle)
-    assert np.allclose(labels[r"$\vec r^{\,\prime}$"], turned)
+    up = labels[r"$\vec r^{\,\prime}$"] - turned
+    assert up @ unit_axis > 0.2
+    assert np.allclose(np.cross(up, unit_axis), 0)
     assert np.isclose(np.linalg.det([labels[r"$\vec r$"], vector, axis]), 0)
 
 

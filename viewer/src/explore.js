@@ -39,11 +39,14 @@ export function explore(element, live, data, models, python) {
     clearTimeout(timer);
     timer = setTimeout(() => (status.textContent = text), QUIET);
   };
+  const tell = (frame) => {
+    panel.show(inputs, frame);
+    finish(frame.outputs);
+  };
   const show = (frame) => {
     refused = "";
     live.apply(frame);
-    panel.show(inputs, frame);
-    finish(frame.outputs);
+    tell(frame);
   };
   const finish = (outputs) => {
     scene.toggleAttribute("data-refused", Boolean(refused));
@@ -112,7 +115,9 @@ export function explore(element, live, data, models, python) {
     const wanted = fromText(location.hash, data);
     if (wanted) set({ ...data.start, ...wanted });
   };
-  update();
+  // The scene has come as it is at the start.
+  if (JSON.stringify(inputs) === JSON.stringify(data.start)) tell(data.frame);
+  else update();
   if (!python) {
     follow();
     addEventListener("hashchange", follow);

@@ -136,6 +136,16 @@ def test_a_model_computes_what_python_draws(
     assert drawn >= 2
 
 
+@pytest.mark.parametrize(("turn", "flip"), [(360, False), (0, True)])
+def test_opposite_quaternions_have_a_refusal_of_their_own(turn: float, flip: bool) -> None:
+    figure = explore(scenes.slerp_by_hand)
+    inputs = figure.values | {"what": "orientations", "turn": turn, "flip": flip}
+    message = "the quaternions 1 and -1 are antipodal: no unique arc joins them"
+    refusal = {"error": "DegenerateError", "message": message}
+    assert in_python(figure, inputs) == refusal
+    assert in_node([("slerp", inputs)])["answers"] == [refusal]
+
+
 @pytest.mark.parametrize("name", BY_HAND)
 def test_a_figure_says_what_it_takes(name: str) -> None:
     figure = explore(BY_HAND[name])

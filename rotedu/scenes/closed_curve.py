@@ -98,7 +98,7 @@ def beside(polygon: NDArray[np.float64]) -> NDArray[np.float64]:
 
 MOST = 8
 """Number of points that `closed_curve_by_hand` can show."""
-STEP = 1e-4
+STEP = 3e-4
 # Of a row of points, all but the last and all but the first: the ends of the arcs between them.
 PIECES = (slice(None, -1), slice(1, None))
 

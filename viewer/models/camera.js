@@ -18,7 +18,7 @@ const SEEN = ["door", "clock", "window", "desk"];
 const LEG = 24;
 const HORIZONS = 6;
 const [WIDTH, HEIGHT] = [0.21, 0.14];
-const STEP = 1e-4;
+const STEP = 3e-4;
 const ANGLE = 60;
 
 /** `camera_by_hand` */

@@ -298,3 +298,17 @@ def test_a_declared_input_can_be_given_other_bounds() -> None:
     figure = explore(declare(a_ball), u=(0.2, 0.3))
     assert (figure.inputs["u"].low, figure.inputs["v"].high) == (0.2, 1)
     del a_ball.inputs, a_ball.model
+
+
+def test_a_curve_in_pieces_has_gaps_and_marks() -> None:
+    figure = explore(scenes.closed_curve_by_hand)
+    panel = BeautifulSoup(figure.panel(figure.draw()), "html.parser")
+    speeds, curvatures = panel.select("[data-chart]")
+    for chart in (speeds, curvatures):
+        pieces = str(chart.select_one("[data-curve]")["d"]).split("M")[1:]
+        assert [float(piece.split(",")[0]) for piece in pieces] == [0, 80, 160, 240]
+        assert [float(piece.split()[-1].split(",")[0]) for piece in pieces] == [80, 160, 240, 320]
+        seen = [mark.text for mark in chart.select(".explorable-marks span:not([hidden])")]
+        assert seen == ["P₀", "P₁", "P₂", "P₃"]
+    assert curvatures.select_one("[data-zero]")["y1"] == "48.0"
+    assert not speeds.select("[data-zero]")

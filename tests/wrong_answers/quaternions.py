@@ -1,0 +1,5 @@
+"""Wrong answers to the exercises of Chapter 2, with words of the hints."""
+
+from typing import Any
+
+WRONG: dict[str, list[tuple[Any, str]]] = {}

@@ -157,9 +157,8 @@ def two_turns_in_a_row(answer: Any) -> Wrong | None:
         [rotation_matrix(axis, angle) for axis in (u, v)] for angle in (np.pi, np.pi / 2)
     )
     halves, quarters = ((axis, np.deg2rad(degrees)) for axis, degrees in given)
-    if all(
-        same_rotation((axis, a), m) for (axis, a), m in zip(given, (v2 @ u2, v4 @ u4), strict=True)
-    ):
+    pairs = zip(given, (v2 @ u2, v4 @ u4), strict=True)
+    if all(same_rotation(turn, matrix, 1e-2) for turn, matrix in pairs):
         return Wrong("Your angles are in radians.", "A full turn has 360 degrees.")
     if not same_rotation(halves, v2 @ u2, 1e-2):
         return Wrong(
@@ -195,7 +194,7 @@ def as_printed(n: Any, angle: float) -> Any:
 @exercise(
     "3.5",
     expects="a number",
-    because="It is three times the error of the axis, and nothing warns you.",
+    because="It is three times the error of the axis, and the formula gives no warning.",
 )
 def axis_too_long(answer: Any) -> Wrong | None:
     """Compare with the residual, then with other residuals."""
@@ -244,7 +243,7 @@ def axis_too_long(answer: Any) -> Wrong | None:
 @exercise(
     "3.6",
     expects="an axis of three numbers and an angle in radians",
-    because="A hundred vertices would have been enough.",
+    because="Thousands of vertices average out the noise of each.",
 )
 def rotation_of_a_spoon(answer: Any) -> Wrong | None:
     """Compare with the truth, up to the noise."""

@@ -69,6 +69,7 @@ WRONG: dict[str, list[tuple[Any, str]]] = {
         (plain_mean(), "signs"),
         (TRUTH * [1, -1, -1, -1], "inverse"),
         (TRUTH + 0.02 * U4, "close"),
+        ([0, 0, 0, 0], "zeros"),
         ([0, 0, 0, 1], "far"),
     ],
 }

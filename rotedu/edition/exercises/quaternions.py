@@ -242,6 +242,10 @@ def between_two_photographs(answer: Any) -> Wrong | None:
 def average_of_orientations(answer: Any) -> Wrong | None:
     """Measure the angle to the truth; length and sign are free."""
     average = as_quaternion(answer)
+    if not average.any():
+        return Wrong(
+            "Four zeros are not a rotation.", "Did the signs cancel? Look at two of your terms."
+        )
     tracker = np.random.default_rng(4)
     truth = Quaternion.from_axis_angle([1, 2, 2], np.deg2rad(100))
     noise = Quaternion.from_axis_angle(

@@ -224,14 +224,15 @@ def as_rotation(answer: Any) -> Array:
     It may be a `Quaternion`, four numbers with the scalar first, an axis and an angle in radians,
     or a matrix of shape (3, 3) or (4, 4). Whether a matrix is a rotation is not checked.
     """
-    if isinstance(answer, Quaternion) or (np.ndim(answer) == 1 and len(answer) == 4):
-        w, *v = as_quaternion(answer)
-        return Quaternion(w, v).matrix()
     if isinstance(answer, (tuple, list)) and len(answer) == 2:
         axis, angle = answer
         return rotation_matrix(as_array(axis, (3,)), as_number(angle))
-    if np.shape(answer) == (4, 4):
-        return as_array(answer, (4, 4))[:3, :3]
+    shape = np.shape(getattr(answer, "components", answer))
+    if shape == (4,):
+        w, *v = as_quaternion(answer)
+        return Quaternion(w, v).matrix()
+    if shape == (4, 4):
+        return as_array(answer, shape)[:3, :3]
     return as_array(answer, (3, 3))
 
 

@@ -20,6 +20,7 @@ __all__ = [
     "Exercise",
     "Verdict",
     "Wrong",
+    "along_equator",
     "as_array",
     "as_number",
     "as_parts",
@@ -31,9 +32,11 @@ __all__ = [
     "degrees_for_radians",
     "exercise",
     "judged",
+    "on_equator",
     "radians_for_degrees",
     "same_rotation",
     "up_to_sign",
+    "without_full_turns",
 ]
 
 WITHIN = 1e-6
@@ -287,3 +290,22 @@ def judged(
     if close(answer, right, within):
         return None
     return next((wrong for result, wrong in mistakes if close(answer, result, within)), otherwise)
+
+
+def on_equator(degrees: npt.ArrayLike) -> Array:
+    """Return the points of the equator at given angles."""
+    angle = np.deg2rad(degrees)
+    return np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=-1)
+
+
+def along_equator(points: npt.ArrayLike) -> Array:
+    """Return the angles of points of the equator, in degrees from -180 to 180."""
+    x, y, _ = np.moveaxis(np.asarray(points, np.float64), -1, 0)
+    angles: Array = np.rad2deg(np.arctan2(y, x))
+    return angles
+
+
+def without_full_turns(degrees: npt.ArrayLike) -> Array:
+    """Return angles that differ by full turns as one angle, from -180 to 180."""
+    angles: Array = (np.asarray(degrees, np.float64) + 180) % 360 - 180
+    return angles

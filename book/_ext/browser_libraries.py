@@ -1,6 +1,9 @@
 """Serve what the pages need from npm from the book itself."""
 
 import shutil
+import socket
+import subprocess
+import time
 import sys
 from pathlib import Path
 from typing import Any
@@ -47,6 +50,8 @@ def typeset(app: Sphinx, config: Config) -> None:
     config.katex_js_path = str(KATEX / "dist" / "katex.min.js")
     katex.NODEJS_BINARY = str(NODE)
     katex.STARTUP_TIMEOUT = katex.RENDER_TIMEOUT = 60
+    if os.name == "posix":
+        katex.KaTeXServer.start_server_process = start_katex
     katex.KATEX_DEFAULT_OPTIONS.update(
         throwOnError=True,
         strict="error",
@@ -56,6 +61,27 @@ def typeset(app: Sphinx, config: Config) -> None:
             for name in colors.__all__
         },
     )
+
+
+def start_katex(rundir: Path, timeout: float) -> tuple[subprocess.Popen[bytes], socket.socket]:
+    """Start the server that typesets, and connect to it as soon as it listens.
+
+    sphinxcontrib.katex connects as soon as the socket is there. On a busy machine the server does
+    not listen yet, and the build fails.
+    """
+    address = str(rundir / "katex.sock")
+    command = katex.KaTeXServer.build_command(socket=address)
+    server = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, cwd=rundir)
+    connection = socket.socket(socket.AF_UNIX)
+    deadline = time.monotonic() + timeout
+    while time.monotonic() < deadline:
+        try:
+            connection.connect(address)
+        except (FileNotFoundError, ConnectionRefusedError):
+            time.sleep(0.01)
+        else:
+            return server, connection
+    raise katex.KaTeXServer.timeout_error(timeout)
 
 
 def setup(app: Sphinx) -> dict[str, Any]:

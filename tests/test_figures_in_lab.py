@@ -147,6 +147,13 @@ def command(page: Any, name: str, wait: bool = True, **arguments: str) -> Any:
     return page.evaluate(script, [name, arguments])
 
 
+def wear(page: Any, theme: str) -> None:
+    """Change the theme, which JupyterLab remembers for all pages."""
+    command(page, "apputils:change-theme", theme=f"JupyterLab {theme}")
+    light = str(theme == "Light").lower()
+    page.wait_for_function(f"document.body.dataset.jpThemeLight === '{light}'")
+
+
 def test_a_figure_lives_in_a_notebook(run: Open) -> None:
     page = run("one", IMPORTS, "scenes.figure_1().show()", "import time\nwhile True: time.sleep(1)")
     scene = page.locator(LIVE)
@@ -174,8 +181,7 @@ def test_a_figure_lives_in_a_notebook(run: Open) -> None:
     assert difference(before, live_picture(scene)) < 0.1
 
     light = scene.evaluate(INK)
-    command(page, "apputils:change-theme", theme="JupyterLab Dark")
-    page.wait_for_function("document.body.dataset.jpThemeLight === 'false'")
+    wear(page, "Dark")
     page.wait_for_timeout(500)
     assert scene.evaluate(INK) != light
 
@@ -344,6 +350,7 @@ def test_a_saved_notebook_shows_its_figures(run: Open, folder: Path) -> None:
     assert canvas.evaluate("canvas => canvas.isConnected")
     assert page.locator(PICTURES_OF_FIGURES).first.is_hidden()
 
+    wear(page, "Light")
     # The figure may begin between two pixels, and then the screenshot has one more.
     shot = image(live.screenshot())[: seen.shape[0], : seen.shape[1]]
     assert np.abs(seen - shot).mean() < 1
@@ -366,12 +373,14 @@ def test_a_saved_notebook_shows_its_figures(run: Open, folder: Path) -> None:
 @pytest.mark.slow
 def test_a_picture_does_not_depend_on_the_theme(run: Open, folder: Path) -> None:
     page = run("themes", IMPORTS, "scenes.figure_1().show()")
-    (light,) = saved_pictures(page, folder, "themes", 1)
-    command(page, "apputils:change-theme", theme="JupyterLab Dark")
-    page.wait_for_function("document.body.dataset.jpThemeLight === 'false'")
-    command(page, "notebook:restart-run-all", wait=False)
-    page.locator(".jp-Dialog .jp-mod-accept").click()
-    page.locator(PICTURES_OF_FIGURES).wait_for(state="detached", timeout=PATIENCE)
-    (dark,) = saved_pictures(page, folder, "themes", 1)
+    pictures = []
+    for theme in ("Light", "Dark"):
+        page.locator(PICTURES_OF_FIGURES).wait_for(state="attached", timeout=PATIENCE)
+        wear(page, theme)
+        command(page, "notebook:restart-run-all", wait=False)
+        page.locator(".jp-Dialog .jp-mod-accept").click()
+        page.locator(PICTURES_OF_FIGURES).wait_for(state="detached", timeout=PATIENCE)
+        pictures += saved_pictures(page, folder, "themes", 1)
+    light, dark = pictures
     assert (dark[0] == 255).all()
     assert np.abs(dark - light).mean() < 0.5

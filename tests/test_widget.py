@@ -163,6 +163,7 @@ def test_for_a_reader_widgets_are_the_default_and_vtk_draws_nothing(
     view, picture = notebook.cells[1].outputs
     assert "application/vnd.jupyter.widget-view+json" in view.data
     assert "turned" in picture.data["text/plain"]
+    assert "turned" in picture.metadata["image/png"]["alt"]
     assert notebook.cells[3].outputs[0].text == "False\n"
 
     file = base64.b64decode(picture.data["image/png"])

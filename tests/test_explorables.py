@@ -136,6 +136,16 @@ def test_a_model_computes_what_python_draws(
     assert drawn >= 2
 
 
+@pytest.mark.parametrize(("turn", "flip"), [(360, False), (0, True)])
+def test_opposite_quaternions_have_a_refusal_of_their_own(turn: float, flip: bool) -> None:
+    figure = explore(scenes.slerp_by_hand)
+    inputs = figure.values | {"what": "orientations", "turn": turn, "flip": flip}
+    message = "the quaternions 1 and -1 are antipodal: no unique arc joins them"
+    refusal = {"error": "DegenerateError", "message": message}
+    assert in_python(figure, inputs) == refusal
+    assert in_node([("slerp", inputs)])["answers"] == [refusal]
+
+
 @pytest.mark.parametrize("name", BY_HAND)
 def test_a_figure_says_what_it_takes(name: str) -> None:
     figure = explore(BY_HAND[name])
@@ -288,3 +298,17 @@ def test_a_declared_input_can_be_given_other_bounds() -> None:
     figure = explore(declare(a_ball), u=(0.2, 0.3))
     assert (figure.inputs["u"].low, figure.inputs["v"].high) == (0.2, 1)
     del a_ball.inputs, a_ball.model
+
+
+def test_a_curve_in_pieces_has_gaps_and_marks() -> None:
+    figure = explore(scenes.closed_curve_by_hand)
+    panel = BeautifulSoup(figure.panel(figure.draw()), "html.parser")
+    speeds, curvatures = panel.select("[data-chart]")
+    for chart in (speeds, curvatures):
+        pieces = str(chart.select_one("[data-curve]")["d"]).split("M")[1:]
+        assert [float(piece.split(",")[0]) for piece in pieces] == [0, 80, 160, 240]
+        assert [float(piece.split()[-1].split(",")[0]) for piece in pieces] == [80, 160, 240, 320]
+        seen = [mark.text for mark in chart.select(".explorable-marks span:not([hidden])")]
+        assert seen == ["P₀", "P₁", "P₂", "P₃"]
+    assert curvatures.select_one("[data-zero]")["y1"] == "48.0"
+    assert not speeds.select("[data-zero]")

@@ -2,16 +2,12 @@
 
 import json
 import re
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-import matplotlib
 import nbformat
 import pytest
-from matplotlib import pyplot
 
-EXERCISE = re.compile(r"^\*\*Exercise ([\d.]+)\*\*", re.MULTILINE)
 SHOWN = re.compile(r"\bsource\((?:\w+\.)*(\w+)\)")
 PRIVATE = re.compile(r"_(?!_)")
 NOTEBOOKS = sorted((Path(__file__).parents[1] / "book").glob("*.ipynb"))
@@ -60,34 +56,3 @@ class TestNotebook:
         ]
         printed = [cell for cell in code_cells(file) if cell.outputs]
         assert len(compared) >= 0.8 * len(printed) > 0
-
-
-def exercises(file: Path) -> Iterator[tuple[str, str]]:
-    """Yield the number of each exercise of a notebook and its code: starter cells and solution."""
-    cells = nbformat.read(file, as_version=4).cells
-    numbers: list[str] = []
-    codes: dict[str, list[str]] = {}
-    for cell in cells:
-        if cell.cell_type == "markdown":
-            numbers += EXERCISE.findall(cell.source)
-        elif numbers:
-            codes.setdefault(numbers[-1], []).append(cell.source)
-    yield from ((number, "\n".join(code)) for number, code in codes.items())
-
-
-EXERCISES = [(file, *exercise) for file in NOTEBOOKS for exercise in exercises(file)]
-
-
-@pytest.mark.parametrize(
-    ("file", "number", "code"), EXERCISES, ids=[number for _, number, _ in EXERCISES]
-)
-def test_an_exercise_stands_on_its_own(file: Path, number: str, code: str) -> None:
-    """It needs the imports of its page and nothing that another cell has made."""
-    imports = "\n".join(
-        line for line in code_cells(file)[0].source.splitlines() if not line.startswith("%")
-    )
-    names: dict[str, Any] = {}
-    with matplotlib.rc_context():
-        exec(imports + "\n" + code, names)
-        pyplot.close("all")
-    assert f"# Solution of Exercise {number}" in code

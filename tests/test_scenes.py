@@ -52,8 +52,11 @@ def test_figure_1_takes_its_vector_axis_and_angle() -> None:
         assert np.linalg.norm(labels[text] - tip) < 0.25, text
         assert labels[text] @ tip > 0.95 * (tip @ tip), text
     assert np.allclose(np.cross(labels[r"$\hat n$"], axis), 0)
+    # The labels of r and r' lie below and above the circle: one does not cover the other at 0.
     turned = rotate(labels[r"$\vec r$"], axis, angle)
-    assert np.allclose(labels[r"$\vec r^{\,\prime}$"], turned)
+    up = labels[r"$\vec r^{\,\prime}$"] - turned
+    assert up @ unit_axis > 0.2
+    assert np.allclose(np.cross(up, unit_axis), 0)
     assert np.isclose(np.linalg.det([labels[r"$\vec r$"], vector, axis]), 0)
 
 
@@ -181,12 +184,58 @@ def test_reversed_axis_is_that_of_5_9_as_printed() -> None:
 
 def test_camera_goes_past_its_targets_on_both_paths() -> None:
     plotter = scenes.camera_by_hand()
-    (curve,), (arcs,) = meshes(plotter, colors.RESULT), meshes(plotter, colors.CROSS)
+    # Each path is there twice: thick, and thin for when the camera takes the other one.
+    (curve, _), (arcs, _) = meshes(plotter, colors.RESULT), meshes(plotter, colors.CROSS)
     for target in scenes.CAMERA_TARGETS:
         target = np.array(target) / np.linalg.norm(target)
         for path in (curve, arcs):
             assert np.linalg.norm(path.points - target, axis=1).min() < 0.02
     np.testing.assert_allclose(np.linalg.norm(curve.points, axis=1), 1, atol=0.02)
+
+
+def test_one_path_of_the_camera_is_thick() -> None:
+    for path, other in (("arcs", "curve"), ("curve", "arcs")):
+        actors = scenes.camera_by_hand(path=path).actors
+        seen = {name: actors[name].visibility for name in (path, other, f"other {other}")}
+        assert seen == {path: True, other: False, f"other {other}": True}
+
+
+@pytest.mark.parametrize("path", ["arcs", "curve"])
+@pytest.mark.parametrize("u", [0.1, 0.4, 0.6, 0.9])
+def test_an_upright_camera_spins_with_its_azimuth(path: str, u: float) -> None:
+    def sight(u: float) -> np.ndarray:
+        plotter = scenes.camera_by_hand(path=path, roll="kept upright", u=u)
+        return plotter.actors["camera"].user_matrix[:3, 0]
+
+    (x, y, _), (x2, y2, _) = sight(u - 1e-5), sight(u + 1e-5)
+    # Four legs take four seconds; only the part of the turn about the line of sight counts.
+    rate = np.degrees(np.arctan2(x * y2 - y * x2, x * x2 + y * y2)) / 8e-5
+    shown = {
+        roll: scenes.camera_by_hand(path=path, roll=roll, u=u).shown.outputs["spin"].value
+        for roll in ("kept upright", "carried along")
+    }
+    assert shown["kept upright"] == pytest.approx(rate * sight(u)[2], rel=1e-4, abs=1e-2)
+    assert shown["carried along"] == 0
+
+
+def test_speed_jumps_on_arcs_and_not_on_the_curve() -> None:
+    speeds = scenes.camera_by_hand().shown.charts["speeds"].curves
+    jumps = {
+        name: np.subtract(s, np.roll(s, 1, axis=0)[:, [-1]])[:, 0] for name, s in speeds.items()
+    }
+    assert abs(jumps["curve"]).max() < 1e-4
+    arcs = np.array(scenes.CAMERA_TARGETS)
+    arcs /= np.linalg.norm(arcs, axis=1, keepdims=True)
+    lengths = np.degrees(np.arccos(np.sum(arcs * np.roll(arcs, -1, axis=0), axis=1)))
+    np.testing.assert_allclose(jumps["arcs"], lengths - np.roll(lengths, 1), atol=1e-4)
+
+
+def test_curvature_in_the_chart_jumps_as_told() -> None:
+    shown = scenes.closed_curve_by_hand().shown
+    pieces = np.array(shown.charts["curvatures"].curves["curve"])
+    jumps = abs(pieces[:, 0] - np.roll(pieces[:, -1], 1))
+    assert jumps.max() == pytest.approx(shown.outputs["curvature_jump"].value, abs=1e-5)
+    assert (jumps > 0.5).sum() == 3
 
 
 def test_four_ways_between_are_those_of_scipy() -> None:

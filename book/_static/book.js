@@ -22,3 +22,79 @@ if (location.protocol === "file:") {
     font.load().then(() => document.fonts.add(font));
   }
 }
+
+// Present a page: one section at a time. A figure, or a box that scrolls, keeps the keys it uses.
+const pageHead = document.querySelector(".page-head");
+
+if (pageHead) {
+  const root = document.documentElement;
+  const sections = [...document.querySelectorAll("article section")];
+  const steps = { ArrowRight: 1, PageDown: 1, " ": 1, ArrowLeft: -1, PageUp: -1 };
+  const ends = { Home: 0, End: sections.length - 1 };
+  let place = 0;
+
+  pageHead.insertAdjacentHTML("beforeend", ' <button type="button">Present</button>');
+  document.body.insertAdjacentHTML(
+    "beforeend",
+    `<nav class="present-bar" aria-label="Sections">
+      <button type="button" aria-label="Previous section">←</button>
+      <span role="status"></span>
+      <button type="button" aria-label="Next section">→</button>
+      <button type="button">Leave</button>
+    </nav>`,
+  );
+  const bar = document.querySelector(".present-bar");
+  const buttons = [pageHead.querySelector("button"), ...bar.querySelectorAll("button")];
+
+  const show = (index) => {
+    const section = sections[index];
+    if (!section) return;
+    sections[place].classList.remove("presented");
+    place = index;
+    section.classList.add("presented");
+    section.tabIndex = -1;
+    section.focus({ preventScroll: true });
+    scrollTo(0, 0);
+    const title = section.querySelector("h1, h2, h3, h4").cloneNode(true);
+    for (const unsaid of title.querySelectorAll(".katex-mathml, .headerlink")) unsaid.remove();
+    const said = `${place + 1} of ${sections.length}: ${title.textContent}`;
+    bar.querySelector("span").textContent = said;
+    letReach();
+  };
+  const start = () => {
+    root.classList.add("presenting");
+    show(place);
+  };
+  const leave = () => {
+    root.classList.remove("presenting");
+    sections[place].scrollIntoView({ behavior: "instant" });
+    letReach();
+  };
+  const presents = () => root.classList.contains("presenting");
+  const scrolls = (step) =>
+    step > 0 ? root.scrollTop + root.clientHeight < root.scrollHeight - 2 : root.scrollTop > 0;
+
+  const actions = [start, () => show(place - 1), () => show(place + 1), leave];
+  buttons.forEach((button, i) => button.addEventListener("click", actions[i]));
+
+  addEventListener("keydown", (event) => {
+    const { key, target } = event;
+    if (!presents() || event.ctrlKey || event.metaKey || event.altKey) return;
+    const kept = target.closest(".scene, .explorable, [tabindex='0']");
+    if (key === "Escape") return kept ? sections[place].focus() : leave();
+    if (kept || (key === " " && target.closest("a, button, summary"))) return;
+    const step = key === " " && event.shiftKey ? -1 : steps[key];
+    if (!step && !(key in ends)) return;
+    // A section taller than the screen scrolls before it makes way for another.
+    if (step && !key.startsWith("Arrow") && scrolls(step)) return;
+    event.preventDefault();
+    show(ends[key] ?? place + step);
+  });
+
+  // A link to another section of the page goes there.
+  addEventListener("click", ({ target }) => {
+    const link = presents() && target.closest("a[href^='#']");
+    const aim = link && document.getElementById(decodeURIComponent(link.hash.slice(1)));
+    if (aim) show(sections.findLastIndex((section) => section.contains(aim)));
+  });
+}

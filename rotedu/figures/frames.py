@@ -43,6 +43,7 @@ class Chart:
     label: str
     over: str
     colors: Mapping[str, str] = field(default_factory=dict)
+    marks: Sequence[str] = ()
 
 
 @dataclass
@@ -143,6 +144,7 @@ def draw_chart(
     y: tuple[float, float],
     label: str,
     colors: Mapping[str, str] | None = None,
+    marks: Sequence[str] = (),
 ) -> None:
     """Show a chart beside a scene.
 
@@ -153,7 +155,8 @@ def draw_chart(
     name : str
         Name of the chart.
     curves : mapping of str to array_like
-        The heights of each curve at places evenly spread over `x`.
+        The heights of each curve at places evenly spread over `x`: shape (m,), or (n, m) for n
+        pieces of equal width, with a gap where the height jumps from one to the next.
     over : str
         The input along the chart; a mark shows its value.
     x, y : tuple of float
@@ -162,9 +165,11 @@ def draw_chart(
         What the chart shows.
     colors : mapping of str to str, optional
         Colour of each curve.
+    marks : sequence of str
+        What stands where each piece begins; there may be more names than pieces.
     """
     heights = {curve: rounded(h) for curve, h in curves.items()}
-    shown(plotter).charts[name] = Chart(x, y, heights, label, over, colors or {})
+    shown(plotter).charts[name] = Chart(x, y, heights, label, over, colors or {}, marks)
 
 
 def frame_of(plotter: pyvista.Plotter) -> dict[str, Any]:

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from rotedu.colors import VECTOR
 from rotedu.figures.frames import Chart, Output
 from rotedu.figures.inputs import Input
 
@@ -42,6 +43,7 @@ def panel(
     rows = "".join(_output(key, output) for key, output in outputs.items())
     drawn = "".join(_chart(key, chart, start) for key, chart in charts.items())
     return (
+        '<p class="explorable-status" role="status"></p>'
         '<form class="explorable-panel" autocomplete="off"><fieldset disabled>'
         f'<legend class="explorable-legend">Controls of the figure</legend>'
         f'<div class="explorable-controls">{controls.replace("{id}", name)}</div>'
@@ -50,7 +52,7 @@ def panel(
         '<div class="explorable-buttons explorable-whole">'
         '<button type="button" data-action="reset">Reset</button>'
         '<button type="button" data-action="link">Link to this state</button></div>'
-        '</fieldset></form><p class="explorable-status" role="status"></p>'
+        "</fieldset></form>"
     )
 
 
@@ -71,12 +73,13 @@ def _plain(x: float, digits: int) -> float:
 
 
 def _output(name: str, output: Output) -> str:
+    no = ' data-no=""' if output.value == "no" else ""
     matrix = " explorable-matrix" if np.ndim(_numbers(output.value)) == 2 else ""
     return (
         f'<label class="explorable-output{matrix}"><span>{escape(output.label)}</span>'
         # The status line below speaks; numbers that change with the hand are silent.
         f' <output name="{name}" aria-live="off" data-digits="{output.digits}"'
-        f' data-unit="{output.unit}">{escape(text_of(output))}</output></label>'
+        f' data-unit="{output.unit}"{no}>{escape(text_of(output))}</output></label>'
     )
 
 
@@ -97,21 +100,36 @@ def _chart(name: str, chart: Chart, start: Mapping[str, Any]) -> str:
         for curve in chart.curves
         if len(chart.curves) > 1
     )
+    level = HEIGHT * chart.y[1] / (chart.y[1] - chart.y[0])
+    zero = f'<line data-zero="" x2="{WIDTH}" y1="{level:.1f}" y2="{level:.1f}"/>'
+    pieces = max(len(np.atleast_2d(heights)) for heights in chart.curves.values())
+    marks = "".join(
+        f"<span{'' if i < pieces else ' hidden'}>{escape(text)}</span>"
+        for i, text in enumerate(chart.marks)
+    )
     return (
         f'<figure class="explorable-chart" data-chart="{name}" data-over="{chart.over}"'
         f' data-x="{chart.x[0]:g} {chart.x[1]:g}" data-y="{chart.y[0]:g} {chart.y[1]:g}">'
         f"<figcaption>{escape(chart.label)} {keys}</figcaption>"
-        f'<span class="explorable-range">{high}</span>'
+        f'<span class="explorable-range">{high}</span><div class="explorable-plot">'
         f'<svg viewBox="0 0 {WIDTH} {HEIGHT}" preserveAspectRatio="none" role="img"'
-        f' aria-label="{escape(chart.label)}">{curves}'
+        f' aria-label="{escape(chart.label)}">{zero if chart.y[0] < 0 < chart.y[1] else ""}{curves}'
         f'<line data-mark="" x1="{at:.1f}" x2="{at:.1f}" y1="0" y2="{HEIGHT}"/></svg>'
+        f'<div class="explorable-marks" style="color: {VECTOR}">{marks}</div></div>'
         f'<span class="explorable-range">{low}</span></figure>'
     )
 
 
 def path_of(heights: Any, y: tuple[float, float]) -> str:
-    """Write a curve as an SVG path, cut off at the range of the chart."""
+    """Write a curve, in one or more pieces, as an SVG path, cut off at the range of the chart."""
     values = np.clip((np.asarray(heights, float) - y[0]) / (y[1] - y[0]), -0.05, 1.05)
-    xs = np.linspace(0, WIDTH, len(values))
-    steps = " ".join(f"{x:.1f},{HEIGHT * (1 - h):.1f}" for x, h in zip(xs, values, strict=True))
-    return f"M{steps}"
+    pieces = np.atleast_2d(values)
+    xs = np.linspace(0, 1, pieces.shape[1])
+    return "".join(
+        "M"
+        + " ".join(
+            f"{(i + x) * WIDTH / len(pieces):.1f},{HEIGHT * (1 - h):.1f}"
+            for x, h in zip(xs, piece, strict=True)
+        )
+        for i, piece in enumerate(pieces)
+    )

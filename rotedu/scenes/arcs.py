@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from rotedu.arcs import angle_between, arc_axis, nlerp, slerp
 from rotedu.colors import AXIS, CROSS, NEUTRAL, RESULT, VECTOR
+from rotedu.errors import DegenerateError
 from rotedu.figures import (
     Choice,
     Handles,
@@ -147,6 +148,8 @@ def figure_2(
 
 # Below this angle the sines are their angles to the last digit, but never 0/0.
 TINY = 1e-9
+# Angles in radians, and sines, that look like zero.
+SAME = 1e-6
 
 
 def weights(theta: float, t: NDArray[np.float64]) -> list[NDArray[np.float64]]:
@@ -195,12 +198,12 @@ def speed_of_nlerp(theta: float, t: NDArray[np.float64]) -> NDArray[np.float64]:
     q=Handles("q"),
     t=Slider(0, 1, "fraction t", plays=5),
     what=Choice("between", ["directions", "orientations"]),
-    turn=Slider(0, 360, "turn of the spoon", step=1),
+    turn=Slider(0, 360, "turn (orientations)", step=1),
     flip=Switch("flip the sign of the end"),
 )
 def slerp_by_hand(
-    p: ArrayLike = (0.68, -0.73, -0.04),
-    q: ArrayLike = (-0.23, 0.97, -0.04),
+    p: ArrayLike = (0.72, -0.65, -0.12),
+    q: ArrayLike = (-0.30, 0.94, 0.12),
     t: float = 0.2,
     what: str = "directions",
     turn: float = 150.0,
@@ -226,25 +229,37 @@ def slerp_by_hand(
     -------
     pyvista.Plotter
         The scene.
+
+    Raises
+    ------
+    rotedu.errors.DegenerateError
+        If no unique arc joins the ends.
     """
     start, other = (np.asarray(v, float) / np.linalg.norm(v) for v in (p, q))
     spoons = what == "orientations"
     up = np.eye(3)[2]
-    axis = arc_axis(start, other) if spoons else up
+    joined = spoons or np.linalg.norm(np.cross(start, other)) > SAME
+    axis = arc_axis(start, other) if joined else up
     turns = Quaternion.from_axis_angle(axis, np.radians([0, turn])).components
     first, last = turns if spoons else (start, other)
     last = -last if flip else last
     theta = float(angle_between(first, last))
+    if spoons and theta > np.pi - SAME:
+        raise DegenerateError("the quaternions 1 and -1 are antipodal: no unique arc joins them")
     times = np.linspace(0, 1, 61)
 
     def tip(end: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return where an end takes the tip of the spoon; a direction is its own tip."""
         return Quaternion(end[..., 0], end[..., 1:]).rotate(start) if spoons else end
 
+    def beyond(point: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return the place of an end's label."""
+        return 1.1 * point + 0.14 * axis
+
     end, here, there = tip(last), tip(slerp(first, last, t)), tip(nlerp(first, last, t))
     tenths = tip(nlerp(first, last, np.arange(1, 10) / 10))
 
-    plotter = new_scene(eye=(4.3, 2.3, 2.6), target=(0, 0, 0))
+    plotter = new_scene(eye=(4.3, 2.3, 2.6), target=(0, 0, 0.08))
     add_sphere(plotter)
     add_line(plotter, tip(slerp(first, last, times)), RESULT, radius=0.012, name="arc")
     add_lines(plotter, [[ORIGIN, x] for x in tenths], CROSS, radius=0.003, name="tenths")
@@ -276,12 +291,13 @@ def slerp_by_hand(
         spoon.user_matrix, spoon.visibility = matrix, spoons
 
     for name, text, place, color in (
-        ("p", "$p$", 1.1 * start + 0.14 * up, VECTOR),
-        ("q", "$q$", 1.1 * other + 0.14 * up, VECTOR),
-        ("-q", "$-q$", 1.1 * end + 0.14 * up if flip and not spoons else None, VECTOR),
+        ("p", "$p$", None if spoons else beyond(start), VECTOR),
+        ("1", "$1$", beyond(start) + 0.12 * axis if spoons else None, VECTOR),
+        ("q", "$q$", beyond(end if spoons else other) if not (spoons and flip) else None, VECTOR),
+        ("-q", "$-q$", beyond(end) if flip else None, VECTOR),
         ("axis", "axis", 1.2 * axis if spoons else None, AXIS),
-        ("slerp", "slerp", 1.2 * here - 0.17 * up, RESULT),
-        ("nlerp", "nlerp", 1.2 * there, CROSS),
+        ("slerp", "slerp", 0.8 * here + 0.1 * axis, RESULT),
+        ("nlerp", "nlerp", 1.15 * there - 0.15 * axis, CROSS),
     ):
         add_label(plotter, place, text, color, name=name)
 
@@ -300,7 +316,7 @@ def slerp_by_hand(
         over="t",
         x=(0, 1),
         y=(0, 4),
-        label="weights",
+        label="weights (cut off at 4)",
         colors={"start": VECTOR, "end": NEUTRAL},
     )
     draw_chart(

@@ -63,18 +63,14 @@ def figure_8(points: ArrayLike = FIGURE_8, fraction: float = 1 / 2) -> pyvista.P
     add_sphere(plotter)
     add_line(plotter, [*curve, curve[0]], RESULT, radius=0.013)
     polygon = np.stack([b, p, a], axis=1).reshape(-1, 3)
-    before, after = np.roll(polygon, 1, axis=0), np.roll(polygon, -1, axis=0)
-    for start, end in zip(polygon, after, strict=True):
+    for start, end in zip(polygon, np.roll(polygon, -1, axis=0), strict=True):
         add_arc(plotter, start, end, CROSS)
 
-    # Labels go on the outer side of the corners; the polygon has no corner at P_i.
-    outwards = 0.35 * (polygon - polygon.mean(axis=0)) + polygon - (before + after) / 2
-    outwards /= np.linalg.norm(outwards, axis=1, keepdims=True)
     corners = (("b", RESULT, 0.024), ("P", VECTOR, 0.036), ("a", RESULT, 0.024))
-    for i, (point, outward) in enumerate(zip(polygon, outwards, strict=True)):
+    for i, (point, place) in enumerate(zip(polygon, beside(polygon), strict=True)):
         letter, color, radius = corners[i % 3]
         add_point(plotter, point, color, radius)
-        add_label(plotter, point + 0.15 * outward, f"${letter}_{i // 3}$", color)
+        add_label(plotter, place, f"${letter}_{i // 3}$", color)
     describe(
         plotter,
         f"A see-through sphere with a smooth closed green curve through {len(p)} blue points P."
@@ -85,9 +81,24 @@ def figure_8(points: ArrayLike = FIGURE_8, fraction: float = 1 / 2) -> pyvista.P
     return plotter
 
 
+def beside(polygon: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return a place beside each corner of a closed polygon on the sphere, for its label.
+
+    It is on the outer side of the corner. Where the polygon has no corner, as at P_i, it is on the
+    side away from the middle of all.
+    """
+    before, after = np.roll(polygon, 1, axis=0), np.roll(polygon, -1, axis=0)
+    outwards = 0.35 * (polygon - polygon.mean(axis=0)) + polygon - (before + after) / 2
+    sideways = np.cross(polygon, after - before)
+    sideways *= np.where(np.sum(sideways * outwards, axis=1, keepdims=True) < 0, -1, 1)
+    sideways /= np.linalg.norm(sideways, axis=1, keepdims=True)
+    places: NDArray[np.float64] = 1.1 * polygon + 0.16 * sideways
+    return places
+
+
 MOST = 8
 """Number of points that `closed_curve_by_hand` can show."""
-STEP = 1e-4
+STEP = 3e-4
 # Of a row of points, all but the last and all but the first: the ends of the arcs between them.
 PIECES = (slice(None, -1), slice(1, None))
 
@@ -123,10 +134,10 @@ def motion(
     model="closedCurve",
     points=Handles([f"P{k}" for k in range(MOST)], least=3, most=MOST),
     u=Slider(0, 1, "once round, u", plays=10),
-    fraction=Slider(0.2, 0.5, "fraction of a", step=0.005),
+    fraction=Slider(0.2, 0.5, "length of handles", step=0.005),
 )
 def closed_curve_by_hand(
-    points: ArrayLike = FIGURE_8, u: float = 0.65, fraction: float = 1 / 2
+    points: ArrayLike = FIGURE_8, u: float = 0.34, fraction: float = 1 / 2
 ) -> pyvista.Plotter:
     """Draw Fig. 8 with de Casteljau's construction of one point, speed and curvature.
 
@@ -159,8 +170,7 @@ def closed_curve_by_hand(
     curve = closed_curve(p, 40, fraction)
     add_line(plotter, [*curve, curve[0]], RESULT, radius=0.013, name="curve")
     polygon = np.stack([b, p, a], axis=1).reshape(-1, 3)
-    before, after = np.roll(polygon, 1, axis=0), np.roll(polygon, -1, axis=0)
-    add_arcs(plotter, polygon, after, CROSS, name="polygon")
+    add_arcs(plotter, polygon, np.roll(polygon, -1, axis=0), CROSS, name="polygon")
     starts, ends = (np.concatenate([level[cut] for level in levels[1:3]]) for cut in PIECES)
     add_arcs(plotter, starts, ends, NEUTRAL, name="levels")
     for j, level in enumerate(levels[1:3], start=1):
@@ -168,8 +178,7 @@ def closed_curve_by_hand(
             add_point(plotter, point, NEUTRAL, 0.018, name=f"Q {j} {j + k}")
     add_point(plotter, levels[3][0], RESULT, 0.034, name="C")
 
-    outwards = 0.35 * (polygon - polygon.mean(axis=0)) + polygon - (before + after) / 2
-    outwards /= np.linalg.norm(outwards, axis=1, keepdims=True)
+    places = beside(polygon)
     corners = (("b", RESULT, 0.022), ("P", VECTOR, 0.036), ("a", RESULT, 0.022))
     for i in range(3 * MOST):
         letter, color, radius = corners[i % 3]
@@ -177,32 +186,32 @@ def closed_curve_by_hand(
         point = polygon[i] if used else ORIGIN
         name = f"{letter}_{i // 3}"
         add_point(plotter, point, color, radius, name=name).visibility = used
-        place = point + 0.15 * outwards[i] if used else None
-        add_label(plotter, place, f"${name}$", color, name=name)
+        add_label(plotter, places[i] if used else None, f"${name}$", color, name=name)
 
     velocity, curvature = motion(control[:, np.newaxis], t)
     speed = np.degrees(np.linalg.norm(velocity, axis=-1))
     arriving, leaving = np.roll(velocity[:, -1], 1, axis=0), velocity[:, 0]
     velocity_here, curvature_here = motion(control[segment], within)
     read_out(plotter, "speed", np.degrees(np.linalg.norm(velocity_here)), "speed here", 0, "°/s")
-    read_out(plotter, "curvature", curvature_here, "curvature here", 2)
+    read_out(plotter, "curvature", curvature_here, "curvature here (great circle: 0)", 2)
     jump = np.degrees(np.linalg.norm(leaving - arriving, axis=-1)).max()
     read_out(plotter, "velocity_jump", jump, "largest jump of velocity", 1, "°/s")
     jump = abs(curvature[:, 0] - np.roll(curvature[:, -1], 1)).max()
     read_out(plotter, "curvature_jump", jump, "largest jump of curvature", 2)
     for name, values, top, text in (
-        ("speeds", speed, (0.0, 200.0), "speed, degrees a second"),
-        ("curvatures", curvature, (-4.0, 4.0), "curvature: positive to the left"),
+        ("speeds", speed, (0.0, 150.0), "speed, degrees a second"),
+        ("curvatures", curvature, (-8.0, 8.0), "curvature, positive to the left"),
     ):
         draw_chart(
             plotter,
             name,
-            {"curve": values.ravel()},
+            {"curve": values},
             over="u",
             x=(0, 1),
             y=top,
             label=text,
             colors={"curve": RESULT},
+            marks=[f"P{chr(ord('₀') + k)}" for k in range(MOST)],
         )
     describe(
         plotter,
@@ -272,6 +281,7 @@ GRID = (
 )
 """Meridians and parallels, 30 degrees apart."""
 LEG = 24
+HORIZONS = 6
 WIDTH, HEIGHT = 0.21, 0.14
 
 
@@ -279,16 +289,16 @@ WIDTH, HEIGHT = 0.21, 0.14
     model="camera",
     targets=Handles(CAMERA_SEES),
     path=Choice("path", ["arcs", "curve"]),
-    roll=Choice("roll", ["upright", "carried"]),
-    ride=Switch("ride along"),
+    roll=Choice("camera", ["kept upright", "carried along"]),
     u=Slider(0, 1, "once round, u", plays=12),
+    ride=Switch("ride along: see what the camera sees"),
 )
 def camera_by_hand(
     targets: ArrayLike = CAMERA_TARGETS,
-    path: str = "curve",
-    roll: str = "carried",
-    ride: bool = False,
+    path: str = "arcs",
+    roll: str = "carried along",
     u: float = 1.0,
+    ride: bool = False,
 ) -> pyvista.Plotter:
     """Draw a camera that looks from target to target and back to the first, on either path.
 
@@ -299,12 +309,12 @@ def camera_by_hand(
     path : str
         On ``arcs``, or on the closed ``curve``. Each of the four legs takes a second.
     roll : str
-        ``upright`` keeps the sides of the picture vertical. ``carried`` starts upright at the door;
-        from there on, nothing turns the camera about its line of sight.
-    ride : bool
-        See what the camera sees. Here, this only takes the camera away.
+        ``kept upright`` keeps the sides of the picture vertical. ``carried along`` starts upright
+        at the door; from there on, nothing turns the camera about its line of sight.
     u : float
         Place on the way round, from 0 to 1.
+    ride : bool
+        See what the camera sees. Here, this only takes the camera away.
 
     Returns
     -------
@@ -326,7 +336,7 @@ def camera_by_hand(
     within = 4 * u - leg
     ahead = de_casteljau(legs[leg], within)
     vertical = up = upright(ahead)
-    if roll == "carried":
+    if roll == "carried along":
         passed = ways[path][: min(int(4 * LEG * u), 4 * LEG - 1) + 1]
         up = carried(upright(p[0]), [*passed, ahead])
 
@@ -334,19 +344,25 @@ def camera_by_hand(
     add_sphere(plotter)
     ground = pyvista.Sphere(start_phi=90, theta_resolution=48, phi_resolution=16)
     ground.points /= np.linalg.norm(ground.points, axis=1, keepdims=True)
-    plotter.add_mesh(ground, color=NEUTRAL, opacity=0.25, smooth_shading=True, pickable=False)
+    plotter.add_mesh(ground, color=NEUTRAL, opacity=0.35, smooth_shading=True, pickable=False)
     add_lines(plotter, GRID, NEUTRAL, radius=0.002, name="grid")
     add_line(
         plotter, turning((1, 0, 0), (0, 0, 1), 2 * np.pi), NEUTRAL, radius=0.005, name="horizon"
     )
-    for name, color, radius in (("arcs", CROSS, 0.009), ("curve", RESULT, 0.014)):
-        line = add_line(plotter, [*ways[name], p[0]], color, radius, name=name)
-        line.visibility = not ride or name == path
+    for k in range(HORIZONS):
+        azimuth = 2 * np.pi * k / HORIZONS
+        place = 0.98 * np.array([np.cos(azimuth), np.sin(azimuth), 0.06])
+        add_label(plotter, place if ride else None, "horizon", name=f"horizon {k}")
+    for name, color in (("arcs", CROSS), ("curve", RESULT)):
+        way = [*ways[name], p[0]]
+        add_line(plotter, way, color, 0.014, name=name).visibility = name == path
+        other = add_line(plotter, way, color, 0.004, name=f"other {name}")
+        other.visibility = not ride and name != path
     # Labels stay clear of the path and of the side of the picture that is up.
     away = p - p.mean(axis=0)
     away -= np.sum(away * p, axis=1, keepdims=True) * p
     away /= np.maximum(np.linalg.norm(away, axis=1, keepdims=True), STEP)
-    places = 1.1 * p + 0.16 * (away + np.cross(p, away))
+    places = 1.12 * p + 0.19 * (away + np.cross(p, away))
     for name, target, place in zip(CAMERA_SEES, p, places, strict=True):
         add_point(plotter, target, VECTOR, 0.036, name=name)
         add_label(plotter, place, name, VECTOR)
@@ -357,7 +373,9 @@ def camera_by_hand(
     name = place_part(plotter, "camera", matrix=pose.T.ravel())
     seen = [plotter.add_mesh(body, color=NEUTRAL, pickable=False, user_matrix=pose, name=name)]
     corners = picture(ahead, vertical)
-    seen.append(add_line(plotter, [*corners, corners[0]], NEUTRAL, 0.005, name="upright"))
+    seen.append(add_line(plotter, [*corners, corners[0]], NEUTRAL, 0.008, name="upright"))
+    top = ahead + HEIGHT * vertical
+    seen.append(add_arrow(plotter, top, top + 0.16 * vertical, NEUTRAL, 0.011, name="upright up"))
     corners = picture(ahead, up)
     seen.append(add_line(plotter, [*corners, corners[0]], AXIS, 0.01, name="picture"))
     edges = [[ORIGIN, corner] for corner in corners]
@@ -368,19 +386,42 @@ def camera_by_hand(
         actor.visibility = not ride
     add_label(plotter, None if ride else top + 0.36 * up, "up", AXIS)
 
-    arriving, leaving = np.roll(motion(legs, 1.0)[0], 1, axis=0), motion(legs, 0.0)[0]
+    spin = 0.0
+    if roll == "kept upright":
+        before, later = (upright(de_casteljau(legs[leg], within + x)) for x in (-STEP, STEP))
+        spin = float((later - before) @ np.cross(ahead, vertical)) / (2 * STEP)
+    t = np.linspace(0, 1, LEG // 2 + 1)
+    velocities = {
+        "arcs": motion(arcs[:, np.newaxis], t)[0],
+        "curve": motion(curves[:, np.newaxis], t)[0],
+    }
+    velocity = velocities[path]
+    arriving, leaving = np.roll(velocity[:, -1], 1, axis=0), velocity[:, 0]
     speed = np.linalg.norm(motion(legs[leg], within)[0])
     across = np.linalg.norm(np.cross(arriving, leaving), axis=1)
     bends = np.arctan2(across, np.sum(arriving * leaving, axis=1))
     rolled = np.arctan2(np.cross(vertical, up) @ ahead, vertical @ up)
-    read_out(plotter, "rolled", np.degrees(rolled), "rolled by", 0, "°")
+    read_out(plotter, "rolled", np.degrees(rolled), "turned against upright", 0, "°")
+    read_out(plotter, "spin", np.degrees(spin), "spin about line of sight", 0, "°/s")
     read_out(plotter, "speed", np.degrees(speed), "speed", 0, "°/s")
     read_out(plotter, "bends", np.degrees(bends), f"bends at {', '.join(CAMERA_SEES)}", 0, "°")
+    draw_chart(
+        plotter,
+        "speeds",
+        {name: np.degrees(np.linalg.norm(v, axis=-1)) for name, v in velocities.items()},
+        over="u",
+        x=(0, 1),
+        y=(0, 150),
+        label="speed, degrees a second",
+        colors={"arcs": CROSS, "curve": RESULT},
+        marks=CAMERA_SEES,
+    )
     describe(
         plotter,
         "A see-through sphere with a camera at its centre, a horizon and a darker lower half."
         " Purple arcs join four blue points, a door, a clock, a window and a desk, with a corner at"
-        " each point. A green curve runs through the same points without a corner. An orange frame"
+        " each point. A green curve runs through the same points without a corner. The path that"
+        " the camera does not take is thin. An orange frame"
         " on the sphere shows the picture that the camera takes and which side of it is up; a grey"
         " frame shows how an upright camera would hold it.",
     )

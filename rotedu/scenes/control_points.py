@@ -259,8 +259,8 @@ STEPS = (
     "0 three given points",
     "1 Double: go on",
     "2 Bisect: aim between",
-    "3 Bisect: halfway back, a",
-    "4 Double: the other side, b",
+    "3 Bisect: halfway back, aᵢ",
+    "4 Double: the other side, bᵢ",
 )
 # Lengths of vectors and angles in radians that look equal.
 SAME = 1e-6
@@ -270,10 +270,10 @@ NEAR, FAR = 0.17, 0.36
 
 @explorable(
     model="controlPoints",
-    points=Handles(("P_i-1", "P_i", "P_i+1")),
+    points=Handles(("P before", "P", "P after")),
     step=Slider(0, 4, "steps taken", step=1, stride=1, plays=8),
-    printed_axis=Switch("(5-9) as printed"),
-    printed_double=Switch("(5-13) as printed"),
+    printed_axis=Switch("(5-9) as printed (step 2)"),
+    printed_double=Switch("(5-13) as printed (step 4)"),
 )
 def control_points_by_hand(
     points: ArrayLike = NEIGHBOURS,
@@ -309,7 +309,7 @@ def control_points_by_hand(
     doubled = (here, a) if printed_double else (a, here)
     b = slerp(*doubled, 2)
 
-    plotter = new_scene(eye=(1.5, 4.75, 2.9), target=(0, 0, 0.06))
+    plotter = new_scene(eye=(3.2, 3.8, 2.9), target=(0, 0, 0.06))
     add_sphere(plotter)
     add_arcs(plotter, [before, here], [here, after], VECTOR, name="given")
     for name, point, others in (
@@ -349,18 +349,20 @@ def control_points_by_hand(
     halves = np.array([angle_between(reflected, middle), angle_between(middle, after)])
     turns_in, turns_out = np.cross(b, here), np.cross(here, a)
     tests = (
-        ("on_sphere", 4, "a, b on the sphere", abs(np.linalg.norm([a, b], axis=1) - 1).max()),
-        ("on_circle", 4, "b, P, a on a great circle", abs(turns_in @ a)),
-        ("equally_far", 4, "a, b equally far from P", abs(near - far)),
-        ("no_corner", 4, "no corner at P", -(turns_in @ turns_out)),
-        ("midway", 2, "step 2 stops midway", abs(halves - span / 2).max()),
+        ("midway", 2, "P̄ᵢ halfway from P̄ᵢ₋₁ to Pᵢ₊₁", abs(halves - span / 2).max()),
+        ("on_circle", 4, "bᵢ, Pᵢ, aᵢ on a great circle", abs(turns_in @ a)),
+        ("equally_far", 4, "aᵢ, bᵢ equally far from Pᵢ", abs(near - far)),
+        ("no_corner", 4, "no corner at Pᵢ", -(turns_in @ turns_out)),
     )
     read_out(plotter, "now", STEPS[ceil(step)], "step")
     for name, made, label, error in tests:
-        read_out(plotter, name, bool(error < SAME) if step >= made else "not yet", label)
+        read_out(plotter, name, bool(error < SAME) if step >= made else "–", label)
+    read_out(plotter, "to_jump", 180 - np.degrees(span), "Pᵢ₊₁ to the grey point", 0, "°")
     read_out(plotter, "gap_before", np.degrees(angle_between(before, here)), "gap before", 0, "°")
-    read_out(plotter, "gap_after", gap_after, "gap after", 0, "°")
-    read_out(plotter, "place_of_a", place_of_a if step >= 3 else "not yet", "a from P", 0, "°")
+    read_out(plotter, "gap_after", gap_after, "gap after (back: −)", 0, "°")
+    read_out(
+        plotter, "place_of_a", place_of_a if step >= 3 else "–", "aᵢ after Pᵢ (back: −)", 0, "°"
+    )
     describe(
         plotter,
         "A see-through sphere with three blue points P_{i-1}, P_i and P_{i+1} that can be dragged."

@@ -231,9 +231,9 @@ STEP = 1e-4
 
 @explorable(
     model="eulerAngles",
-    u=Slider(-180, 180, "angle u, about U", step=1),
-    v=Slider(-180, 180, "angle v, about V", step=1),
-    w=Slider(-180, 180, "angle w, about W", step=1),
+    u=Slider(-180, 180, "final u, about U″", step=1),
+    v=Slider(-180, 180, "final v, about V′", step=1),
+    w=Slider(-180, 180, "final w, about W", step=1),
     t=Slider(0, 1, "part of the way, t", plays=6),
 )
 def euler_angles_by_hand(
@@ -276,7 +276,7 @@ def euler_angles_by_hand(
         add_line(plotter, place + SPOON * path[:, :, 0], color, radius=0.014, name=f"{name} path")
         add_point(plotter, place + SPOON * path[0, :, 0], VECTOR, 0.035, name=f"{name} start")
         add_point(plotter, place + SPOON * turn[:, 0], color, 0.045, name=f"{name} tip")
-    texts = ("three angles", "matrices: slerp", "quaternions: nlerp")
+    texts = ("three angles", "slerp", "nlerp")
     below = (1.75, 0.95, 0.95)
     for text, color, place, far in zip(texts, (CROSS, RESULT, "black"), places, below, strict=True):
         add_label(plotter, place - far * up, text, color)
@@ -284,19 +284,19 @@ def euler_angles_by_hand(
 
     nearby = pose(now + np.array([(1, 0, 0), (-1, 0, 0), (0, 0, 1)]))
     apart = degrees_between(nearby[:2], nearby[2]).min()
-    read_out(plotter, "same", apart < 1e-6, "u and w do the same")
     read_out(plotter, "apart", apart, "1° of u and 1° of w differ by", 2, "°")
+    read_out(plotter, "matrix", here[0], "matrix of the three angles")
     sideways = pose([0, 0, now[2]])[:, 0]
     swung = rotation_matrix(sideways, np.deg2rad(1)) @ here[0]
+    change = angle_change(now, swung)
+    read_out(plotter, "angle_change", change, "to swing 1° sideways, u or w needs", 1, "°")
     read_out(
-        plotter, "angle_change", angle_change(now, swung), "a 1° swing changes angles by", 1, "°"
+        plotter, "entry_change", abs(swung - here[0]).max(), "… and matrix entries, at most", 4
     )
-    read_out(plotter, "entry_change", abs(swung - here[0]).max(), "… and a matrix entry by", 3)
     path = pose(np.multiply.outer(t * steps, angles))
     turned = degrees_between(path[:-1], path[1:]).sum()
     read_out(plotter, "by_angles", turned, "turned by three angles", 0, "°")
     read_out(plotter, "by_slerp", degrees_between(np.eye(3), here[1]), "by slerp", 0, "°")
-    read_out(plotter, "matrix", here[0], "matrix of the three angles")
     before, after = (three_ways(angles, steps + h) for h in (-STEP, STEP))
     speeds = [degrees_between(p, q) / (2 * STEP) for p, q in zip(before, after, strict=True)]
     draw_chart(
@@ -305,7 +305,7 @@ def euler_angles_by_hand(
         dict(zip(("three angles", "slerp", "nlerp"), speeds, strict=True)),
         over="t",
         x=(0, 1),
-        y=(0, 250),
+        y=(0, 200),
         label="speed, degrees for a step of 1 in t",
         colors=dict(zip(("three angles", "slerp", "nlerp"), colors, strict=True)),
     )

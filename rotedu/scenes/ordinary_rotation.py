@@ -22,7 +22,7 @@ from rotedu.scenes.parts import (
     turning,
 )
 
-VECTOR_1, AXIS_1 = (0.9, -0.3, 0.95), (-0.15, 0.1, 1.0)
+VECTOR_1, AXIS_1 = (1.0, -0.3, 0.75), (-0.15, 0.1, 1.0)
 """The vector and the axis of Fig. 1."""
 # A shorter piece is not drawn.
 HAIR = 1e-6
@@ -65,9 +65,9 @@ def turned_vector(r: NDArray[np.float64], n: NDArray[np.float64], angle: float) 
     turned = rotate(r, n, angle)
     spoke = r - center
 
-    plotter = new_scene(eye=(4.2, 1.9, 3.0), target=(0.0, 0.05, 0.45))
-    add_coordinate_axes(plotter, 1.1)
-    add_label(plotter, (0, 0.09, -0.07), "$O$")
+    plotter = new_scene(eye=(3.9, 1.77, 3.45), target=(0.0, 0.05, 0.07), view_angle=25)
+    add_coordinate_axes(plotter, 0.3)
+    add_label(plotter, (0, 0.09, -0.09), "$O$")
 
     add_line(plotter, turning(r, n, 2 * np.pi, 80), NEUTRAL, radius=0.005, name="circle")
     sector = fan(center, center + turning(0.42 * spoke, n, angle))
@@ -76,17 +76,21 @@ def turned_vector(r: NDArray[np.float64], n: NDArray[np.float64], angle: float) 
     spokes = [np.stack([center, tip]) for tip in (r, turned)]
     add_lines(plotter, spokes, NEUTRAL, radius=0.004, name="spokes")
     add_point(plotter, center, NEUTRAL, radius=0.022, name="centre")
-    add_label(plotter, center + rotate(0.6 * spoke, n, 0.43 * angle), r"$\theta$")
-    add_label(plotter, center - 0.14 * spoke, r"$\vec r_\parallel$")
+    add_line(plotter, [ORIGIN, center], NEUTRAL, radius=0.012, name="height")
+    add_label(plotter, center + rotate(0.22 * spoke, n, angle / 2), r"$\theta$")
+    add_label(plotter, 0.45 * center - 0.12 * spoke, r"$\vec r_\parallel$")
     add_label(plotter, center + 0.72 * spoke + 0.09 * n, r"$\vec r_\perp$")
 
-    add_arrow(plotter, ORIGIN, 1.2 * n, AXIS, radius=0.012, name="n")
-    add_arrow(plotter, ORIGIN, r, VECTOR, radius=0.012, name="r")
+    add_arrow(plotter, ORIGIN, 1.1 * n, AXIS, radius=0.006, name="n")
+    add_arrow(plotter, ORIGIN, r, VECTOR, radius=0.007, name="r")
     add_arrow(plotter, ORIGIN, turned, RESULT, radius=0.012, name="turned")
-    add_label(plotter, 1.29 * n, r"$\hat n$", AXIS)
-    for tip, text, color in ((r, r"$\vec r$", VECTOR), (turned, r"$\vec r^{\,\prime}$", RESULT)):
-        add_label(plotter, tip + 0.2 * (tip - center) - 0.05 * n, text, color)
-    add_terms(plotter, terms(r, n, angle), radius=0.018, name="term")
+    add_label(plotter, 1.26 * n, r"$\hat n$", AXIS)
+    for tip, text, color, up in (
+        (r, r"$\vec r$", VECTOR, -0.12),
+        (turned, r"$\vec r^{\,\prime}$", RESULT, 0.12),
+    ):
+        add_label(plotter, tip + 0.17 * (tip - center) + up * n, text, color)
+    add_terms(plotter, terms(r, n, angle), radius=0.02, name="term")
     return plotter
 
 
@@ -112,15 +116,15 @@ def add_terms(
 @explorable(
     model="figure1",
     vector=Handles("r", length=0),
-    axis=Handles("n", reach=1.2),
-    theta=Slider(0, 360, "angle θ", step=1, plays=8),
-    around=Slider(0, 360, "another start", step=1, plays=8),
+    axis=Handles("n", reach=1.1),
+    theta=Slider(0, 360, "angle θ, °", step=1, plays=8),
+    around=Slider(0, 360, "second r, ° ahead", step=1, plays=8),
 )
 def figure_1_by_hand(
     vector: ArrayLike = VECTOR_1,
     axis: ArrayLike = AXIS_1,
     theta: float = 75,
-    around: float = 150,
+    around: float = 120,
 ) -> pyvista.Plotter:
     """Draw Fig. 1 with a second vector, whose tip starts elsewhere on the same circle.
 
@@ -147,15 +151,15 @@ def figure_1_by_hand(
     here, there = (terms(start, n, angle) for start in (r, other))
 
     plotter = turned_vector(r, n, angle)
-    add_line(plotter, [ORIGIN, other], VECTOR, radius=0.004, name="other")
+    add_line(plotter, [ORIGIN, other], VECTOR, radius=0.003, name="other")
     add_point(plotter, other, VECTOR, radius=0.024, name="other start")
     add_point(plotter, rotate(other, n, angle), RESULT, radius=0.024, name="other end")
-    add_terms(plotter, there, radius=0.01, name="other term")
+    add_terms(plotter, there, radius=0.008, name="other term")
 
     cos, sin = np.cos(angle), np.sin(angle)
     read_out(plotter, "lengths", [cos, (1 - cos) * (r @ n), sin], "coefficients of r, n, n × r")
     apart = np.linalg.norm(there - here, axis=1)
-    read_out(plotter, "apart", apart, "the two paths differ by")
+    read_out(plotter, "apart", apart, "terms 1, 2, 3 differ by")
     read_out(plotter, "matrix", rotation_matrix(n, angle), "matrix (3-3)")
     describe(
         plotter,

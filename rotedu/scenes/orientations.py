@@ -6,7 +6,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from rotedu.arcs import angle_between, arc_axis, nlerp, slerp
 from rotedu.closed_curve import closed_curve
-from rotedu.colors import CROSS, NEUTRAL, RESULT, VECTOR
+from rotedu.colors import AXIS, CROSS, NEUTRAL, RESULT, VECTOR
 from rotedu.control_points import control_points
 from rotedu.figures import Handles, Slider, describe, explorable, read_out
 from rotedu.figures.frames import place_part
@@ -42,7 +42,7 @@ SIZE = 0.33
 @explorable(
     model="carriedAround",
     corners=Handles(["A", "B", "C"]),
-    t=Slider(0, 1, "way round, t", plays=8),
+    t=Slider(0, 1, "once round, t", plays=8),
 )
 def carried_around_by_hand(
     corners: ArrayLike = ((1, 0, 0), (0, 1, 0), (0, 0, 1)), t: float = 1
@@ -77,40 +77,44 @@ def carried_around_by_hand(
     nearness = 1 + np.sum(p * after)
     area = 2 * np.arctan2(np.linalg.det(p), nearness)
 
-    plotter = new_scene(eye=(4.2, 2.65, 3.05), target=ORIGIN)
+    plotter = new_scene(eye=(3.3, 3.3, 3.5), target=ORIGIN)
     add_sphere(plotter)
     inside = spherical_triangle(p)
     name = place_part(plotter, "inside", points=inside.points)
     plotter.add_mesh(inside, color=RESULT, opacity=0.3, lighting=False, pickable=False, name=name)
     s = np.linspace(0, 1, 25)
     sides = [slerp(here, there, s) for here, there in zip(p, after, strict=True)]
-    add_lines(plotter, sides, NEUTRAL, radius=0.009, name="sides")
+    add_lines(plotter, sides, NEUTRAL, radius=0.005, name="sides")
     for k in range(STATIONS):
         at, way = carried(k / STATIONS)
-        color = NEUTRAL if k else VECTOR
-        arrow = add_arrow(plotter, at, at + SIZE * way, color, radius=0.013, name=f"station {k}")
+        # The first is longer, so that the green arrow does not hide it.
+        color, size = (NEUTRAL, SIZE) if k else (VECTOR, 1.4 * SIZE)
+        arrow = add_arrow(plotter, at, at + size * way, color, radius=0.013, name=f"station {k}")
         arrow.visibility = k <= t * STATIONS
     at, way = carried(t)
     add_arrow(plotter, at, at + SIZE * way, RESULT, radius=0.015, name="arrow")
 
-    sector = fan(start, start + turning(0.7 * SIZE * ahead, start, twist))
+    rim = turning(0.7 * SIZE * ahead, start, twist)
+    sector = fan(start, start + rim)
     name = place_part(plotter, "sector", points=sector.points)
     plotter.add_mesh(
-        sector, color=RESULT, opacity=0.5, lighting=False, pickable=False, name=name
+        sector, color=AXIS, opacity=0.6, lighting=False, pickable=False, name=name
     ).visibility = t == 1
+    place = start + 2 * rim[len(rim) // 2]
+    add_label(plotter, place if t == 1 else None, "twist", AXIS)
     for letter, point, others in zip("ABC", p, p.sum(axis=0) - p, strict=True):
         outwards = 2 * point - others
-        place = point + 0.13 * outwards / np.linalg.norm(outwards)
+        place = point + 0.18 * outwards / np.linalg.norm(outwards)
         add_point(plotter, point, NEUTRAL, radius=0.03, name=letter)
         add_label(plotter, place, f"${letter}$", name=letter)
     read_out(plotter, "twist", np.degrees(twist), "twist on arrival", 1, "°")
-    read_out(plotter, "area", np.degrees(area), "area inside", 1, "°")
+    read_out(plotter, "area", np.degrees(area), "area inside (whole sphere: 720°)", 1, "°")
     describe(
         plotter,
         "A see-through sphere with a triangle ABC, whose corners can be dragged. A blue arrow"
         " at A points to B. Grey arrows show its journey along the three sides, always at the same"
         " angle to the side. The green arrow that arrives at A is turned against the blue one. The"
-        " sector between the two is filled in green, and so is the triangle.",
+        " sector between the two is filled in orange, and the triangle in green.",
     )
     return plotter
 

@@ -31,7 +31,7 @@ BACK = 0.5
 RIBBON = 1.1
 
 
-def letter_f(size: float = 0.5, thickness: float = 0.07) -> pyvista.PolyData:
+def letter_f(size: float = 0.5, thickness: float = 0.07, border: float = 0.0) -> pyvista.PolyData:
     """Model the letter F, which is not its own mirror image, lying in the plane of U and V.
 
     Parameters
@@ -40,6 +40,8 @@ def letter_f(size: float = 0.5, thickness: float = 0.07) -> pyvista.PolyData:
         Height of the letter, along V.
     thickness : float
         Extent of the letter along W.
+    border : float
+        Width by which the letter grows on all sides.
 
     Returns
     -------
@@ -47,8 +49,9 @@ def letter_f(size: float = 0.5, thickness: float = 0.07) -> pyvista.PolyData:
         A triangle mesh with its middle at the origin.
     """
     bars = [(-0.32, -0.12, -0.5, 0.5), (-0.12, 0.36, 0.3, 0.5), (-0.12, 0.22, -0.1, 0.1)]
+    grow = border / size * np.array([-1, 1, -1, 1])
     half = thickness / size / 2
-    boxes = [pyvista.Box((*bar, -half, half)) for bar in bars]
+    boxes = [pyvista.Box((*(bar + grow), -half, half)) for bar in bars]
     solid = pyvista.merge(boxes).extract_surface(algorithm=None).triangulate()
     letter: pyvista.PolyData = solid.scale(size)
     return letter
@@ -56,13 +59,13 @@ def letter_f(size: float = 0.5, thickness: float = 0.07) -> pyvista.PolyData:
 
 @explorable(
     model="twoMirrors",
-    first=Slider(0, 180, "mirror 1", step=1),
-    second=Slider(0, 180, "mirror 2", step=1),
-    both=Slider(0, 360, "turn both mirrors", step=1, stride=30, plays=8),
-    letter=Slider(-180, 180, "letter", step=1),
+    first=Slider(0, 180, "mirror 1, °", step=1),
+    second=Slider(0, 180, "mirror 2, °", step=1),
+    both=Slider(0, 360, "both mirrors, °", step=1, stride=30, plays=8),
+    letter=Slider(-180, 180, "blue letter, °", step=1),
 )
 def two_mirrors_by_hand(
-    first: float = 0, second: float = 50, both: float = 0, letter: float = -25
+    first: float = 0, second: float = 60, both: float = 0, letter: float = -30
 ) -> pyvista.Plotter:
     """Draw a letter mirrored twice, which turns by twice the angle between the mirrors.
 
@@ -94,10 +97,12 @@ def two_mirrors_by_hand(
 
     plotter = new_scene(eye=(-3.6, -2.1, 6.1), target=(0, 0, 0.05), view_angle=25)
     add_arrow(plotter, -0.15 * W, 0.5 * W, AXIS)
-    add_label(plotter, -0.28 * W, r"$\hat n$", AXIS)
-    add_line(plotter, turning(out(0, 1.05), W, 2 * np.pi), NEUTRAL, radius=0.004, name="ring")
-    for angle, m, k in zip(angles, (m1, m2), (1, 2), strict=True):
-        foot, top = out(angle, 1.45), 0.4 * W
+    add_label(plotter, -0.42 * W, r"$\hat n$", AXIS)
+    ring = add_line(plotter, turning(out(0, 1.05), W, 2 * np.pi), NEUTRAL, 0.004, name="ring")
+    ring.prop.opacity = 0.4
+    # The second mirror is longer: both show where they coincide.
+    for angle, m, k, size in zip(angles, (m1, m2), (1, 2), (1.4, 1.65), strict=True):
+        foot, top = out(angle, size), 0.3 * W
         edge = np.stack([ORIGIN, foot, foot + top, top])
         sheet = triangle_mesh(edge, [[0, 1, 2], [0, 2, 3]])
         name = place_part(plotter, f"mirror {k}", points=edge)
@@ -106,39 +111,40 @@ def two_mirrors_by_hand(
         )
         # A mirror acts as if it went on beyond the axis.
         add_line(plotter, [-foot, *edge], NEUTRAL, radius=0.004, name=f"edge {k}")
-        add_arrow(plotter, foot + top, foot + top + 0.3 * m.v, CROSS, 0.01, name=f"m {k}")
-        add_label(plotter, foot + top + 0.42 * m.v, rf"$\hat m_{k}$", CROSS, name=f"m {k}")
+        add_arrow(plotter, foot + top, foot + top + 0.3 * m.v, NEUTRAL, 0.01, name=f"m {k}")
+        add_label(plotter, foot + top + 0.42 * m.v, rf"$\hat m_{k}$", name=f"m {k}")
 
-    # Each letter is a little larger than the one before: where two coincide, the later one shows.
-    for name, images, color, size in (
-        ("letter", start.T, VECTOR, 0.46),
-        ("image", once.v, CROSS, 0.48),
-        ("image of the image", twice.v, RESULT, 0.5),
+    # Where letters coincide, each shows: blue as a border, and purple lets through what is below.
+    for name, images, color, thickness, border, opacity in (
+        ("letter", start.T, VECTOR, 0.01, 0.02, 1.0),
+        ("image", once.v, CROSS, 0.03, 0.0, 0.5),
+        ("image of the image", twice.v, RESULT, 0.02, 0.0, 1.0),
     ):
-        mesh = letter_f(size, thickness=0.2 * (size - 0.4))
+        mesh = letter_f(0.48, thickness, border)
         mesh.points = rotate(mesh.points, W, -np.pi / 2) + out(0, 1.05)
         matrix = homogeneous(images.T)
         name = place_part(plotter, name, matrix=matrix.T.ravel())
-        plotter.add_mesh(mesh, color=color, name=name).user_matrix = matrix
+        actor = plotter.add_mesh(mesh, color=color, opacity=opacity, lighting=False, name=name)
+        actor.user_matrix = matrix
 
-    for begin, angle, radius, text, name in (
-        (angles[0], between, 0.5, r"$\theta/2$", "half"),
-        (letter, 2 * between, 1.4, r"$\theta$", "whole"),
+    for begin, angle, radius, text, color, name in (
+        (angles[0], between, 0.45, r"$\theta/2$", NEUTRAL, "half"),
+        (letter, 2 * between, 1.5, r"$\theta$", RESULT, "whole"),
     ):
         drawn = abs(angle) >= SMALLEST_ARC
         shown = angle if drawn else SMALLEST_ARC
         arc = turning(out(begin, radius), W, np.deg2rad(shown), steps=60)
         ahead = np.sign(shown) * out(begin + shown + 90)
-        add_line(plotter, arc, NEUTRAL, radius=0.008, name=name).visibility = drawn
-        head = add_arrow(plotter, arc[-1] - 0.1 * ahead, arc[-1], NEUTRAL, 0.01, f"{name}, head")
+        add_line(plotter, arc, color, radius=0.008, name=name).visibility = drawn
+        head = add_arrow(plotter, arc[-1] - 0.1 * ahead, arc[-1], color, 0.01, f"{name}, head")
         head.visibility = drawn
         place = out(begin + angle / 2, radius + 0.16) if drawn else None
         add_label(plotter, place, text, name=name)
 
     read_out(plotter, "between", between, "from mirror 1 to mirror 2", 0, "°")
-    read_out(plotter, "turned", 2 * between, "the letter turns by", 0, "°")
-    read_out(plotter, "home", is_back(2 * between, 360), "green letter is home")
-    read_out(plotter, "q", -(m2 * m1).components, "q = −m₂m₁", 2)
+    read_out(plotter, "turned", 2 * between, "from blue to green letter", 0, "°")
+    read_out(plotter, "home", is_back(2 * between, 360), "green letter on blue letter")
+    read_out(plotter, "q", -(m2 * m1).components, "q = −m₂m₁ (w x y z)", 2)
     describe(
         plotter,
         f"Two upright mirrors meet at an axis n, {abs(between):.0f} degrees apart. A blue letter F"
@@ -153,7 +159,7 @@ FRAME = 10.0
 """Degrees from one frame of `double_cover_by_hand` to the next."""
 
 
-@explorable(theta=Slider(0, 720, "turned by θ", step=FRAME, stride=90, plays=12))
+@explorable(theta=Slider(0, 720, "turned by θ, °", step=FRAME, stride=90, plays=12))
 def double_cover_by_hand(theta: float = 360) -> pyvista.Plotter:
     """Draw a spoon that turns on a ribbon, and its quaternion on the edge of a band.
 
@@ -178,42 +184,50 @@ def double_cover_by_hand(theta: float = 360) -> pyvista.Plotter:
     rounds = np.linspace(0, 2 * np.pi, 97)
     edges = [on_band(rounds, side) for side in (1.0, 0.0, -1.0)]
     plotter.add_mesh(sheet(edges), color=NEUTRAL, opacity=0.5, smooth_shading=True, pickable=False)
-    for edge in edges:
-        add_line(plotter, edge, NEUTRAL, radius=0.005)
+    for edge, color, radius in zip(
+        edges, (NEUTRAL, VECTOR, NEUTRAL), (0.005, 0.009, 0.005), strict=True
+    ):
+        add_line(plotter, edge, color, radius)
     # Not before the first frame after the start has the way a length.
     way = np.deg2rad(np.arange(0, max(theta, FRAME) + FRAME / 4, FRAME / 2))
     add_line(plotter, on_band(way, 1), RESULT, radius=0.018, name="way").visibility = theta >= FRAME
 
-    add_arrow(plotter, -0.35 * W, 1.25 * W, AXIS, radius=0.007)
-    add_label(plotter, [0, 0.1, 1.25], r"$\hat n$", AXIS)
+    # The axis leaves out the ribbon.
+    add_line(plotter, [-0.25 * W, ORIGIN], AXIS, radius=0.007)
+    add_arrow(plotter, RIBBON * W, (RIBBON + 0.2) * W, AXIS, radius=0.007)
+    add_label(plotter, [0, 0.1, RIBBON + 0.2], r"$\hat n$", AXIS)
     spoon = teaspoon(stations=61, around=20)
-    spoon.points = 0.46 * (spoon.points - [-1, 0, 0.05])
+    spoon.points = 0.3 * (spoon.points - [-1, 0, 0.05])
     actor = plotter.add_mesh(spoon, color=VECTOR, smooth_shading=True, name="spoon")
     actor.user_matrix = homogeneous(matrix)
     add_line(plotter, [[0, -0.2, RIBBON], [0, 0.2, RIBBON]], NEUTRAL, radius=0.02)
-    down = np.linspace(1, 0, 33)
+    down = np.linspace(1, 0, 49)
     middle = np.outer(RIBBON * down, W)
-    for name, side, color in (("left", 0.07, VECTOR), ("right", -0.07, CROSS)):
+    for name, side, opacity in (("left", 0.08, 1.0), ("right", -0.08, 0.35)):
         border = middle + rotate([0, side, 0], W, (1 - down) * angle)
         plotter.add_mesh(
             sheet([middle, border]),
-            color=color,
+            color=VECTOR,
+            opacity=opacity,
+            lighting=False,
             pickable=False,
             name=f"ribbon, {name}",
         )
 
     ends = {side: on_band(angle, side) for side in (1.0, -1.0)}
     add_line(plotter, list(ends.values()), NEUTRAL, radius=0.008, name="stick")
+    add_point(plotter, on_band(angle, 0), VECTOR, radius=0.035, name="rotation")
     for side, color, text, start in ((1.0, RESULT, "q", "1"), (-1.0, CROSS, "-q", "-1")):
         add_point(plotter, ends[side], color, radius=0.045, name=text)
-        add_label(plotter, on_band(angle + 0.17, 1.35 * side), f"${text}$", color, name=text)
+        add_label(plotter, on_band(angle + 0.05, 1.45 * side), f"${text}$", color, name=text)
         add_point(plotter, on_band(0, side), NEUTRAL, radius=0.03)
-        add_label(plotter, on_band(-0.17, 1.25 * side), f"${start}$")
+        add_label(plotter, on_band(-0.15, 1.4 * side), f"${start}$")
 
-    read_out(plotter, "matrix", matrix, "matrix", 2)
     read_out(plotter, "spoon_back", is_back(theta, 360), "spoon is back")
-    read_out(plotter, "q", q.components, "q (w x y z)", 2)
     read_out(plotter, "q_back", is_back(theta, 720), "q is back")
+    read_out(plotter, "twists", theta / 360, "twists of the ribbon", 2)
+    read_out(plotter, "q", q.components, "q (w x y z)", 2)
+    read_out(plotter, "matrix", matrix, "matrix", 2)
     describe(
         plotter,
         "A spoon hangs on a ribbon that runs up along an axis n to a fixed bar. It points to a ring"
@@ -238,9 +252,9 @@ def on_band(theta: ArrayLike, side: float) -> NDArray[np.float64]:
     Returns
     -------
     ndarray, shape (..., 3)
-        The points. The ring has radius 1, and the band is 0.8 wide.
+        The points. The ring has radius 1, and the band is 0.66 wide.
     """
-    w, s = 0.4 * side * np.cos(np.divide(theta, 2)), 0.4 * side * np.sin(np.divide(theta, 2))
+    w, s = 0.33 * side * np.cos(np.divide(theta, 2)), 0.33 * side * np.sin(np.divide(theta, 2))
     return np.stack([(1 + s) * np.cos(theta), (1 + s) * np.sin(theta), w], axis=-1)
 
 

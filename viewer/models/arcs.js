@@ -1,9 +1,11 @@
 /* Models of `rotedu.scenes.arcs`. */
 import {
+  DegenerateError,
   angleBetween,
   arcAxis,
   combine,
   cross,
+  length,
   nlerp,
   product,
   quaternionFromAxisAngle,
@@ -17,6 +19,7 @@ import {
 import { DEGREES, ORIGIN, placing, spread } from "./common.js";
 
 const TINY = 1e-9;
+const SAME = 1e-6;
 const SAMPLES = 61;
 const AROUND = 97;
 const UP = [0, 0, 1];
@@ -37,11 +40,14 @@ function speedOfNlerp(theta, t) {
 export function slerp({ p, q, what, turn, flip, t }) {
   [p, q] = [p, q].map(unit);
   const spoons = what === "orientations";
-  const axis = spoons && arcAxis(p, q);
+  const axis = spoons || length(cross(p, q)) > SAME ? arcAxis(p, q) : UP;
   const first = spoons ? [1, 0, 0, 0] : p;
   const unflipped = spoons ? quaternionFromAxisAngle(axis, turn / DEGREES) : q;
   const last = flip ? unflipped.map((x) => -x) : unflipped;
   const theta = angleBetween(first, last);
+  if (spoons && theta > Math.PI - SAME) {
+    throw new DegenerateError("the quaternions 1 and -1 are antipodal: no unique arc joins them");
+  }
   const times = spread(SAMPLES);
 
   const tip = (end) => (spoons ? rotateByQuaternion(end, p) : end);
@@ -78,17 +84,19 @@ export function slerp({ p, q, what, turn, flip, t }) {
     }
   }
 
-  const beside = (point, reach, up) => combine(reach, point, up, UP);
+  const beside = (point, reach, across) => combine(reach, point, across, axis);
+  const beyond = (point) => beside(point, 1.1, 0.14);
   const [startWeight, endWeight] = weights(theta, t);
   return {
     parts,
     labels: {
-      p: beside(p, 1.1, 0.14),
-      q: beside(q, 1.1, 0.14),
-      "-q": flip && !spoons ? beside(end, 1.1, 0.14) : null,
-      axis: spoons ? beside(axis, 1.2, 0) : null,
-      slerp: beside(here, 1.2, -0.17),
-      nlerp: beside(there, 1.2, 0),
+      p: spoons ? null : beyond(p),
+      1: spoons ? beside(p, 1.1, 0.26) : null,
+      q: spoons && flip ? null : beyond(spoons ? end : q),
+      "-q": flip ? beyond(end) : null,
+      axis: spoons ? axis.map((x) => 1.2 * x) : null,
+      slerp: beside(here, 0.8, 0.1),
+      nlerp: beside(there, 1.15, -0.15),
     },
     outputs: {
       angle: DEGREES * theta,

@@ -12,12 +12,13 @@ import {
   length,
   unit,
 } from "../src/sphere.js";
-import { DEGREES, ORIGIN, motion } from "./common.js";
+import { DEGREES, ORIGIN, motion, spread } from "./common.js";
 
 const SEEN = ["door", "clock", "window", "desk"];
 const LEG = 24;
+const HORIZONS = 6;
 const [WIDTH, HEIGHT] = [0.21, 0.14];
-const SMALL = 1e-4;
+const STEP = 3e-4;
 const ANGLE = 60;
 
 /** `camera_by_hand` */
@@ -38,7 +39,7 @@ export function camera({ targets, path, roll, ride, u }) {
   const ahead = deCasteljau(legs[leg], within);
   const vertical = upright(ahead);
   let up = vertical;
-  if (roll === "carried") {
+  if (roll === "carried along") {
     const passed = Math.min(Math.floor(4 * LEG * u), 4 * LEG - 1) + 1;
     up = carried(upright(p[0]), [...ways[path].slice(0, passed), ahead]);
   }
@@ -46,33 +47,52 @@ export function camera({ targets, path, roll, ride, u }) {
   const corners = picture(ahead, up);
   const level = picture(ahead, vertical);
   const top = combine(1, ahead, HEIGHT, up);
+  const levelTop = combine(1, ahead, HEIGHT, vertical);
   const parts = {
-    arcs: { paths: [[...ways.arcs, p[0]]], hidden: ride && path !== "arcs" },
-    curve: { paths: [[...ways.curve, p[0]]], hidden: ride && path !== "curve" },
     camera: { matrix: [...ahead, 0, ...cross(up, ahead), 0, ...up, 0, ...ORIGIN, 1], hidden: ride },
     upright: { paths: [[...level, level[0]]], hidden: ride },
+    "upright up": { from: levelTop, to: combine(1, levelTop, 0.16, vertical), hidden: ride },
     picture: { paths: [[...corners, corners[0]]], hidden: ride },
     edges: { paths: corners.map((corner) => [ORIGIN, corner]), hidden: ride },
     up: { from: top, to: combine(1, top, 0.28, up), hidden: ride },
   };
+  for (const [name, way] of Object.entries(ways)) {
+    const paths = [[...way, p[0]]];
+    parts[name] = { paths, hidden: name !== path };
+    parts[`other ${name}`] = { paths, hidden: ride || name === path };
+  }
   const labels = { up: ride ? null : combine(1, top, 0.36, up) };
+  for (let k = 0; k < HORIZONS; k++) {
+    const azimuth = (2 * Math.PI * k) / HORIZONS;
+    const place = [Math.cos(azimuth), Math.sin(azimuth), 0.06].map((x) => 0.98 * x);
+    labels[`horizon ${k}`] = ride ? place : null;
+  }
   const middle = p.reduce((sum, q) => combine(1, sum, 1 / p.length, q), ORIGIN);
   SEEN.forEach((name, i) => {
     parts[name] = { at: p[i] };
     labels[name] = outside(p[i], middle);
   });
 
-  const arriving = legs.map((four) => motion(four, 1).velocity);
-  const leaving = legs.map((four) => motion(four, 0).velocity);
-  const bends = leaving.map((v, i) => angle(arriving.at(i - 1), v));
+  let spin = 0;
+  if (roll === "kept upright") {
+    const [before, later] = [-STEP, STEP].map((x) => upright(deCasteljau(legs[leg], within + x)));
+    spin = dot(combine(1, later, -1, before), cross(ahead, vertical)) / (2 * STEP);
+  }
+  const times = spread(LEG / 2 + 1);
+  const velocities = (way) => way.map((leg) => times.map((x) => motion(leg, x).velocity));
+  const speeds = (rows) => rows.map((row) => row.map((v) => DEGREES * length(v)));
+  const driven = { arcs: velocities(arcs), curve: velocities(curves) };
+  const bends = driven[path].map((row, i) => angle(driven[path].at(i - 1).at(-1), row[0]));
   return {
     parts,
     labels,
     outputs: {
       rolled: DEGREES * Math.atan2(dot(cross(vertical, up), ahead), dot(vertical, up)),
+      spin: DEGREES * spin,
       speed: DEGREES * length(motion(legs[leg], within).velocity),
       bends: bends.map((bend) => DEGREES * bend),
     },
+    charts: { speeds: { arcs: speeds(driven.arcs), curve: speeds(driven.curve) } },
     view: ride ? { eye: ORIGIN, target: ahead, up, angle: ANGLE } : null,
   };
 }
@@ -101,6 +121,6 @@ const angle = (v, w) => Math.atan2(length(cross(v, w)), dot(v, w));
 function outside(point, middle) {
   const chord = combine(1, point, -1, middle);
   const tangent = combine(1, chord, -dot(chord, point), point);
-  const away = tangent.map((x) => x / Math.max(length(tangent), SMALL));
-  return combine(1.1, point, 0.16, combine(1, away, 1, cross(point, away)));
+  const away = tangent.map((x) => x / Math.max(length(tangent), STEP));
+  return combine(1.12, point, 0.19, combine(1, away, 1, cross(point, away)));
 }

@@ -3,7 +3,9 @@ import {
   closedCurve as curveThrough,
   combine,
   controlPoints,
+  cross,
   deCasteljauLevels,
+  dot,
   length,
   unit,
 } from "../src/sphere.js";
@@ -43,7 +45,7 @@ export function closedCurve({ points, u, fraction }) {
     const name = `${"bPa"[i % 3]}_${Math.floor(i / 3)}`;
     const point = polygon[i];
     parts[name] = point ? { at: point, hidden: false } : { hidden: true };
-    labels[name] = point ? outside(polygon, i, middle) : null;
+    labels[name] = point ? beside(polygon, i, middle) : null;
   }
 
   const t = spread(SAMPLES);
@@ -62,18 +64,19 @@ export function closedCurve({ points, u, fraction }) {
       curvature_jump: Math.max(...bends),
     },
     charts: {
-      speeds: { curve: motions.flat().map(({ velocity }) => DEGREES * length(velocity)) },
-      curvatures: { curve: motions.flat().map(({ curvature }) => curvature) },
+      speeds: { curve: motions.map((row) => row.map(({ velocity }) => DEGREES * length(velocity))) },
+      curvatures: { curve: motions.map((row) => row.map(({ curvature }) => curvature)) },
     },
   };
 }
 
-/** The place of a label: on the outer side of a corner; the polygon has no corner at P_i. */
-function outside(polygon, i, middle) {
+/** The place of a label, beside a corner of the polygon. */
+function beside(polygon, i, middle) {
   const count = polygon.length;
   const [before, after] = [polygon.at(i - 1), polygon[(i + 1) % count]];
   const outwards = polygon[i].map(
     (x, k) => 0.35 * (x - middle[k]) + x - (before[k] + after[k]) / 2,
   );
-  return combine(1, polygon[i], 0.15, unit(outwards));
+  const sideways = unit(cross(polygon[i], combine(1, after, -1, before)));
+  return combine(1.1, polygon[i], dot(sideways, outwards) < 0 ? -0.16 : 0.16, sideways);
 }

@@ -4,7 +4,7 @@ import { combine, cross, deCasteljau, dot, length, rotate, slerp } from "../src/
 export const DEGREES = 180 / Math.PI;
 export const ORIGIN = [0, 0, 0];
 
-const STEP = 1e-4;
+const STEP = 3e-4;
 
 /** Numbers evenly spread from 0 to 1, both included. */
 export function spread(count) {

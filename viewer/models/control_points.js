@@ -1,5 +1,5 @@
 /* Models of `rotedu.scenes.control_points`. */
-import { angleBetween, combine, cross, dot, length, slerp, unit } from "../src/sphere.js";
+import { angleBetween, combine, cross, dot, slerp, unit } from "../src/sphere.js";
 import { DEGREES, ORIGIN, arcs, spread } from "./common.js";
 
 const SAME = 1e-6;
@@ -12,8 +12,8 @@ const STEPS = [
   "0 three given points",
   "1 Double: go on",
   "2 Bisect: aim between",
-  "3 Bisect: halfway back, a",
-  "4 Double: the other side, b",
+  "3 Bisect: halfway back, aᵢ",
+  "4 Double: the other side, bᵢ",
 ];
 const SAMPLES = spread(25);
 
@@ -68,21 +68,20 @@ export function controlPoints({ points, step, printed_axis, printed_double }) {
   const span = angleBetween(reflected, after);
   const halves = [angleBetween(reflected, middle), angleBetween(middle, after)];
   const turnsIn = cross(b, here);
-  const most = (numbers) => Math.max(...numbers.map(Math.abs));
-  const lamp = (made, error) => (step < made ? "not yet" : error < SAME ? "yes" : "no");
+  const lamp = (made, error) => (step < made ? "–" : error < SAME ? "yes" : "no");
   return {
     parts,
     labels,
     outputs: {
       now: STEPS[Math.ceil(step)],
-      on_sphere: lamp(4, most([length(a) - 1, length(b) - 1])),
       on_circle: lamp(4, Math.abs(dot(turnsIn, a))),
       equally_far: lamp(4, Math.abs(near - far)),
       no_corner: lamp(4, -dot(turnsIn, cross(here, a))),
-      midway: lamp(2, most(halves.map((x) => x - span / 2))),
+      midway: lamp(2, Math.max(...halves.map((x) => Math.abs(x - span / 2)))),
       gap_before: DEGREES * angleBetween(before, here),
       gap_after: along(after),
-      place_of_a: step < 3 ? "not yet" : along(a),
+      place_of_a: step < 3 ? "–" : along(a),
+      to_jump: 180 - DEGREES * span,
     },
   };
 }

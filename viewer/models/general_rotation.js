@@ -126,7 +126,6 @@ export function eulerAngles({ u, v, w, t }) {
     parts,
     labels,
     outputs: {
-      same: apart < 1e-6 ? "yes" : "no",
       apart,
       angle_change: angleChange(now, swung),
       entry_change: Math.max(...changes),

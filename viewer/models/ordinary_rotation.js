@@ -17,14 +17,15 @@ export function figure1({ vector: r, axis, theta, around }) {
   const here = terms(r, n, angle);
   const there = terms(other, n, angle);
   const rim = turning(spoke.map((x) => 0.42 * x), n, angle, 48);
-  const beside = (tip) => combine(1, combine(1.2, tip, -0.2, center), -0.05, n);
+  const beside = (tip, up) => combine(1, combine(1.17, tip, -0.17, center), up, n);
   return {
     parts: {
       circle: { paths: [turning(r, n, 2 * Math.PI, 80)] },
       sector: { points: [center, ...rim.map((x) => combine(1, center, 1, x))] },
       spokes: { paths: [[center, r], [center, turned]] },
       centre: { at: center },
-      n: { from: ORIGIN, to: n.map((x) => 1.2 * x) },
+      height: { paths: [[ORIGIN, center]] },
+      n: { from: ORIGIN, to: n.map((x) => 1.1 * x) },
       r: { from: ORIGIN, to: r },
       turned: { from: ORIGIN, to: turned },
       other: { paths: [[ORIGIN, other]] },
@@ -34,12 +35,12 @@ export function figure1({ vector: r, axis, theta, around }) {
       ...headToTail(there, "other term"),
     },
     labels: {
-      "\\theta": combine(1, center, 0.6, rotate(spoke, n, 0.43 * angle)),
-      "\\vec r_\\parallel": combine(1, center, -0.14, spoke),
+      "\\theta": combine(1, center, 0.22, rotate(spoke, n, angle / 2)),
+      "\\vec r_\\parallel": combine(0.45, center, -0.12, spoke),
       "\\vec r_\\perp": combine(1, combine(1, center, 0.72, spoke), 0.09, n),
-      "\\hat n": n.map((x) => 1.29 * x),
-      "\\vec r": beside(r),
-      "\\vec r^{\\,\\prime}": beside(turned),
+      "\\hat n": n.map((x) => 1.26 * x),
+      "\\vec r": beside(r, -0.12),
+      "\\vec r^{\\,\\prime}": beside(turned, 0.12),
     },
     outputs: {
       lengths: [cos, (1 - cos) * dot(r, n), sin],

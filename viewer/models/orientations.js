@@ -31,7 +31,7 @@ export function carriedAround({ corners, t }) {
     });
     return [start, ahead].map((vector) => turns.reduce((v, turn) => transform(turn, v), vector));
   };
-  const arrow = ([at, way]) => ({ from: at, to: combine(1, at, SIZE, way) });
+  const arrow = ([at, way], size = SIZE) => ({ from: at, to: combine(1, at, size, way) });
 
   const [, back] = carried(1);
   const twist = Math.atan2(dot(start, cross(ahead, back)), dot(ahead, back));
@@ -47,13 +47,14 @@ export function carriedAround({ corners, t }) {
     sector: { points: [start, ...rim.map((x) => combine(1, start, 1, x))], hidden: t !== 1 },
   };
   for (let k = 0; k < STATIONS; k++) {
-    parts[`station ${k}`] = { ...arrow(carried(k / STATIONS)), hidden: k > t * STATIONS };
+    const size = k ? SIZE : 1.4 * SIZE;
+    parts[`station ${k}`] = { ...arrow(carried(k / STATIONS), size), hidden: k > t * STATIONS };
   }
-  const labels = {};
+  const labels = { twist: t === 1 ? combine(1, start, 2, rim[24]) : null };
   p.forEach((point, i) => {
     const others = combine(1, p[(i + 1) % 3], 1, p[(i + 2) % 3]);
     parts["ABC"[i]] = { at: point };
-    labels["ABC"[i]] = combine(1, point, 0.13, unit(combine(2, point, -1, others)));
+    labels["ABC"[i]] = combine(1, point, 0.18, unit(combine(2, point, -1, others)));
   });
   return { parts, labels, outputs: { twist: DEGREES * twist, area: DEGREES * area } };
 }

@@ -28,19 +28,20 @@ export function twoMirrors({ first, second, both, letter }) {
   const labels = {};
   angles.forEach((angle, k) => {
     const name = k + 1;
-    const foot = out(angle, 1.45);
-    const top = [0, 0, 0.4];
+    const size = [1.4, 1.65][k];
+    const foot = out(angle, size);
+    const top = [0, 0, 0.3];
     const corner = combine(1, foot, 1, top);
     const edge = [ORIGIN, foot, corner, top];
     const [, ...normal] = m[k];
     parts[`mirror ${name}`] = { points: edge };
-    parts[`edge ${name}`] = { paths: [[out(angle, -1.45), ...edge]] };
+    parts[`edge ${name}`] = { paths: [[out(angle, -size), ...edge]] };
     parts[`m ${name}`] = { from: corner, to: combine(1, corner, 0.3, normal) };
     labels[`m ${name}`] = combine(1, corner, 0.42, normal);
   });
   for (const [name, begin, angle, radius] of [
-    ["half", angles[0], between, 0.5],
-    ["whole", letter, 2 * between, 1.4],
+    ["half", angles[0], between, 0.45],
+    ["whole", letter, 2 * between, 1.5],
   ]) {
     const drawn = Math.abs(angle) >= SMALLEST_ARC;
     const arc = drawn && spread(61).map((t) => out(begin + t * angle, radius));

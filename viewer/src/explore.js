@@ -33,15 +33,20 @@ export function explore(element, live, data, models, python) {
   let refused = "";
   let timer;
 
+  /** The status line stands where the hint was. */
+  const makeRoom = () => scene.querySelector(".scene-hint")?.remove();
   const say = (text) => {
     clearTimeout(timer);
     timer = setTimeout(() => (status.textContent = text), QUIET);
   };
+  const tell = (frame) => {
+    panel.show(inputs, frame);
+    finish(frame.outputs);
+  };
   const show = (frame) => {
     refused = "";
     live.apply(frame);
-    panel.show(inputs, frame);
-    finish(frame.outputs);
+    tell(frame);
   };
   const finish = (outputs) => {
     scene.toggleAttribute("data-refused", Boolean(refused));
@@ -51,6 +56,7 @@ export function explore(element, live, data, models, python) {
   /** A geometry without an answer keeps the last one, pale. */
   const refuse = (error) => {
     refused = error.message;
+    makeRoom();
     status.textContent = `${refused[0].toUpperCase()}${refused.slice(1)}.`;
     clearTimeout(timer);
     panel.show(inputs, { outputs: {}, charts: {} });
@@ -87,6 +93,7 @@ export function explore(element, live, data, models, python) {
   };
   /** What the hand does, unlike what Python sets, is told to Python. */
   const change = (changes, spoken = "") => {
+    makeRoom();
     set(changes);
     python?.tell(inputs);
     if (!refused && spoken) say(spoken);
@@ -97,6 +104,7 @@ export function explore(element, live, data, models, python) {
     say("Reset");
   };
   const link = () => {
+    makeRoom();
     location.hash = `explore-${data.name}?${toText(inputs, data.start)}`;
     status.textContent = "The address of this page now leads to this state.";
   };
@@ -107,7 +115,9 @@ export function explore(element, live, data, models, python) {
     const wanted = fromText(location.hash, data);
     if (wanted) set({ ...data.start, ...wanted });
   };
-  update();
+  // The scene has come as it is at the start.
+  if (JSON.stringify(inputs) === JSON.stringify(data.start)) tell(data.frame);
+  else update();
   if (!python) {
     follow();
     addEventListener("hashchange", follow);

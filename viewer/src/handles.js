@@ -4,7 +4,7 @@
  */
 import { alongSphere, turned } from "./drag.js";
 
-const HINT = "Drag a ring to move its point, anything else to turn the figure";
+const HINT = "Drag a ring to move its point";
 const STEP = Math.PI / 90;
 const STEPS = { Shift: 5, Alt: 0.1 };
 const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };

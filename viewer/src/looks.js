@@ -183,7 +183,9 @@ const isBack = ({ material }) => material.uniforms.sides?.value === BACK;
 export function sortSeeThrough(objects, camera) {
   const center = new Vector3();
   for (const object of objects.filter(({ material }) => material.transparent)) {
-    const { boundingSphere } = object.geometry;
+    const { geometry } = object;
+    if (!geometry.boundingSphere) geometry.computeBoundingSphere();
+    const { boundingSphere } = geometry;
     center.copy(boundingSphere.center).applyMatrix4(object.matrixWorld);
     const reach = boundingSphere.radius * object.matrixWorld.getMaxScaleOnAxis();
     const distance = center.distanceTo(camera.position);

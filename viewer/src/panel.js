@@ -65,6 +65,7 @@ export function bindPanel(element, specs, now, { change, reset, link }) {
       for (const [name, value] of Object.entries(outputs)) {
         const output = form.elements[name];
         output.textContent = text(value, output.dataset);
+        output.toggleAttribute("data-no", value === "no");
       }
       for (const [name, curves] of Object.entries(charts ?? {})) drawChart(name, curves);
       for (const chart of all("[data-over]")) mark(chart, inputs[chart.dataset.over]);
@@ -75,7 +76,10 @@ export function bindPanel(element, specs, now, { change, reset, link }) {
     const chart = form.querySelector(`[data-chart="${name}"]`);
     const [low, high] = chart.dataset.y.split(" ").map(Number);
     for (const [curve, heights] of Object.entries(curves)) {
-      chart.querySelector(`[data-curve="${curve}"]`).setAttribute("d", path(heights, low, high));
+      const pieces = Array.isArray(heights[0]) ? heights : [heights];
+      chart.querySelector(`[data-curve="${curve}"]`).setAttribute("d", path(pieces, low, high));
+      const marks = chart.querySelectorAll(".explorable-marks span");
+      marks.forEach((mark, i) => (mark.hidden = i >= pieces.length));
     }
   }
 }
@@ -93,13 +97,17 @@ function mark(chart, value) {
   line.setAttribute("x2", x);
 }
 
-function path(heights, low, high) {
-  const step = WIDTH / (heights.length - 1);
-  const points = heights.map((height, i) => {
-    const share = Math.min(1.05, Math.max(-0.05, (height - low) / (high - low)));
-    return `${(i * step).toFixed(1)},${(HEIGHT * (1 - share)).toFixed(1)}`;
+function path(pieces, low, high) {
+  const width = WIDTH / pieces.length;
+  const paths = pieces.map((heights, i) => {
+    const points = heights.map((height, k) => {
+      const share = Math.min(1.05, Math.max(-0.05, (height - low) / (high - low)));
+      const x = (i + k / (heights.length - 1)) * width;
+      return `${x.toFixed(1)},${(HEIGHT * (1 - share)).toFixed(1)}`;
+    });
+    return `M${points.join(" ")}`;
   });
-  return `M${points.join(" ")}`;
+  return paths.join("");
 }
 
 /** Write a number, a text or a matrix as Python does. */

@@ -46,6 +46,7 @@ function dress(part, { positions, normals, corners }) {
   if (part.corners === corners) {
     geometry.attributes.position.needsUpdate = true;
     geometry.attributes.normal.needsUpdate = true;
+    geometry.boundingSphere = null;
     return;
   }
   part.corners = corners;
@@ -67,6 +68,7 @@ function bend(part, points) {
   points.forEach((point, i) => position.setXYZ(i, ...point));
   position.needsUpdate = true;
   if (normal) geometry.computeVertexNormals();
+  geometry.boundingSphere = null;
 }
 
 /** Draw a part from other points, wherever they are. */

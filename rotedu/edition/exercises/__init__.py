@@ -1,0 +1,28 @@
+"""The exercises of the book: `check` judges an answer. A module for each page with exercises."""
+
+from rotedu.edition.exercises import (
+    arcs,
+    closed_curve,
+    conclusions,
+    control_points,
+    general_rotation,
+    introduction,
+    ordinary_rotation,
+    orientations,
+    quaternions,
+)
+from rotedu.edition.exercises.judging import Verdict, check
+
+__all__ = [
+    "Verdict",
+    "arcs",
+    "check",
+    "closed_curve",
+    "conclusions",
+    "control_points",
+    "general_rotation",
+    "introduction",
+    "ordinary_rotation",
+    "orientations",
+    "quaternions",
+]

@@ -1,0 +1,354 @@
+"""Checks of the exercises of Chapter 5, Control points."""
+
+from typing import Any
+
+import numpy as np
+
+from rotedu._vectors import Array
+from rotedu.arcs import angle_between, arc_axis
+from rotedu.control_points import bisect, control_points, double
+from rotedu.edition.exercises.judging import (
+    Wrong,
+    along_equator,
+    as_array,
+    as_number,
+    close,
+    exercise,
+    judged,
+    on_equator,
+    without_full_turns,
+)
+from rotedu.ordinary_rotation import rotate
+
+__all__: list[str] = []
+
+RADIANS = Wrong("Are these radians?", "The exercise asks for degrees.")
+
+
+@exercise(
+    "5.6",
+    expects="a point, shape (3,)",
+    because="Reflecting in a point is a half turn about it.",
+)
+def reflected_in_the_pole(answer: Any) -> Wrong | None:
+    """Judge the reflection of a point in the pole."""
+    point, pole = np.array([1, 2, 2]) / 3, np.array([0, 0, 1])
+    return judged(
+        as_array(answer, (3,)),
+        double(point, pole),
+        (
+            point * [1, 1, -1],
+            Wrong(
+                "That is the mirror image in the plane of the equator.",
+                "The pole should be halfway between the point and its reflection.",
+            ),
+        ),
+        (
+            -point,
+            Wrong(
+                "That is the opposite point, the reflection in the centre of the sphere.",
+                "Go from the point to the pole, and then as far again. Where are you?",
+            ),
+        ),
+        (
+            double(pole, point),
+            Wrong(
+                "You reflected the pole in the point.",
+                "Double(p, q) goes from p to q and beyond it. Which is p, and which is q?",
+            ),
+        ),
+        otherwise=Wrong(
+            "The pole is not halfway between the point and your answer.",
+            "Think of a half turn about the W axis. Which coordinates does it leave alone?",
+        ),
+        within=2e-3,
+    )
+
+
+@exercise(
+    "5.7",
+    expects="a point, shape (3,)",
+    because="The midpoint has the direction of the sum, and no angle is needed.",
+)
+def middle_of_an_arc(answer: Any) -> Wrong | None:
+    """Judge the midpoint of two points of the equator."""
+    p, q = np.array([1, 0, 0]), np.array([0.28, 0.96, 0])
+    inside = Wrong(
+        "Your point is not on the sphere.",
+        "The direction is right. What is the length of your vector, and what should it be?",
+    )
+    return judged(
+        as_array(answer, (3,)),
+        bisect(p, q),
+        ((p + q) / 2, inside),
+        (p + q, inside),
+        (
+            -bisect(p, q),
+            Wrong(
+                "That is the middle of the way round the other side.",
+                "The shortest arc joins the points. Is your point near them?",
+            ),
+        ),
+        (
+            (q - p) / np.linalg.norm(q - p),
+            Wrong(
+                "That is the direction of the chord.",
+                "Which vector points between the two, and not from one to the other?",
+            ),
+        ),
+        otherwise=Wrong(
+            "Your point is not the same distance from both.",
+            "A sum of two vectors of one length points halfway between them.",
+        ),
+        within=2e-3,
+    )
+
+
+def construction(before: float, after: float) -> tuple[Array, Array, Array, Array]:
+    """Return the four points of the construction, for two gaps on the equator in degrees."""
+    previous, here, following = on_equator([-before, 0, after])
+    reflected = double(previous, here)
+    middle = bisect(reflected, following)
+    a = bisect(here, middle)
+    return reflected, middle, a, double(a, here)
+
+
+@exercise(
+    "5.8",
+    expects="five angles in degrees",
+    because="On a great circle, a_i is a quarter of both gaps together beyond P_i.",
+)
+def construction_on_a_circle(answer: Any) -> Wrong | None:
+    """Judge the four points of the construction, and the rule for a_i."""
+    *angles, by_rule = without_full_turns(as_array(answer, (5,)))
+    before, after = 30, 110
+    right = along_equator(construction(60, 100))
+    rule = along_equator(construction(before, after)[2])
+    if close([*angles, by_rule], np.deg2rad([*right, rule]), 0.01):
+        return RADIANS
+    hints = (
+        Wrong(
+            "The first angle is not right yet.",
+            "Double goes through 0°, and beyond it by as much as it came.",
+        ),
+        Wrong(
+            "The second angle is not right yet.",
+            "Bisect takes the mean of the first angle and the angle of the third point.",
+        ),
+        Wrong(
+            "The third angle is not right yet.",
+            "Bisect takes the mean of the second angle and that of the middle point.",
+        ),
+        Wrong(
+            "The fourth angle is not right yet.",
+            "Double reflects the third angle in that of the middle point, not the reverse.",
+        ),
+    )
+    for angle, wanted, hint in zip(angles, right, hints, strict=True):
+        if not close(angle, wanted, 0.01):
+            return hint
+    return judged(
+        by_rule,
+        rule,
+        (
+            (before + after) / 2,
+            Wrong(
+                "Your rule gives the midpoint of step two, not a_i.",
+                "There is one more Bisect after that.",
+            ),
+        ),
+        (
+            (after - before) / 4,
+            Wrong(
+                "Your rule takes the difference of the gaps.",
+                "Double carries the gap before the point to the side after it.",
+            ),
+        ),
+        otherwise=Wrong(
+            "The four angles are right, the rule is not yet.",
+            "Do the four steps with letters in place of numbers.",
+        ),
+        within=0.01,
+    )
+
+
+@exercise(
+    "5.9",
+    expects="four angles in degrees",
+    because="Reversing the list reveals an error that a look at the curve does not.",
+)
+def reversed_ring(answer: Any) -> Wrong | None:
+    """Judge how far a wrong axis breaks the symmetry of the construction."""
+    ring = np.array([[1, -0.45, 0], [0.7, 0.6, -0.35], [0.1, 0.8, 0.5], [0.6, -0.05, 0.95]])
+    ring /= np.linalg.norm(ring, axis=1, keepdims=True)
+    a, b = with_printed_axis(ring)
+    back_a, back_b = with_printed_axis(ring[::-1])
+    right = np.rad2deg(angle_between(a, back_b[::-1]))
+    return judged(
+        as_array(answer, (4,)),
+        right,
+        (
+            np.zeros(4),
+            Wrong(
+                "With the axis as printed, they are not the same points.",
+                "You have the symmetry of the correct construction. Exchange the operands of the"
+                " cross product.",
+            ),
+        ),
+        (
+            np.rad2deg(angle_between(a, back_b)),
+            Wrong(
+                "You compare different points of the ring.",
+                "The reversed list has its control points in the reversed order, too.",
+            ),
+        ),
+        (
+            np.rad2deg(angle_between(a, back_a[::-1])),
+            Wrong(
+                "You compare a_i with a_i.",
+                "Which control point is after a point if you travel the other way?",
+            ),
+        ),
+        (
+            np.rad2deg(angle_between(a, control_points(ring)[0])),
+            Wrong(
+                "That is the distance to the correct a_i.",
+                "Suppose that you do not know them: compare your own a_i and b_i of two lists.",
+            ),
+        ),
+        (
+            np.rad2deg(angle_between(a, b)),
+            Wrong(
+                "That is the distance from a_i to b_i of one list.",
+                "Compute the b_i again, from the reversed list.",
+            ),
+        ),
+        (np.deg2rad(right), RADIANS),
+        otherwise=Wrong(
+            "Are your a_i made with the axis as printed?",
+            "Only the middle of step two is turned wrongly. It turns by half the angle between"
+            " the points that it should bisect.",
+        ),
+        within=0.5,
+    )
+
+
+def with_printed_axis(points: Array) -> tuple[Array, Array]:
+    """Return a and b, with the midpoint of step two turned about the axis of (5-9) as printed."""
+    following = np.roll(points, -1, axis=0)
+    beyond = double(np.roll(points, 1, axis=0), points)
+    half = angle_between(beyond, following) / 2
+    a = bisect(points, rotate(beyond, arc_axis(following, beyond), half))
+    return a, double(a, points)
+
+
+@exercise(
+    "5.10",
+    expects="two points, shape (2, 3)",
+    because="Both points are the midpoint, so both colleagues are right.",
+)
+def two_repairs(answer: Any) -> Wrong | None:
+    """Judge the points that two repairs of (5-9) lead to."""
+    start, goal = double([1, 0, 0], [0.6, 0.8, 0]), np.array([0, 0.6, 0.8])
+    printed, half = np.cross(goal, start), angle_between(start, goal) / 2
+    first, second = as_array(answer, (2, 3))
+    as_printed = rotate(start, printed, half)
+    nobody = Wrong(
+        "The colleague's point is where (5-8) leads as printed.",
+        "The first colleague turns another point, the second by another angle.",
+    )
+    too_far = Wrong(
+        "That turns by the whole angle between the points.",
+        "Look again at the angle by which (5-8) turns.",
+    )
+    return judged(
+        first,
+        rotate(goal, printed, half),
+        (as_printed, nobody),
+        (
+            rotate(goal, printed, -half),
+            Wrong(
+                "The first colleague does not change the sign of the angle.",
+                "Turn the other point, about the printed axis, by the positive angle.",
+            ),
+        ),
+        (start, too_far),
+        otherwise=Wrong(
+            "The point of the first colleague is not right yet.",
+            "Which of the two points does (5-8) turn? This colleague turns the other.",
+        ),
+        within=2e-3,
+    ) or judged(
+        second,
+        rotate(start, printed, -half),
+        (as_printed, nobody),
+        (
+            rotate(goal, printed, -half),
+            Wrong(
+                "The second colleague still turns the point that (5-8) turns.",
+                "Change the sign of the angle, and nothing else.",
+            ),
+        ),
+        (goal, too_far),
+        otherwise=Wrong(
+            "The point of the second colleague is not right yet.",
+            "Keep the printed axis and the point that (5-8) turns.",
+        ),
+        within=2e-3,
+    )
+
+
+@exercise(
+    "5.11",
+    expects="a function of two gaps in degrees that returns an angle in degrees",
+    because="Near a jump, a small change of a point changes the curve a lot.",
+)
+def rule_for_two_gaps(answer: Any) -> Wrong | None:
+    """Judge a rule for the place of a_i on a great circle."""
+    steps = (-165, -110, -70, -20, 15, 40, 100, 150, 170)
+    gaps = [(g, h) for g in steps for h in steps if abs(g - h) != 180 and abs(g + h) != 360]
+    places = without_full_turns([as_number(answer(g, h)) for g, h in gaps])
+    right = np.array([along_equator(construction(g, h)[2]) for g, h in gaps])
+    before, after = np.transpose(gaps)
+    quarter = (before + after) / 4
+    far = abs(before - after) > 180
+    return judged(
+        places,
+        right,
+        (
+            quarter,
+            Wrong(
+                "Your rule never jumps.",
+                "Try it on a gap of 170° before and one of 20° back.",
+            ),
+        ),
+        (
+            without_full_turns(np.where(far, quarter + 180, quarter)),
+            Wrong(
+                "Your rule jumps too far.",
+                "The midpoint of step two jumps to the opposite point. How far does a_i follow?",
+            ),
+        ),
+        (
+            without_full_turns(quarter - 90 * far),
+            Wrong(
+                "Your rule always jumps to the same side.",
+                "It holds if the gaps add up to a positive angle. Try it with both gaps negated.",
+            ),
+        ),
+        (
+            without_full_turns(quarter + 90 * np.sign(before + after) * far),
+            Wrong(
+                "Your rule jumps to the wrong side.",
+                "Bisect takes the shorter arc, so a_i is never more than 90° from P_i.",
+            ),
+        ),
+        (np.deg2rad(right), RADIANS),
+        otherwise=Wrong(
+            "Your rule does not even hold for gaps that differ by less than 180°."
+            if not close(places[~far], right[~far], 0.01)
+            else "Your rule holds as long as the gaps differ by less than 180°, but not beyond.",
+            "Follow the midpoint of step two. Where is it before the jump, and where after it?",
+        ),
+        within=0.01,
+    )

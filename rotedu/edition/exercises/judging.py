@@ -1,0 +1,311 @@
+"""How answers are judged: the register of exercises, and what their checks share.
+
+A check is a pure function of the answer. It returns None if the answer is right, or hints in two
+stages. It tests properties, so that every right form of an answer passes.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from rotedu._vectors import Array
+from rotedu.ordinary_rotation import rotation_matrix
+from rotedu.quaternions import Quaternion
+
+__all__ = [
+    "EXERCISES",
+    "Exercise",
+    "Verdict",
+    "Wrong",
+    "along_equator",
+    "as_array",
+    "as_number",
+    "as_parts",
+    "as_quaternion",
+    "as_rotation",
+    "as_word",
+    "check",
+    "close",
+    "degrees_for_radians",
+    "exercise",
+    "judged",
+    "on_equator",
+    "radians_for_degrees",
+    "same_rotation",
+    "up_to_sign",
+    "without_full_turns",
+]
+
+WITHIN = 1e-6
+
+
+class Wrong(NamedTuple):
+    """Two stages of a hint. Neither gives the answer away."""
+
+    first: str
+    second: str
+
+
+@dataclass(frozen=True)
+class Exercise:
+    """An exercise of the book.
+
+    Attributes
+    ----------
+    number : str
+        The number it has in the book.
+    expects : str
+        The form of an answer.
+    because : str
+        A sentence that a right answer earns; may be empty.
+    judge : callable
+        Function of the answer that returns None if it is right. It may raise anything if the
+        answer does not have the expected form.
+    """
+
+    number: str
+    expects: str
+    because: str
+    judge: Callable[[Any], Wrong | None]
+
+
+@dataclass(frozen=True, repr=False)
+class Verdict:
+    """What a check says about an answer.
+
+    Attributes
+    ----------
+    number : str
+        The number of the exercise.
+    right : bool or None
+        Whether the answer is right; None if there is no answer yet.
+    text : str
+        The verdict in words.
+    """
+
+    number: str
+    right: bool | None
+    text: str
+
+    def __repr__(self) -> str:
+        return f"{self.number}: {self.text}"
+
+
+EXERCISES: dict[str, Exercise] = {}
+
+
+def exercise(
+    number: str, *, expects: str, because: str = ""
+) -> Callable[[Callable[[Any], Wrong | None]], Callable[[Any], Wrong | None]]:
+    """Register the function below as the check of an exercise.
+
+    Parameters
+    ----------
+    number : str
+        The number of the exercise in the book.
+    expects : str
+        The form of an answer, to complete the sentence "Expected ...".
+    because : str
+        A sentence that a right answer earns.
+
+    Returns
+    -------
+    callable
+        A decorator that returns its function unchanged.
+    """
+
+    def register(judge: Callable[[Any], Wrong | None]) -> Callable[[Any], Wrong | None]:
+        if number in EXERCISES:
+            raise ValueError(f"exercise {number} has two checks")
+        EXERCISES[number] = Exercise(number, expects, because, judge)
+        return judge
+
+    return register
+
+
+def check(number: str, answer: Any, hint: int = 1) -> Verdict:
+    """Check the answer to an exercise.
+
+    Parameters
+    ----------
+    number : str
+        The number of the exercise, such as "3.1".
+    answer : object
+        Your answer; ``...`` means that there is none yet.
+    hint : int
+        1 for a first hint, 2 for a second one.
+
+    Returns
+    -------
+    Verdict
+        Whether the answer is right, and a hint if it is not.
+
+    Raises
+    ------
+    ValueError
+        If no exercise has this number. No answer makes a check fail.
+
+    Examples
+    --------
+    >>> check("3.1", ...)
+    3.1: not answered yet.
+    """
+    if number not in EXERCISES:
+        raise ValueError(f'no exercise has the number {number!r}; write it as in "3.1"')
+    asked = EXERCISES[number]
+    if unanswered(answer):
+        return Verdict(number, None, "not answered yet.")
+    try:
+        with np.errstate(all="ignore"):
+            wrong = asked.judge(answer)
+    except Exception as error:
+        # An answer may be anything, and a function among the answers may raise anything.
+        form = f"Expected {asked.expects}."
+        wrong = Wrong(form, f"{form} Python says: {error}")
+    if wrong is None:
+        return Verdict(number, True, f"right. {asked.because}".rstrip())
+    if hint == 1:
+        more = f'For more: check("{number}", answer, hint=2)'
+        return Verdict(number, False, f"not yet. {wrong.first}\n{more}")
+    return Verdict(number, False, f"not yet. {wrong.second}")
+
+
+def unanswered(answer: Any) -> bool:
+    """Tell whether an answer, or a part of it, is still ``...``."""
+    if isinstance(answer, (tuple, list)):
+        return any(map(unanswered, answer))
+    return answer is ...
+
+
+def as_array(answer: Any, shape: Sequence[int | None]) -> Array:
+    """Return an answer as finite numbers of a given shape; None stands for any length."""
+    array = np.asarray(answer, dtype=np.float64)
+    if len(array.shape) != len(shape) or any(
+        wanted not in (None, length) for wanted, length in zip(shape, array.shape, strict=True)
+    ):
+        raise ValueError(f"the shape is {array.shape}.")
+    if not np.isfinite(array).all():
+        raise ValueError("not all numbers are finite.")
+    return array
+
+
+def as_number(answer: Any) -> float:
+    """Return an answer as a finite number."""
+    return float(as_array(answer, ()))
+
+
+def as_parts(answer: Any, number: int) -> tuple[Any, ...]:
+    """Return the parts of an answer, such as an axis and an angle."""
+    parts = tuple(answer)
+    if len(parts) != number:
+        raise ValueError(f"the number of parts is {len(parts)}.")
+    return parts
+
+
+def as_word(answer: Any, words: Sequence[str]) -> str:
+    """Return an answer as one of several words."""
+    word = str(answer).strip().casefold()
+    if word not in words:
+        raise ValueError(f"the word is {word!r}.")
+    return word
+
+
+def as_quaternion(answer: Any) -> Array:
+    """Return a `Quaternion` or four numbers, scalar first, as four numbers."""
+    return as_array(getattr(answer, "components", answer), (4,))
+
+
+def as_rotation(answer: Any) -> Array:
+    """Return a rotation as a matrix of shape (3, 3).
+
+    It may be a `Quaternion`, four numbers with the scalar first, an axis and an angle in radians,
+    or a matrix of shape (3, 3) or (4, 4). Whether a matrix is a rotation is not checked.
+    """
+    if isinstance(answer, (tuple, list)) and len(answer) == 2:
+        axis, angle = answer
+        return rotation_matrix(as_array(axis, (3,)), as_number(angle))
+    shape = np.shape(getattr(answer, "components", answer))
+    if shape == (4,):
+        w, *v = as_quaternion(answer)
+        return Quaternion(w, v).matrix()
+    if shape == (4, 4):
+        return as_array(answer, shape)[:3, :3]
+    return as_array(answer, (3, 3))
+
+
+def close(a: npt.ArrayLike, b: npt.ArrayLike, within: float = WITHIN) -> bool:
+    """Tell whether arrays have one shape and differ nowhere by more than a bound."""
+    a, b = np.asarray(a, np.float64), np.asarray(b, np.float64)
+    return a.shape == b.shape and bool((np.abs(a - b) <= within).all())
+
+
+def up_to_sign(a: npt.ArrayLike, b: npt.ArrayLike, within: float = WITHIN) -> bool:
+    """Tell whether arrays are equal or opposite."""
+    return close(a, b, within) or close(a, np.negative(b), within)
+
+
+def same_rotation(a: Any, b: Any, within: float = WITHIN) -> bool:
+    """Tell whether two rotations, each in any form of `as_rotation`, are the same."""
+    return close(as_rotation(a), as_rotation(b), within)
+
+
+def degrees_for_radians(answer: npt.ArrayLike, right: npt.ArrayLike, within: float = 0.1) -> bool:
+    """Tell whether an angle that should be in radians is right in degrees."""
+    return close(answer, np.rad2deg(right), within)
+
+
+def radians_for_degrees(answer: npt.ArrayLike, right: npt.ArrayLike, within: float = 0.01) -> bool:
+    """Tell whether an angle that should be in degrees is right in radians."""
+    return close(answer, np.deg2rad(right), within)
+
+
+def judged(
+    answer: npt.ArrayLike,
+    right: npt.ArrayLike,
+    *mistakes: tuple[npt.ArrayLike, Wrong],
+    otherwise: Wrong,
+    within: float = WITHIN,
+) -> Wrong | None:
+    """Compare an answer with the right one, then with what usual mistakes lead to.
+
+    Parameters
+    ----------
+    answer, right : array_like
+        Arrays of one shape.
+    *mistakes : pairs of array_like and Wrong
+        The results of usual mistakes, each with the hint meant for it.
+    otherwise : Wrong
+        The hint for all other answers.
+    within : float
+        The largest difference allowed in any entry.
+
+    Returns
+    -------
+    Wrong or None
+        None if the answer is right.
+    """
+    if close(answer, right, within):
+        return None
+    return next((wrong for result, wrong in mistakes if close(answer, result, within)), otherwise)
+
+
+def on_equator(degrees: npt.ArrayLike) -> Array:
+    """Return the points of the equator at given angles."""
+    angle = np.deg2rad(degrees)
+    return np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=-1)
+
+
+def along_equator(points: npt.ArrayLike) -> Array:
+    """Return the angles of points of the equator, in degrees from -180 to 180."""
+    x, y, _ = np.moveaxis(np.asarray(points, np.float64), -1, 0)
+    angles: Array = np.rad2deg(np.arctan2(y, x))
+    return angles
+
+
+def without_full_turns(degrees: npt.ArrayLike) -> Array:
+    """Return angles that differ by full turns as one angle, from -180 to 180."""
+    angles: Array = (np.asarray(degrees, np.float64) + 180) % 360 - 180
+    return angles

@@ -1,0 +1,358 @@
+"""Checks of the exercises of Chapter 5, Points and orientations."""
+
+from typing import Any
+
+import numpy as np
+
+from rotedu._vectors import Array
+from rotedu.arcs import angle_between, arc_axis, slerp
+from rotedu.closed_curve import closed_curve
+from rotedu.edition.exercises.judging import (
+    Wrong,
+    as_array,
+    as_number,
+    as_rotation,
+    close,
+    exercise,
+    judged,
+    radians_for_degrees,
+    without_full_turns,
+)
+from rotedu.errors import DegenerateError
+from rotedu.ordinary_rotation import axis_angle, rotation_matrix
+from rotedu.orientations import slerp_rotations
+from rotedu.quaternions import Quaternion
+
+__all__: list[str] = []
+
+RADIANS = Wrong("Are these radians?", "The exercise asks for degrees.")
+
+
+@exercise(
+    "5.17",
+    expects="a turn: a matrix, shape (3, 3), or a unit quaternion",
+    because="The axis of this turn belongs to the camera, not to the room.",
+)
+def turn_between_cameras(answer: Any) -> Wrong | None:
+    """Judge the turn from one orientation to another."""
+    r1, r2 = rotation_matrix([[1, 0, 0], [0, 1, 0]], np.pi / 2)
+    return judged(
+        as_rotation(answer),
+        r1.T @ r2,
+        (
+            r2 @ r1.T,
+            Wrong(
+                "Your turn leads from the first to the second if it stands on the left.",
+                "Here it stands on the right: R1 T = R2. From which side do you multiply by the"
+                " inverse of R1?",
+            ),
+        ),
+        (
+            r2.T @ r1,
+            Wrong(
+                "Your turn leads from the second to the first.",
+                "Multiply R1 by your matrix. Which of the two has to be undone?",
+            ),
+        ),
+        (
+            r1 @ r2,
+            Wrong(
+                "You do both turns, and undo none.",
+                "T has to take back the first turn before it does the second.",
+            ),
+        ),
+        (
+            r1 @ r2.T,
+            Wrong(
+                "You undo the second turn in place of the first.",
+                "Solve R1 T = R2 for T. The inverse of a rotation is its transpose.",
+            ),
+        ),
+        otherwise=Wrong(
+            "R1 times your turn is not R2.",
+            "Solve R1 T = R2 for T. The inverse of a rotation is its transpose.",
+        ),
+        within=2e-3,
+    )
+
+
+@exercise(
+    "5.18",
+    expects="three angles in degrees",
+    because="Only quaternions can go the long way; matrices have no sign to choose.",
+)
+def halfway_in_three_ways(answer: Any) -> Wrong | None:
+    """Judge the place halfway along two ways round."""
+    total = np.deg2rad(300)
+    q1, q2 = Quaternion.from_axis_angle([0, 0, 1], [0, total]).components
+    ends = rotation_matrix([0, 0, 1], [0, total])
+
+    def turned(matrix: Array) -> float:
+        return float(np.rad2deg(np.arctan2(matrix[1, 0], matrix[0, 0])))
+
+    def by_slerp(end: Array) -> float:
+        w, *v = slerp(q1, end, 1 / 2)
+        return turned(Quaternion(w, v).matrix())
+
+    as_they_stand, changed = by_slerp(q2), by_slerp(-q2)
+    right = np.array([as_they_stand, changed, turned(slerp_rotations(*ends, 1 / 2))])
+    signs = Wrong(
+        "A change of sign leads round the other way.",
+        "How large is the turn from one end to the other, in each of the two directions?",
+    )
+    return judged(
+        without_full_turns(as_array(answer, (3,))),
+        right,
+        ([as_they_stand] * 3, signs),
+        ([changed] * 3, signs),
+        (
+            [changed, as_they_stand, changed],
+            Wrong(
+                "You have the two signs the wrong way round.",
+                "The sign of the dot product tells which way slerp goes. It is the cosine of half"
+                " the angle.",
+            ),
+        ),
+        (
+            [as_they_stand, changed, as_they_stand],
+            Wrong(
+                "The third way is not right yet.",
+                "A matrix does not know that the turn was more than half a turn.",
+            ),
+        ),
+        (
+            right / 2,
+            Wrong(
+                "These are the angles in the quaternions.",
+                "A quaternion holds half the angle by which it turns.",
+            ),
+        ),
+        (np.deg2rad(right), RADIANS),
+        otherwise=Wrong(
+            "Halfway is half of the turn. Which turn is it in each of the three?",
+            "The body can turn to the same end by 300° or by the rest of a full turn backwards.",
+        ),
+        within=0.1,
+    )
+
+
+@exercise(
+    "5.19",
+    expects="an angle in degrees",
+    because="It is the area of the triangle, as an angle.",
+)
+def carried_platform(answer: Any) -> Wrong | None:
+    """Judge the turn of a platform that is carried round a triangle; its sign is free."""
+    east = np.deg2rad(40)
+    corners = np.array([[0, 0, 1], [1, 0, 0], [np.cos(east), np.sin(east), 0]])
+    trip = np.eye(3)
+    for start, end in zip(corners, np.roll(corners, -1, axis=0), strict=True):
+        trip = rotation_matrix(arc_axis(start, end), angle_between(start, end)) @ trip
+    _, turn = axis_angle(trip)
+    right = np.rad2deg(turn)
+    given = as_number(answer)
+    if close(given, 180 + right, 0.1):
+        return Wrong(
+            "That is the sum of the angles of the triangle.",
+            "The area is what this sum has more than the sum in the plane.",
+        )
+    return judged(
+        abs(without_full_turns(given)),
+        right,
+        (
+            np.deg2rad(right),
+            Wrong("Is this an angle in radians?", "The exercise asks for degrees."),
+        ),
+        (
+            0,
+            Wrong(
+                "The platform was never turned about its vertical, but that is not enough.",
+                "Which way does a mark on it point on the equator, and which way when it is back?",
+            ),
+        ),
+        (
+            90,
+            Wrong(
+                "That is the answer for an eighth of the sphere.",
+                "How large is the angle of this triangle at the pole?",
+            ),
+        ),
+        otherwise=Wrong(
+            "Find the three angles of the triangle first.",
+            "Two of them are between a meridian and the equator. What is their sum beyond 180°?",
+        ),
+        within=0.1,
+    )
+
+
+@exercise(
+    "5.20",
+    expects="two whole numbers from 0 to 32",
+    because="After an odd number of full turns, signs cannot agree all the way round.",
+)
+def choices_of_signs(answer: Any) -> Wrong | None:
+    """Judge how many choices of signs are refused, and how many give a steady turn."""
+    numbers = as_array(answer, (2,))
+    quaternions = Quaternion.from_axis_angle([1, 2, 2], np.arange(5) * 2 * np.pi / 5).components
+    steady = rotation_matrix([1, 2, 2], np.arange(100) * 2 * np.pi / 100)
+    refused = turning = 0
+    for number in range(32):
+        signs = 1 - 2 * ((number >> np.arange(5)) & 1)
+        try:
+            curve = closed_curve(signs[:, np.newaxis] * quaternions, 20, 1 / 3)
+        except DegenerateError:
+            refused += 1
+        else:
+            turning += close(Quaternion(curve[:, 0], curve[:, 1:]).matrix(), steady)
+    drawn = 32 - refused
+    return judged(
+        numbers,
+        [refused, turning],
+        (
+            [refused, drawn],
+            Wrong(
+                "A curve that is drawn need not be the steady turn.",
+                "Convert its quaternions to matrices and compare them with `steady`.",
+            ),
+        ),
+        (
+            [drawn, turning],
+            Wrong(
+                "You count the choices that are not refused.",
+                "A choice is refused if the function raises an error.",
+            ),
+        ),
+        (
+            [0, turning],
+            Wrong(
+                "Some of the choices raise an error.",
+                "Catch DegenerateError and count it.",
+            ),
+        ),
+        (
+            [refused / 2, turning],
+            Wrong(
+                "Have you tried all 32? If all signs change, the rotations stay the same.",
+                "Such a pair counts as two choices here.",
+            ),
+        ),
+        otherwise=Wrong(
+            "Run through all 32 choices, and catch the error that some of them raise.",
+            "The bits of the numbers 0 to 31 are all the choices. Compare each curve that is drawn"
+            " with `steady`.",
+        ),
+        within=0,
+    )
+
+
+@exercise(
+    "5.21",
+    expects="four rows of three numbers, shape (4, 3)",
+    because="The steeper the line of sight, the more a level horizon costs.",
+)
+def upright_flights(answer: Any) -> Wrong | None:
+    """Judge the roll of the shortest flights and the cost of flying upright."""
+    sights = np.array([(1.0, 0.0, -0.2), (0.3, 1.0, 0.2), (0.2, 0.3, 1.0), (0.3, -0.9, 0.3)])
+    sights /= np.linalg.norm(sights, axis=1, keepdims=True)
+    rolls, turned, uneven = np.abs(as_array(answer, (4, 3))).T
+    right = np.array(
+        [flight(*ends) for ends in zip(sights, np.roll(sights, -1, axis=0), strict=True)]
+    )
+    if radians_for_degrees(rolls, right[:, 0]):
+        return RADIANS
+    by_sight = [
+        angle_between(start, end) / axis_angle(standing(start).T @ standing(end))[1]
+        for start, end in zip(sights, np.roll(sights, -1, axis=0), strict=True)
+    ]
+    return (
+        judged(
+            rolls,
+            right[:, 0],
+            (
+                np.zeros(4),
+                Wrong(
+                    "The shortest turn does roll the camera.",
+                    "Compare the camera on its way with an upright one that looks the same way.",
+                ),
+            ),
+            (
+                np.roll(right[:, 0], -1),
+                Wrong(
+                    "Your flights begin at the wrong sight.",
+                    "The first flight leads from the first sight to the second.",
+                ),
+            ),
+            otherwise=Wrong(
+                "The rolls, in the first column, are not right yet.",
+                "At many moments, make an upright camera with the same line of sight. The turn"
+                " from it to the camera is the roll.",
+            ),
+            within=0.5,
+        )
+        or judged(
+            turned,
+            right[:, 1],
+            (
+                by_sight,
+                Wrong(
+                    "Your second column is about the line of sight alone.",
+                    "The camera also turns about it. Add up the small turns of the camera.",
+                ),
+            ),
+            (
+                1 / right[:, 1],
+                Wrong(
+                    "Your second column is upside down.",
+                    "No motion turns less than the shortest one.",
+                ),
+            ),
+            otherwise=Wrong(
+                "The second column is not right yet.",
+                "Add up the small turns from moment to moment, and divide by the turn that leads"
+                " straight from the first orientation to the last.",
+            ),
+            within=0.02,
+        )
+        or judged(
+            uneven,
+            right[:, 2],
+            (
+                np.ones(4),
+                Wrong(
+                    "The line of sight moves evenly, but the camera does not turn evenly.",
+                    "Compare the small turns of the upright camera from moment to moment.",
+                ),
+            ),
+            (
+                1 / right[:, 2],
+                Wrong(
+                    "Your third column is upside down.",
+                    "Divide the greatest speed by the smallest.",
+                ),
+            ),
+            otherwise=Wrong(
+                "The third column is not right yet.",
+                "Take enough moments on the way, a thousand or so, at equal distances.",
+            ),
+            within=0.1,
+        )
+    )
+
+
+def standing(sight: Array) -> Array:
+    """Return upright cameras; their columns point left, up and ahead."""
+    left = np.cross([0, 0, 1], sight)
+    left /= np.linalg.norm(left, axis=-1, keepdims=True)
+    return np.stack([left, np.cross(sight, left), sight], axis=-1)
+
+
+def flight(start: Array, end: Array) -> tuple[float, float, float]:
+    """Return the largest roll in degrees, the angle turned over the least, and its unevenness."""
+    moments = np.linspace(0, 1, 1001)
+    free = slerp_rotations(standing(start), standing(end), moments)
+    tilt = standing(free[:, :, 2]).mT @ free
+    roll = np.rad2deg(np.arctan2(tilt[:, 1, 0], tilt[:, 0, 0]))
+    upright = standing(slerp(start, end, moments))
+    _, small = axis_angle(upright[:-1].mT @ upright[1:])
+    _, least = axis_angle(standing(start).T @ standing(end))
+    return np.abs(roll).max(), small.sum() / least, small.max() / small.min()

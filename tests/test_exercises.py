@@ -1,0 +1,163 @@
+"""Every exercise checks its answer: it knows the right ones, the usual wrong ones, and nonsense."""
+
+import re
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import matplotlib
+import nbformat
+import numpy as np
+import pytest
+from matplotlib import pyplot
+from wrong_answers import (
+    arcs,
+    closed_curve,
+    conclusions,
+    control_points,
+    general_rotation,
+    introduction,
+    ordinary_rotation,
+    orientations,
+    quaternions,
+)
+
+from rotedu.edition.exercises import check
+from rotedu.edition.exercises.judging import EXERCISES
+
+ROOT = Path(__file__).parents[1]
+IN_ORDER = re.findall(r"file: (book/0\d-[\w-]+)", (ROOT / "_toc.yml").read_text("utf-8"))
+PAGES = [ROOT / f"{name}.ipynb" for name in IN_ORDER]
+HEADING = re.compile(r"^\*\*Exercise ([\d.]+)\*\* \([^)]*?(\d+) minutes\)", re.MULTILINE)
+WRONG = {
+    number: answers
+    for page in (
+        introduction,
+        quaternions,
+        ordinary_rotation,
+        general_rotation,
+        arcs,
+        control_points,
+        closed_curve,
+        orientations,
+        conclusions,
+    )
+    for number, answers in page.WRONG.items()
+}
+GARBAGE = [None, "x", np.nan, (None, None), np.full((2, 5), 7.0), object(), {}, [], [[1], [2, 3]]]
+
+
+def text_of(page: Path) -> str:
+    cells = nbformat.read(page, as_version=4).cells
+    return "\n".join(cell.source for cell in cells if cell.cell_type == "markdown")
+
+
+def cells_of(page: Path) -> dict[str, list[Any]]:
+    """Return the code cells of each exercise of a page: starter cells and solution."""
+    numbers: list[str] = []
+    cells: dict[str, list[Any]] = {}
+    for cell in nbformat.read(page, as_version=4).cells:
+        if cell.cell_type == "markdown":
+            numbers += [number for number, _ in HEADING.findall(cell.source)]
+        elif numbers:
+            cells.setdefault(numbers[-1], []).append(cell)
+    return cells
+
+
+IN_BOOK = {number: (page, cells) for page in PAGES for number, cells in cells_of(page).items()}
+
+
+@cache
+def answers(number: str) -> tuple[Any, Any]:
+    """Run an exercise alone, after the imports of its page; return the answers before and after."""
+    page, (*starters, solution) = IN_BOOK[number]
+    cells = nbformat.read(page, as_version=4).cells
+    imports = next(cell.source for cell in cells if cell.cell_type == "code")
+    lines = [line for line in imports.splitlines() if not line.startswith("%")]
+    names: dict[str, Any] = {}
+    with matplotlib.rc_context():
+        exec("\n".join([*lines, *(cell.source for cell in starters)]), names)
+        before = names.get("answer")
+        exec(solution.source, names)
+        pyplot.close("all")
+    return before, names.get("answer")
+
+
+def printed(cell: Any) -> str:
+    return "".join(
+        output.get("text", output.get("data", {}).get("text/plain", "")) for output in cell.outputs
+    )
+
+
+def test_every_exercise_of_the_book_has_a_check() -> None:
+    assert set(EXERCISES) == set(IN_BOOK)
+    assert len(IN_BOOK) >= 45
+
+
+def test_exercises_are_numbered_in_the_order_of_the_pages() -> None:
+    found = [number for page in PAGES for number, _ in HEADING.findall(text_of(page))]
+    chapters = [int(number.partition(".")[0]) for number in found]
+    expected = [f"{c}.{chapters[: i + 1].count(c)}" for i, c in enumerate(chapters)]
+    assert found == expected
+    assert chapters == sorted(chapters)
+
+
+@pytest.mark.parametrize("page", [page for page in PAGES], ids=lambda page: page.stem)
+def test_a_page_begins_with_two_drills(page: Path) -> None:
+    minutes = [int(minutes) for _, minutes in HEADING.findall(text_of(page))]
+    assert max(minutes[:2]) <= 5
+
+
+@pytest.mark.parametrize("number", IN_BOOK)
+class TestInTheBook:
+    def test_an_exercise_stands_on_its_own(self, number: str) -> None:
+        """It needs the imports of its page and nothing that another cell has made."""
+        answers(number)
+        solution = IN_BOOK[number][1][-1].source
+        assert solution.startswith(f"# Solution of Exercise {number}\n")
+
+    def test_the_starter_is_unanswered_and_the_solution_right(self, number: str) -> None:
+        before, after = answers(number)
+        assert check(number, before).right is None
+        assert check(number, after).right is True
+
+    def test_the_page_shows_both_verdicts(self, number: str) -> None:
+        *_, starter, solution = IN_BOOK[number][1]
+        for cell, verdict in ((starter, "not answered yet."), (solution, "right.")):
+            assert cell.source.splitlines()[-1] == f'check("{number}", answer)'
+            assert f"{number}: {verdict}" in printed(cell)
+
+
+@pytest.mark.parametrize("number", EXERCISES)
+class TestCheck:
+    @pytest.mark.parametrize("answer", [..., (..., ...), (1.0, ...), [[...]]])
+    def test_knows_that_there_is_no_answer(self, number: str, answer: Any) -> None:
+        verdict = check(number, answer)
+        assert verdict.right is None
+        assert str(verdict) == f"{number}: not answered yet."
+
+    @pytest.mark.parametrize("answer", GARBAGE, ids=repr)
+    @pytest.mark.parametrize("hint", [1, 2])
+    def test_says_what_it_expects(self, number: str, answer: Any, hint: int) -> None:
+        verdict = check(number, answer, hint)
+        assert verdict.right is False
+        assert EXERCISES[number].expects in verdict.text
+
+    def test_has_a_hint_for_each_usual_mistake(self, number: str) -> None:
+        hints = set()
+        for answer, word in WRONG[number]:
+            verdict = check(number, answer)
+            assert verdict.right is False
+            assert word in verdict.text
+            assert EXERCISES[number].expects not in verdict.text, "the form is wrong, too"
+            hints.add(verdict.text)
+            assert verdict.text.endswith(f'check("{number}", answer, hint=2)')
+            more = check(number, answer, hint=2)
+            assert more.right is False
+            assert more.text.removeprefix("not yet. ") not in verdict.text
+        assert len(hints) >= 2
+
+
+def test_an_unknown_number_is_refused() -> None:
+    with pytest.raises(ValueError, match=r"'9\.9'"):
+        check("9.9", 1)

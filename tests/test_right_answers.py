@@ -1,0 +1,58 @@
+"""Checks of exercises accept every right form; the answers here were found by hand."""
+
+from typing import Any
+
+import pytest
+
+from rotedu.cost import OperationCount
+from rotedu.edition.exercises import check
+from rotedu.quaternions import Quaternion
+
+A_THIRD_BACK = [[0, 0, 1], [-1, 0, 0], [0, -1, 0]]
+
+RIGHT: list[tuple[str, Any]] = [
+    ("5.1", [25, 130, -50]),
+    ("5.1", (385, 130, 310)),
+    ("5.2", [[0.783, -0.206, -0.587], [0.622, 0.277, 0.732], [0.622, 0.277, 0.732]]),
+    ("5.3", (9156, 67.2)),
+    ("5.4", (-1, 0.92, 3)),
+    ("5.6", [-0.333, -0.667, 0.667]),
+    ("5.7", (0.8, 0.6, 0)),
+    ("5.8", [60, 80, 40, 320, 35]),
+    ("5.9", (75, 63, 77, 50)),
+    ("5.12", (60, 30, 90)),
+    ("5.13", [6, 55]),
+    ("5.16", (1.63, False)),
+    ("5.16", (1.63, "no")),
+    ("5.17", A_THIRD_BACK),
+    ("5.17", Quaternion(0.5, [-0.5, 0.5, -0.5])),
+    ("5.17", [-0.5, 0.5, -0.5, 0.5]),
+    ("5.18", (150, -30, -30)),
+    ("5.18", (150, 330, 330)),
+    ("5.19", 40),
+    ("5.19", -40),
+    ("5.20", [30, 0]),
+    ("5.21", [[4, 1.01, 1.0], [-3, 1.02, 1.4], [24, 1.18, 3.9], [5, 1.01, 1.0]]),
+    ("6.1", (477, 318)),
+    ("6.1", OperationCount(477, 318)),
+    ("6.2", (3e-6, 9e-6)),
+    ("6.3", 3),
+    ("6.4", (27, 19, 35, 579)),
+    ("6.5", (0, 2.0)),
+]
+
+
+@pytest.mark.parametrize(("number", "answer"), RIGHT)
+def test_a_right_answer_passes_in_every_form(number: str, answer: Any) -> None:
+    assert str(check(number, answer)).startswith(f"{number}: right.")
+
+
+def test_a_rule_may_be_any_function() -> None:
+    """5.11: a_i is halfway to the midpoint of step two, taken on the shorter way."""
+
+    def rule(before: float, after: float) -> float:
+        shorter = (after - before + 180) % 360 - 180
+        middle = before + shorter / 2
+        return ((middle + 180) % 360 - 180) / 2
+
+    assert check("5.11", rule).right is True

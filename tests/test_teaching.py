@@ -1,0 +1,247 @@
+"""The plans for teachers add up, and every chapter can be presented in a lecture room."""
+
+import re
+from collections.abc import Iterator
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+import nbformat
+import pytest
+from bs4 import BeautifulSoup
+
+BOOK = Path(__file__).parents[1] / "book"
+TEXT = (BOOK / "teaching.md").read_text("utf-8")
+CHAPTERS = sorted(file.stem for file in BOOK.glob("0*.ipynb"))
+CAPTION = re.compile(r"\*\*(Figure|Picture) ([\w-]+)\.\*\*")
+
+TALL = "document.documentElement.scrollHeight > innerHeight"
+UNFOLD = "for (const box of document.querySelectorAll('details')) box.open = true"
+BOTTOM = "scrollTo(0, document.documentElement.scrollHeight)"
+# A heading is small where it only says what the visible section belongs to.
+VISIBLE = """() => [...document.querySelectorAll("article :is(h1, h2, h3)")]
+    .filter((heading) => heading.checkVisibility())
+    .filter((heading) => parseFloat(getComputedStyle(heading).fontSize)
+        > parseFloat(getComputedStyle(heading.parentElement).fontSize))
+    .map((heading) => heading.parentElement.id)"""
+
+
+def table(heading: str) -> list[list[str]]:
+    """The rows of the table below a heading, its head apart."""
+    section = re.split(r"^#+ ", TEXT.partition(f"# {heading}\n")[2], flags=re.MULTILINE)[0]
+    cells = [row.strip("|").split("|") for row in section.splitlines() if row.startswith("|")]
+    return [[cell.strip(" *") for cell in row] for row in cells[2:]]
+
+
+def test_one_lecture_takes_the_minutes_that_it_promises() -> None:
+    minutes = sum(int(row[2]) for row in table("One lecture"))
+    assert f"{minutes} minutes for" in TEXT
+
+
+@pytest.mark.parametrize("weeks", ["Three weeks", "Six weeks"])
+def test_the_weeks_add_up(weeks: str) -> None:
+    parts = {row[0]: (int(row[2]), int(row[3])) for row in table("Three plans")}
+    *plan, total = table(weeks)
+    assert weeks.startswith({3: "Three", 6: "Six"}[len(plan)])
+    for number, row in enumerate(plan, start=1):
+        assert row[0] == str(number)
+        taken = [parts[part] for part in row[1].split()]
+        assert [sum(each) for each in zip(*taken, strict=True)] == [90, 90]
+        assert row[2:4] == ["90", "90"]
+    for column in (2, 3):
+        assert int(total[column]) == sum(int(row[column]) for row in plan)
+
+
+def test_six_weeks_leave_out_no_page() -> None:
+    pages, page = {}, ""
+    for part, covers, *_ in table("Three plans"):
+        page = found[1] if (found := re.search(r"\((\w[\w-]+)\.ipynb\)", covers)) else page
+        pages[part] = page
+    taught = {pages[part] for row in table("Six weeks")[:-1] for part in row[1].split()}
+    assert taught == set(CHAPTERS)
+    assert len(CHAPTERS) == 9
+
+
+def test_the_marks_make_a_hundred() -> None:
+    *marks, total = table("Marking scheme")
+    assert sum(int(row[1]) for row in marks) == int(total[1]) == 100
+
+
+def test_every_figure_that_answers_the_hand_cures_something() -> None:
+    names = set()
+    for page in CHAPTERS:
+        cells = nbformat.read(BOOK / f"{page}.ipynb", as_version=4).cells
+        for cell, below in pairwise(cells):
+            if re.match(r"explore\(scenes\.\w+_by_hand\b", cell.source):
+                names.add("-".join(CAPTION.match(below.source).groups()).lower())
+    assert len(names) == 9
+    cures = {
+        target
+        for row in table("What students get wrong, and the figure that cures it")
+        for target in re.findall(r"\(#([\w-]+)\)", row[1])
+    }
+    assert names <= cures
+
+
+def test_the_page_for_teachers_gives_no_number_of_an_exercise() -> None:
+    assert not re.search(r"Exercise \d", TEXT)
+
+
+@pytest.fixture
+def page(browser: Any, site: str) -> Iterator[Any]:
+    """A chapter that is being presented."""
+    page = browser.new_page(viewport={"width": 1280, "height": 720})
+    complaints: list[str] = []
+    page.on("pageerror", lambda error: complaints.append(str(error)))
+    page.goto(f"{site}/book/03-ordinary-rotation.html")
+    present = page.get_by_role("button", name="Present")
+    present.focus()
+    page.keyboard.press("Enter")
+    yield page
+    page.close()
+    assert complaints == []
+
+
+def place(page: Any) -> int:
+    """The number of the section, as it is announced, if that section alone is visible."""
+    said = page.locator("nav[aria-label=Sections] [role=status]").inner_text()
+    [visible] = page.evaluate(VISIBLE)
+    assert page.evaluate("document.activeElement.id") == visible
+    number, name = re.fullmatch(r"(\d+) of \d+: (.*)", said).groups()
+    title = page.locator(f"[id='{visible}'] > :is(h1, h2, h3)").inner_text()
+    assert title[:10] == name[:10]
+    return int(number)
+
+
+def press(page: Any, key: str) -> int:
+    page.keyboard.press(key)
+    return place(page)
+
+
+def test_arrows_go_from_section_to_section(page: Any) -> None:
+    last = page.locator("article section").count()
+    assert last > 10
+    assert place(page) == 1
+    assert press(page, "ArrowLeft") == 1
+    assert [press(page, "ArrowRight") for _ in range(last)] == [*range(2, last + 1), last]
+    assert press(page, "ArrowLeft") == last - 1
+    assert press(page, "Home") == 1
+    assert press(page, "End") == last
+
+
+@pytest.mark.parametrize(
+    ("forward", "backward"), [("PageDown", "PageUp"), ("Space", "Shift+Space")]
+)
+def test_a_tall_section_scrolls_before_the_next_comes(
+    page: Any, forward: str, backward: str
+) -> None:
+    press(page, "ArrowRight")
+    assert page.evaluate(TALL)
+    assert press(page, forward) == 2
+    page.wait_for_function("scrollY > 0")
+    page.evaluate(BOTTOM)
+    assert press(page, forward) == 3
+    assert page.evaluate("scrollY") == 0
+    assert press(page, backward) == 2
+
+
+def test_escape_leaves_where_the_reader_was(page: Any) -> None:
+    press(page, "ArrowRight")
+    press(page, "ArrowRight")
+    page.keyboard.press("Escape")
+    assert len(page.evaluate(VISIBLE)) == page.locator("article section").count()
+    assert not page.get_by_role("navigation", name="Sections").is_visible()
+    assert 0 <= page.locator("#rodrigues-formula > h2").bounding_box()["y"] < 200
+    page.keyboard.press("ArrowRight")
+    assert len(page.evaluate(VISIBLE)) > 1
+    page.get_by_role("button", name="Present").click()
+    assert place(page) == 3
+
+
+def test_a_figure_is_live_and_large_and_keeps_its_keys(page: Any) -> None:
+    press(page, "ArrowRight")
+    figure = page.locator(".explorable[data-name='figure-1-by-hand']")
+    figure.scroll_into_view_if_needed()
+    figure.locator(".scene[data-state=live]").wait_for(timeout=20_000)
+    scene = figure.locator(".scene").bounding_box()
+    assert scene["width"] > 640
+    panel = figure.locator("form").bounding_box()
+    assert panel["x"] >= scene["x"] + scene["width"]
+    for kept in ("canvas", "input[type=range] >> nth=0"):
+        figure.locator(kept).focus()
+        for key in ("ArrowRight", "PageDown", "End"):
+            page.keyboard.press(key)
+        assert page.get_by_text("2 of 14:").is_visible()
+        assert press(page, "Escape") == 2
+    assert figure.locator("input[type=range]").first.input_value() == "360"
+    assert press(page, "ArrowRight") == 3
+
+
+def test_space_opens_a_folded_answer(page: Any) -> None:
+    press(page, "ArrowRight")
+    answer = page.locator(".presented details > summary").first
+    answer.focus()
+    page.keyboard.press("Space")
+    assert answer.evaluate("summary => summary.parentElement.open")
+    assert press(page, "ArrowRight") == 3
+
+
+def test_a_link_leads_to_another_section(page: Any) -> None:
+    press(page, "ArrowRight")
+    press(page, "ArrowRight")
+    page.locator(".presented a[href='#figure-1']").first.click()
+    page.wait_for_function("scrollY > 0")
+    assert page.evaluate(VISIBLE) == ["a-rotation-to-look-at"]
+
+
+def test_the_buttons_of_the_view(page: Any) -> None:
+    bar = page.get_by_role("navigation", name="Sections")
+    bar.get_by_role("button", name="Next section").click()
+    assert place(page) == 2
+    bar.get_by_role("button", name="Previous section").click()
+    assert place(page) == 1
+    bar.get_by_role("button", name="Leave").click()
+    assert not bar.is_visible()
+
+
+def test_formulas_in_titles_are_announced_once(page: Any) -> None:
+    page.goto(page.url.replace("03-ordinary-rotation", "05-control-points"))
+    page.get_by_role("button", name="Present").click()
+    for number in range(2, 7):
+        assert press(page, "ArrowRight") == number
+    said = page.locator("nav[aria-label=Sections] [role=status]").inner_text()
+    assert re.sub(r"\W+$", "", said) == "6 of 15: Third step: halfway back, ai"
+
+
+def test_paper_shows_the_whole_page(page: Any) -> None:
+    page.emulate_media(media="print")
+    assert len(page.evaluate(VISIBLE)) == page.locator("article section").count()
+    assert not page.get_by_role("navigation", name="Sections").is_visible()
+    assert not page.get_by_role("button", name="Present").is_visible()
+
+
+@pytest.mark.parametrize("width", [1280, 390])
+def test_type_is_large_and_nothing_sticks_out(browser: Any, site: str, width: int) -> None:
+    page = browser.new_page(viewport={"width": width, "height": 720})
+    for name in ("04-general-rotation", "05-control-points"):
+        page.goto(f"{site}/book/{name}.html")
+        size = "parseFloat(getComputedStyle(document.querySelector('article')).fontSize)"
+        before = page.evaluate(size)
+        page.get_by_role("button", name="Present").click()
+        assert page.evaluate(size) >= (27 if width == 1280 else before)
+        for _ in range(page.locator("article section").count()):
+            page.evaluate(UNFOLD)
+            assert page.evaluate("document.documentElement.scrollWidth <= innerWidth"), name
+            page.keyboard.press("ArrowRight")
+    page.close()
+
+
+def test_only_chapters_with_scripts_offer_to_present(browser: Any, site: str, book: Path) -> None:
+    for name in CHAPTERS:
+        soup = BeautifulSoup((book / "book" / f"{name}.html").read_text("utf-8"), "html.parser")
+        assert soup.select_one("h1 + .page-head")
+        assert "Present" not in soup.select_one(".page-head").text
+    page = browser.new_page()
+    page.goto(f"{site}/book/glossary.html")
+    assert page.get_by_role("button", name="Present").count() == 0
+    page.close()

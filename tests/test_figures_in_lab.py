@@ -1,5 +1,7 @@
 """Figures in a real JupyterLab, with a real kernel and a real browser."""
 
+import base64
+import io
 import json
 import os
 import socket
@@ -13,7 +15,9 @@ from pathlib import Path
 from typing import Any
 
 import nbformat
+import numpy as np
 import pytest
+from PIL import Image
 from test_figures_in_browser import (
     CONTEXTS,
     INK,
@@ -143,6 +147,13 @@ def command(page: Any, name: str, wait: bool = True, **arguments: str) -> Any:
     return page.evaluate(script, [name, arguments])
 
 
+def wear(page: Any, theme: str) -> None:
+    """Change the theme, which JupyterLab remembers for all pages."""
+    command(page, "apputils:change-theme", theme=f"JupyterLab {theme}")
+    light = str(theme == "Light").lower()
+    page.wait_for_function(f"document.body.dataset.jpThemeLight === '{light}'")
+
+
 def test_a_figure_lives_in_a_notebook(run: Open) -> None:
     page = run("one", IMPORTS, "scenes.figure_1().show()", "import time\nwhile True: time.sleep(1)")
     scene = page.locator(LIVE)
@@ -162,7 +173,7 @@ def test_a_figure_lives_in_a_notebook(run: Open) -> None:
     # The keys are the figure's: in JupyterLab, 0 twice would ask whether to restart the kernel.
     active = page.locator(".jp-Cell.jp-mod-active").inner_text()
     scene.locator("canvas").focus()
-    for key in ("ArrowDown", "ArrowDown", "0", "0"):
+    for key in ("ArrowDown", "0", "0", "Home"):
         page.keyboard.press(key)
     page.wait_for_timeout(300)
     assert page.locator(".jp-Dialog").count() == 0
@@ -170,14 +181,13 @@ def test_a_figure_lives_in_a_notebook(run: Open) -> None:
     assert difference(before, live_picture(scene)) < 0.1
 
     light = scene.evaluate(INK)
-    command(page, "apputils:change-theme", theme="JupyterLab Dark")
-    page.wait_for_function("document.body.dataset.jpThemeLight === 'false'")
+    wear(page, "Dark")
     page.wait_for_timeout(500)
     assert scene.evaluate(INK) != light
 
 
 @pytest.mark.slow
-def test_ten_figures_bring_the_viewer_once(run: Open) -> None:
+def test_ten_figures_bring_the_viewer_once(run: Open, folder: Path) -> None:
     count = 10
     page = run("ten", IMPORTS, *map(numbered, range(count)))
     page.locator(LIVE).first.wait_for(timeout=PATIENCE)
@@ -185,8 +195,10 @@ def test_ten_figures_bring_the_viewer_once(run: Open) -> None:
     viewer, gltf = len(packed_viewer()), len(scene_gltf(scenes.figure_1()))
     assert viewer > 4 * gltf
     assert sum(size > viewer for size in page.received) == 1
-    # Other messages of JupyterLab count, too.
-    assert sum(page.received) < viewer + count * (gltf + 10_000) + 100_000
+    # Each figure has a picture, though most of them have never been seen.
+    assert len(saved_pictures(page, folder, "ten", count)) == count
+    # These come back from Python, and other messages of JupyterLab count, too.
+    assert sum(page.received) < viewer + count * (gltf + 35_000) + 100_000
 
 
 @pytest.mark.slow
@@ -301,3 +313,74 @@ def test_without_a_model_each_frame_comes_from_python(run: Open) -> None:
     page.wait_for_timeout(500)
     assert label.bounding_box() != before
     assert page.evaluate(EXECUTE, "print(arcs.u)").strip() == "0.0"
+
+
+PICTURES_OF_FIGURES = ".jp-RenderedImage img"
+
+
+def image(png: bytes) -> np.ndarray:
+    return np.asarray(Image.open(io.BytesIO(png)).convert("RGB"), float)
+
+
+def saved_pictures(page: Any, folder: Path, name: str, count: int) -> list[np.ndarray]:
+    """Save a notebook once its figures have pictures, and read these."""
+    pictures = page.locator(PICTURES_OF_FIGURES)
+    pictures.nth(count - 1).wait_for(state="attached", timeout=PATIENCE)
+    command(page, "docmanager:save")
+    notebook = nbformat.read(folder / f"{name}.ipynb", as_version=4)
+    found = [
+        base64.b64decode(output.data["image/png"])
+        for cell in notebook.cells
+        for output in cell.outputs
+        if "image/png" in output.get("data", {})
+    ]
+    assert max(map(len, found)) < 100_000
+    return list(map(image, found))
+
+
+def test_a_saved_notebook_shows_its_figures(run: Open, folder: Path) -> None:
+    far = "from IPython.display import HTML\nHTML('<div style=\"height: 3000px\"></div>')"
+    unseen = "explore(scenes.closed_curve_by_hand)"
+    page = run("saved", EXPLORE, "scenes.figure_1().show()", far, unseen)
+    live = page.locator(LIVE).first
+    live.wait_for(timeout=PATIENCE)
+    canvas = live.locator("canvas").element_handle()
+    seen, far_off = saved_pictures(page, folder, "saved", 2)
+    # The figure is the same as before, and its picture is not seen while it lives.
+    assert canvas.evaluate("canvas => canvas.isConnected")
+    assert page.locator(PICTURES_OF_FIGURES).first.is_hidden()
+
+    wear(page, "Light")
+    # The figure may begin between two pixels, and then the screenshot has one more.
+    shot = image(live.screenshot())[: seen.shape[0], : seen.shape[1]]
+    assert np.abs(seen - shot).mean() < 1
+    box = live.bounding_box()
+    for label in live.locator(".scene-label").all():
+        place = label.bounding_box()
+        left, top = int(place["x"] - box["x"]), int(place["y"] - box["y"])
+        part = np.s_[top : top + int(place["height"]) + 1, left : left + int(place["width"]) + 1]
+        assert shot[part].min() < 128
+        assert np.abs(seen[part] - shot[part]).mean() < 10
+    assert (far_off < 128).mean() > 0.01
+
+    command(page, "kernelmenu:shutdown", wait=False)
+    page.goto(page.url.partition("?")[0])
+    again = page.locator(PICTURES_OF_FIGURES).first
+    again.wait_for(timeout=PATIENCE)
+    assert again.bounding_box()["width"] == box["width"]
+
+
+@pytest.mark.slow
+def test_a_picture_does_not_depend_on_the_theme(run: Open, folder: Path) -> None:
+    page = run("themes", IMPORTS, "scenes.figure_1().show()")
+    pictures = []
+    for theme in ("Light", "Dark"):
+        page.locator(PICTURES_OF_FIGURES).wait_for(state="attached", timeout=PATIENCE)
+        wear(page, theme)
+        command(page, "notebook:restart-run-all", wait=False)
+        page.locator(".jp-Dialog .jp-mod-accept").click()
+        page.locator(PICTURES_OF_FIGURES).wait_for(state="detached", timeout=PATIENCE)
+        pictures += saved_pictures(page, folder, "themes", 1)
+    light, dark = pictures
+    assert (dark[0] == 255).all()
+    assert np.abs(dark - light).mean() < 0.5

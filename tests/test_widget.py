@@ -1,6 +1,8 @@
 """The Python side of figures in notebooks, with a comm that keeps what is sent."""
 
+import base64
 import gzip
+import io
 import json
 import subprocess
 import sys
@@ -10,9 +12,12 @@ from typing import Any, ClassVar
 import comm
 import nbformat
 import pytest
+from bs4 import BeautifulSoup
 from comm.base_comm import BaseComm
 from demanding import demanding_scene, new_plotter
 from nbclient import NotebookClient
+from nbconvert import HTMLExporter
+from PIL import Image
 
 from rotedu import scenes
 from rotedu.figures import widget
@@ -115,33 +120,75 @@ def test_the_loader_is_small() -> None:
     assert loader.stat().st_size < 1_500
 
 
-def outputs(monkeypatch: pytest.MonkeyPatch, *cells: str) -> list[Any]:
-    """Run cells in a kernel without a backend in its environment; return the last outputs."""
+def run(monkeypatch: pytest.MonkeyPatch, *cells: str, reader: bool) -> nbformat.NotebookNode:
+    """Run cells in a kernel without a backend in its environment, with or without a reader."""
     monkeypatch.delenv("PYVISTA_JUPYTER_BACKEND")
     notebook = nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(cell) for cell in cells])
-    NotebookClient(notebook, timeout=120, kernel_name="python3").execute()
-    return list(notebook.cells[-1].outputs)
+    client = NotebookClient(notebook, timeout=120, kernel_name="python3", coalesce_streams=True)
+    with client.setup_kernel():
+        # Front ends say so: whoever can answer a question can turn a figure, too.
+        client.kc.allow_stdin = reader
+        for i, cell in enumerate(notebook.cells):
+            client.execute_cell(cell, i)
+    return notebook
+
+
+# What the browser sends once, as a picture in true colours.
+HAND_OVER = """
+import io
+import numpy as np
+from PIL import Image
+colors = np.random.default_rng(0).integers(0, 256, (48, 72, 3), np.uint8)
+file = io.BytesIO()
+Image.fromarray(colors).save(file, "PNG")
+size = {"width": 36, "height": 24}
+message = {"content": {"data": {"method": "custom", "content": {"picture": size}}}}
+shown._handle_msg(message | {"buffers": [memoryview(file.getvalue())]})
+"""
 
 
 @pytest.mark.skipif(not (widget.STATIC / "figure.js").exists(), reason=MISSING)
-def test_in_a_kernel_widgets_are_the_default_and_vtk_draws_nothing(
+@pytest.mark.filterwarnings("error:Your element")
+def test_for_a_reader_widgets_are_the_default_and_vtk_draws_nothing(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    shown, printed = outputs(
+    notebook = run(
         monkeypatch,
         "from rotedu import scenes\nplotter = scenes.figure_1()",
-        "plotter.show()\nprint(plotter._rendered)",
+        "shown = plotter.show(return_viewer=True)\nshown",
+        HAND_OVER,
+        "print(plotter._rendered)",
+        reader=True,
     )
-    if shown.output_type == "stream":
-        shown, printed = printed, shown
-    assert "application/vnd.jupyter.widget-view+json" in shown.data
-    assert "turned" in shown.data["text/plain"]
-    assert printed.text == "False\n"
+    view, picture = notebook.cells[1].outputs
+    assert "application/vnd.jupyter.widget-view+json" in view.data
+    assert "turned" in picture.data["text/plain"]
+    assert "turned" in picture.metadata["image/png"]["alt"]
+    assert notebook.cells[3].outputs[0].text == "False\n"
+
+    file = base64.b64decode(picture.data["image/png"])
+    assert Image.open(io.BytesIO(file)).size == (72, 48)
+    assert len(file) < 72 * 48 * 1.5
+    html, _ = HTMLExporter().from_notebook_node(notebook)
+    (image,) = BeautifulSoup(html, "html.parser").select(".jp-OutputArea img")
+    assert base64.b64decode(image["src"].partition(",")[2]) == file
+    assert (image["width"], image["height"]) == ("36", "24")
+
+
+def test_without_a_reader_there_are_pictures(monkeypatch: pytest.MonkeyPatch) -> None:
+    cells = [
+        "from rotedu import scenes\nfrom rotedu.figures import explore",
+        "scenes.figure_1().show()",
+        "explore(scenes.arcs_of_arcs, u=(0, 1))",
+    ]
+    _, *shown = run(monkeypatch, *cells, reader=False).cells
+    assert ["image/png" in output.data for cell in shown for output in cell.outputs] == [True, True]
 
 
 def test_without_widgets_there_is_a_picture(monkeypatch: pytest.MonkeyPatch) -> None:
     hide = "import sys\nsys.modules['anywidget'] = None\n"
-    (shown,) = outputs(monkeypatch, hide + "from rotedu import scenes", "scenes.figure_1().show()")
+    cells = [hide + "from rotedu import scenes", "scenes.figure_1().show()"]
+    (shown,) = run(monkeypatch, *cells, reader=True).cells[-1].outputs
     assert "image/png" in shown.data
 
 

@@ -271,12 +271,16 @@ def _stands_behind(plotter: pyvista.Plotter, eye: np.ndarray, point: np.ndarray)
 def announce_backend() -> None:
     """Register the backend that pyvista is set to use, if it is one of ours.
 
-    Where none is set, notebooks get figures that turn. To find a backend by name, pyvista would
-    load all that are installed.
+    Where none is set, notebooks get figures that turn, or still pictures if nobody is there to turn
+    a figure. To find a backend by name, pyvista would load all that are installed.
     """
     name = pyvista.global_theme.jupyter_backend
-    if name is None and hasattr(get_ipython(), "kernel"):
-        name = "widget" if importlib.util.find_spec("anywidget") else "still"
+    shell = get_ipython()
+    if name is None and hasattr(shell, "kernel"):
+        # A program that runs a notebook, such as nbconvert, says that it cannot answer questions.
+        request = shell.kernel.get_parent().get("content", {})
+        alone = request.get("allow_stdin") is False
+        name = "still" if alone or not importlib.util.find_spec("anywidget") else "widget"
     handlers: dict[str, Any] = {"book": book_figure, "still": still_picture}
     if name == "widget":
         from rotedu.figures.widget import figure

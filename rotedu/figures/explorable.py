@@ -251,9 +251,13 @@ class Exploration:
             except ValueError as error:
                 widget.send({"refused": str(error)})
 
+    def _ipython_display_(self) -> None:
+        if pyvista.global_theme.jupyter_backend != "widget":
+            # So IPython asks for the formats below.
+            raise NotImplementedError
+        self.widget()._ipython_display_()
+
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> Any:
-        if pyvista.global_theme.jupyter_backend == "widget":
-            return self.widget()._repr_mimebundle_(include=include, exclude=exclude)
         plotter = self.draw()
         if pyvista.global_theme.jupyter_backend == "book":
             # On a page it starts as it is now.

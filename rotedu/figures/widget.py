@@ -4,19 +4,28 @@ Python sends the scene as glTF and draws nothing itself. The viewer that draws i
 ``static``, where ``viewer/build.js`` puts it. A small loader travels with each figure, the viewer
 only with the first of a kernel. Where that one is missing the loader asks for it: on a page of the
 browser that does not have it, or when it has been closed.
+
+A saved notebook keeps no figure alive, so the browser once sends a picture of each figure. It
+stands in an output of its own after the figure, because JupyterLab shows one format of an output:
+for a widget without its kernel, an error. While the figure lives, its styles hide the picture.
 """
 
+import base64
 import gzip
+import io
 from pathlib import Path
 from typing import Any, ClassVar
 
 import anywidget
 import pyvista
 import traitlets
+from IPython.display import display, update_display
+from PIL import Image
 
 from rotedu.figures.backend import close_after_cell, scene_labels
 from rotedu.figures.gltf import scene_gltf
 
+VIEW = "application/vnd.jupyter.widget-view+json"
 STATIC = Path(__file__).parent / "static"
 MISSING = (
     "the viewer for notebooks is missing: call `make lab` in the checkout, or"
@@ -80,13 +89,33 @@ class Figure(anywidget.AnyWidget):
     def __repr__(self) -> str:
         return f"<figure: {self.scene['alt']}>"
 
-    def _answer(self, _: object, question: dict[str, Any], buffers: list[memoryview]) -> None:
-        """Answer the loader in the browser."""
-        match question.get("get"):
-            case "sign of life":
+    def _ipython_display_(self) -> None:
+        """Show the figure, and after it what a saved notebook shows in its place."""
+        view = {"version_major": 2, "version_minor": 1, "model_id": self.model_id}
+        # Without any text, nbconvert would complain.
+        display({"text/plain": "", VIEW: view}, raw=True)
+        display({"text/plain": repr(self)}, raw=True, display_id=self.model_id)
+
+    def _answer(self, _: object, message: dict[str, Any], buffers: list[memoryview]) -> None:
+        """Answer the loader in the browser, and keep the picture that the viewer sends."""
+        match message:
+            case {"get": "sign of life"}:
                 self.send({"got": "sign of life"})
-            case "viewer":
+            case {"get": "viewer"}:
                 self.send({"got": "viewer"}, buffers=[packed_viewer()])
+            case {"picture": size}:
+                self._keep(size, buffers[0])
+
+    def _keep(self, size: dict[str, int], picture: memoryview) -> None:
+        """Put a picture where a saved notebook shows it, with 256 colours, which halve the file."""
+        file = io.BytesIO()
+        Image.open(io.BytesIO(picture)).convert("RGB").quantize().save(file, "PNG")
+        update_display(
+            {"text/plain": repr(self), "image/png": base64.b64encode(file.getvalue()).decode()},
+            metadata={"image/png": size | {"alt": self.scene["alt"]}},
+            raw=True,
+            display_id=self.model_id,
+        )
 
 
 def packed_viewer() -> bytes:

@@ -54,7 +54,6 @@ export default {
     receive(model.get("viewer"));
   },
   async render(view) {
-    view.el.textContent = view.model.get("scene").alt;
     if (!shared.arrived) ask(view.model);
     const viewer = await shared.viewer;
     if (!view.signal?.aborted) return viewer.render(view);

@@ -4,13 +4,19 @@ import katex from "katex";
 import * as models from "../models/index.js";
 import { explore } from "./explore.js";
 import { openWebGL, status } from "./page.js";
+import { takePicture } from "./picture.js";
 import { element } from "./stage.js";
 import { show } from "./viewer.js";
 
 const NEAR = "50% 0%";
+// What JupyterLab and Notebook call an output: there the styles hide the picture of a live figure.
+const OUTPUT = ".jp-OutputArea-child";
+const pictured = new WeakSet();
+const styles = STYLES;
 let context;
+let queue = Promise.resolve();
 
-document.head.append(element("style", {}, STYLES));
+document.head.append(element("style", {}, styles));
 
 /**
  * Show the figure of a model while it is near the screen, as anywidget asks for it.
@@ -50,13 +56,30 @@ export function render({ model, el }) {
     }
   };
   let shown;
+  let isNear = false;
+  const settle = async () => {
+    if (isNear) shown ??= goLive();
+    const drawn = await shown;
+    if (isNear) drawn?.wake();
+    else drawn?.rest();
+  };
+  /** Give Python a picture, also of a figure that nobody has scrolled to. */
+  const handOver = async () => {
+    await idle();
+    // A folded figure has no size, one without a place in the page no picture after it.
+    if (pictured.has(model) || !scene.clientWidth || !scene.closest(OUTPUT)) return;
+    pictured.add(model);
+    if (!(await (shown ??= goLive()))) return;
+    await new Promise(requestAnimationFrame);
+    const { size, file } = await takePicture(scene, styles);
+    model.send({ picture: size }, undefined, [await file.arrayBuffer()]);
+    await settle();
+  };
   const observer = new IntersectionObserver(
-    async (entries) => {
-      const { isIntersecting } = entries.at(-1);
-      if (isIntersecting) shown ??= goLive();
-      const drawn = await shown;
-      if (isIntersecting) drawn?.wake();
-      else drawn?.rest();
+    (entries) => {
+      isNear = entries.at(-1).isIntersecting;
+      settle();
+      queue = queue.then(handOver).catch(console.warn);
     },
     // The notebook scrolls within a part of the page, for which browsers have a margin of its own.
     { rootMargin: NEAR, scrollMargin: NEAR },
@@ -66,6 +89,11 @@ export function render({ model, el }) {
     observer.disconnect();
     (await shown)?.remove();
   };
+}
+
+/** Wait until the browser has nothing better to do. */
+function idle() {
+  return new Promise((resolve) => (globalThis.requestIdleCallback ?? setTimeout)(resolve));
 }
 
 /** Put a scene and its panel into one box. */

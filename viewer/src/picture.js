@@ -1,0 +1,46 @@
+/* Paints what a figure shows, labels and all, for places where it is not alive. */
+import { element } from "./stage.js";
+
+const MOST = 1.5;
+// Black on white, whatever the theme: nobody knows where the picture will be seen.
+const LOOKS = "--scene-ink: #000; --scene-paper: #fff; content-visibility: visible";
+
+/**
+ * Paint a live scene.
+ * @param {HTMLElement} scene
+ * @param {string} styles of its labels, fonts included
+ * @returns {Promise<{size: {width: number, height: number}, file: Blob}>} a PNG file, and the size at
+ *   which the page shows it
+ */
+export async function takePicture(scene, styles) {
+  const { clientWidth: width, clientHeight: height } = scene;
+  const density = Math.min(devicePixelRatio, MOST);
+  const paper = element("canvas", { width: width * density, height: height * density });
+  const brush = paper.getContext("2d");
+  brush.fillStyle = "#fff";
+  brush.fillRect(0, 0, paper.width, paper.height);
+  brush.drawImage(scene.querySelector("canvas"), 0, 0, paper.width, paper.height);
+  brush.drawImage(await paintLabels(scene, styles, width, height), 0, 0, paper.width, paper.height);
+  const file = await new Promise((resolve) => paper.toBlob(resolve, "image/png"));
+  return { size: { width, height }, file };
+}
+
+/** Let the browser typeset the labels once more, in a picture of their own. */
+async function paintLabels(scene, styles, width, height) {
+  const labels = [...scene.querySelectorAll(".scene-label")].map((label) => label.cloneNode(true));
+  const { fontFamily } = getComputedStyle(scene);
+  const style = `${LOOKS}; width: ${width}px; height: ${height}px; font-family: ${fontFamily}`;
+  const copy = element(
+    "div",
+    { class: "scene-in-notebook" },
+    element("style", {}, styles),
+    element("div", { class: "scene", "data-state": "live", style }, ...labels),
+  );
+  const html = new XMLSerializer().serializeToString(copy);
+  const svg = `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}">
+    <foreignObject width="100%" height="100%">${html}</foreignObject></svg>`;
+  const image = new Image();
+  image.src = `data:image/svg+xml,${encodeURIComponent(svg)}`;
+  await image.decode();
+  return image;
+}

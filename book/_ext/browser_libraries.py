@@ -1,10 +1,11 @@
 """Serve what the pages need from npm from the book itself."""
 
+import os
 import shutil
 import socket
 import subprocess
-import time
 import sys
+import time
 from pathlib import Path
 from typing import Any
 

@@ -155,7 +155,7 @@ def test_the_teachers_solutions_are_folded(folder: Path) -> None:
         for cell in solutions:
             assert cell.metadata.jupyter == {"source_hidden": True, "outputs_hidden": True}
         reasons = len(REASONS.findall(text(source)))
-        assert text(file).count("<details>\n<summary>Why</summary>") == reasons
+        assert text(file).count("\n<summary>Why</summary>\n") == reasons
 
 
 def test_no_myst_is_left(reader: list[Path]) -> None:
@@ -167,8 +167,8 @@ def test_no_myst_is_left(reader: list[Path]) -> None:
 def test_boxes_keep_their_colours(reader: list[Path]) -> None:
     meaning = {colors.VECTOR: "claim", colors.AXIS: "erratum", colors.RESULT: "fair"}
     for source, file in zip(SOURCES, reader, strict=True):
-        boxes = [meaning[color] for color in BORDER.findall(text(file))]
-        assert boxes == BOX.findall(text(source))
+        found = [color for color in BORDER.findall(text(file)) if color != colors.NEUTRAL]
+        assert [meaning[color] for color in found] == BOX.findall(text(source))
 
 
 def test_html_is_balanced(reader: list[Path]) -> None:

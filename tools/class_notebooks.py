@@ -65,10 +65,10 @@ if find_spec("rotedu") is None:
     raise ModuleNotFoundError("Please install rotedu. Your teacher knows where it is.")\
 """
 FOR_THE_TEACHER = """\
-**For the teacher.** Solutions are folded below their exercises: click the bar that stands for the \
-code, then the bar that stands for the output. The students' notebook has none of them.\
+Solutions are folded below their exercises: click the bar that stands for the code, then the bar \
+that stands for the output. The students' notebook has none of them.\
 """
-EXERCISES = "| Exercise | Kind | Minutes |\n| --- | --- | --- |"
+EXERCISES = "\n\n| Exercise | Kind | Minutes |\n| --- | --- | --- |\n"
 
 
 def blocks(text: str) -> Iterator[tuple[Token, str]]:
@@ -97,6 +97,12 @@ def anchors(text: str) -> Iterator[tuple[str, str]]:
 def coloured(formula: str) -> str:
     """Write out the macros for colours, which other places do not define."""
     return MACRO.sub(lambda m: rf"\textcolor{{{getattr(colors, m[1].upper())}}}", formula)
+
+
+def quotation(color: str, title: str, body: str) -> str:
+    """Return a box: a quotation, with a rule in its colour where styles are allowed."""
+    style = f"border-left: 4px solid {color}; padding-left: 1em"
+    return f'<blockquote style="{style}">\n\n**{title}**\n\n{body}\n\n</blockquote>'
 
 
 def class_names() -> dict[str, str]:
@@ -188,12 +194,11 @@ class Classroom:
         name, title = directive.groups()
         if name == "dropdown":
             body = self.markdown(page, token.content)
-            return f"<details>\n<summary>{title}</summary>\n\n{body}\n\n</details>"
+            summary = f"<summary>{title}</summary>"
+            return f'<details style="margin: 1em 0">\n{summary}\n\n{body}\n\n</details>'
         box = BOX.match(token.content)
-        color = BOXES[box[1]]
-        title, body = self.inline(page, title), self.markdown(page, token.content[box.end() :])
-        style = f"border-left: 4px solid {color}; padding-left: 1em"
-        return f'<blockquote style="{style}">\n\n**{title}**\n\n{body}\n\n</blockquote>'
+        body = self.markdown(page, token.content[box.end() :])
+        return quotation(BOXES[box[1]], self.inline(page, title), body)
 
     def markdown(self, page: str, text: str, *, answered: bool = True) -> str:
         """Rewrite a text without MyST; without the answer that it begins with, unless answered."""
@@ -311,8 +316,8 @@ def notes(notebook: NotebookNode) -> NotebookNode:
     """Return a cell that tells the teacher what to know about a notebook."""
     text = "\n".join(cell.source for cell in notebook.cells if cell.cell_type == "markdown")
     rows = [f"| {' | '.join(exercise)} |" for exercise in EXERCISE.findall(text)]
-    table = "\n".join([EXERCISES, *rows]) if rows else ""
-    return new_markdown_cell(f"{FOR_THE_TEACHER}\n\n{table}".strip(), id="notes")
+    body = FOR_THE_TEACHER + EXERCISES + "\n".join(rows) if rows else FOR_THE_TEACHER
+    return new_markdown_cell(quotation(colors.NEUTRAL, "For the teacher", body), id="notes")
 
 
 def for_nbgrader(cell: NotebookNode) -> Iterator[NotebookNode]:

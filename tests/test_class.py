@@ -195,6 +195,7 @@ def test_every_link_leads_somewhere(reader: list[Path]) -> None:
     for file in reader:
         assert len(set(there[file.name])) == len(there[file.name])
         for link in links(file):
+            assert link
             name, _, anchor = link.partition("#")
             if "://" in link:
                 assert re.match(r"https://(doi\.org/10\.|splines\.)", link)

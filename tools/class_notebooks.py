@@ -153,10 +153,12 @@ class Classroom:
         target, _, anchor = address.partition("#")
         in_book = ""
         if anchor:
+            if anchor not in self.anchors:
+                raise ValueError(f"{page}: expected a target on some page, got #{anchor}")
             target, in_book = self.anchors[anchor]
             anchor, in_book = f"#{anchor}", f"#{in_book}"
         if target == page:
-            return f"[{text}]({anchor})"
+            return f"[{text}]({anchor})" if anchor else text
         if self.book:
             return f"[{text}]({self.book}/book/{Path(target).stem}.html{in_book})"
         return f"[{text}]({self.names[target]}{anchor})" if target in self.names else text
@@ -258,7 +260,7 @@ class Classroom:
         after_solution = False
         for cell in self.notebooks[page].cells:
             tags = cell.metadata.get("tags", [])
-            if "remove-cell" in tags or ("teacher" in tags and not teacher):
+            if "remove-cell" in tags and not (teacher and "teacher" in tags):
                 continue
             if cell.cell_type == "markdown":
                 answered = teacher or not after_solution

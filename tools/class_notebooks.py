@@ -9,8 +9,9 @@ import itertools
 import re
 import shutil
 import tomllib
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
+from typing import Literal
 
 import nbformat
 import yaml
@@ -28,6 +29,8 @@ from rotedu import colors
 ROOT = Path(__file__).parents[1]
 BOOK = ROOT / "book"
 CLASS = ROOT / "class"
+
+Reader = Literal["student", "teacher", "nbgrader"]
 
 MYST = MarkdownIt("commonmark").enable("table")
 MYST.use(colon_fence_plugin).use(dollarmath_plugin, allow_labels=True).use(myst_block_plugin)
@@ -246,67 +249,66 @@ class Classroom:
         tags = cell.metadata.get("tags", [])
         table = "".join(output.get("data", {}).get("text/markdown", "") for output in cell.outputs)
         if "](" not in table:
-            yield code_cell(cell, folded={"hide-input", "remove-input"} & set(tags))
+            folded = {"hide-input", "remove-input"} & set(tags)
+            yield code_cell(cell, "source") if folded else code_cell(cell)
             return
         if "remove-input" not in tags:
             # Shown by Python, the links of the table would lead nowhere.
             silent = NotebookNode(cell, source=f"{cell.source};", outputs=[])
-            yield code_cell(silent, folded=True)
+            yield code_cell(silent, "source")
         yield new_markdown_cell(self.markdown(page, table), id=f"{cell.id}-table")
 
-    def cells(self, page: str, *, teacher: bool) -> Iterator[NotebookNode]:
-        """Yield the cells of a page for the teacher, or without solutions for the students."""
+    def cells(self, page: str, reader: Reader) -> Iterator[NotebookNode]:
+        """Yield the cells of a page that a reader gets."""
         yield self.first_cell()
-        after_solution = False
+        solved = ""
         for cell in self.notebooks[page].cells:
             tags = cell.metadata.get("tags", [])
-            if "remove-cell" in tags and not (teacher and "teacher" in tags):
+            if "remove-cell" in tags and not (reader == "teacher" and "teacher" in tags):
                 continue
             if cell.cell_type == "markdown":
-                answered = teacher or not after_solution
+                answered = reader == "teacher" or not solved
                 if text := self.markdown(page, cell.source, answered=answered):
                     yield new_markdown_cell(text, id=cell.id)
-            elif not is_solution(cell):
+            solved = solves(cell)
+            if solved and reader == "teacher":
+                yield code_cell(cell, "source", "outputs")
+            elif solved and reader == "nbgrader":
+                yield from marked(cell, solved)
+            elif cell.cell_type == "code" and not solved:
                 yield from self.code_cells(page, cell)
-            elif teacher:
-                yield code_cell(cell, folded=True, solution=True)
-            after_solution = is_solution(cell)
 
-    def notebook(self, page: str, *, teacher: bool, nbgrader: bool = False) -> NotebookNode:
-        """Return a page as a notebook for the teacher or for the students."""
-        cells = list(self.cells(page, teacher=teacher))
-        if teacher:
+    def notebook(self, page: str, reader: Reader) -> NotebookNode:
+        """Return a page as a notebook for a reader."""
+        cells = list(self.cells(page, reader))
+        if reader == "teacher":
             # Below the title.
             cells.insert(2, notes(self.notebooks[page]))
-        if teacher and nbgrader:
-            cells = [new for cell in cells for new in for_nbgrader(cell)]
         return nbformat.v4.new_notebook(cells=cells, metadata=self.notebooks[page].metadata)
 
-    def write(self, folder: Path, *, nbgrader: bool = False) -> None:
-        """Write both folders, with nothing else in them."""
-        for reader in ("student", "teacher"):
+    def write(self, folder: Path, readers: Iterable[Reader] = ("student", "teacher")) -> None:
+        """Write a folder for each reader, with nothing else in it."""
+        for reader in readers:
             shutil.rmtree(folder / reader, ignore_errors=True)
             (folder / reader).mkdir(parents=True)
             for page, name in self.names.items():
-                notebook = self.notebook(page, teacher=reader == "teacher", nbgrader=nbgrader)
+                notebook = self.notebook(page, reader)
                 nbformat.validate(notebook)
                 nbformat.write(notebook, folder / reader / name)
 
 
-def is_solution(cell: NotebookNode) -> bool:
-    """Tell whether a cell solves an exercise."""
-    tags = cell.metadata.get("tags", [])
-    return "solution" in tags or ("hide-cell" in tags and bool(SOLUTION.match(cell.source)))
+def solves(cell: NotebookNode) -> str:
+    """Return the number of the exercise that a cell solves, or nothing."""
+    tags = {"solution", "hide-cell"} & set(cell.metadata.get("tags", []))
+    first_line = SOLUTION.match(cell.source)
+    if "solution" in tags and not first_line:
+        raise ValueError(f"cell {cell.id}: expected the first line # Solution of Exercise ...")
+    return first_line[1] if tags and first_line else ""
 
 
-def code_cell(cell: NotebookNode, *, folded: object, solution: bool = False) -> NotebookNode:
-    """Return a cell as it comes before it runs, with what it will print, open or folded."""
-    metadata = {}
-    if folded:
-        metadata["jupyter"] = {"source_hidden": True}
-    if solution:
-        metadata["jupyter"]["outputs_hidden"] = True
-        metadata["tags"] = ["solution"]
+def code_cell(cell: NotebookNode, *folded: str) -> NotebookNode:
+    """Return a cell before it runs, with what it will print; source or outputs may be folded."""
+    metadata = {"jupyter": {f"{part}_hidden": True for part in folded}} if folded else {}
     outputs = [NotebookNode(output) for output in cell.outputs]
     for output in outputs:
         if "execution_count" in output:
@@ -322,42 +324,31 @@ def notes(notebook: NotebookNode) -> NotebookNode:
     return new_markdown_cell(quotation(colors.NEUTRAL, "For the teacher", body), id="notes")
 
 
-def for_nbgrader(cell: NotebookNode) -> Iterator[NotebookNode]:
-    """Yield a cell; a solution between marks, and after it its check as a test."""
-    solution = SOLUTION.match(cell.source)
-    if not is_solution(cell) or solution is None:
-        yield cell
-        return
-    number = solution[1].replace(".", "-")
-    check = cell.source.splitlines()[-1]
-    cell.source = f"### BEGIN SOLUTION\n{cell.source}\n### END SOLUTION"
-    common = {"schema_version": 3, "task": False}
-    cell.metadata["nbgrader"] = common | {
-        "grade_id": f"solution-{number}",
-        "grade": False,
-        "locked": False,
-        "solution": True,
-    }
-    yield cell
-    if check.startswith("check("):
-        test = {
-            "grade_id": f"check-{number}",
-            "grade": True,
-            "locked": True,
-            "solution": False,
-            "points": 1,
-        }
-        yield new_code_cell(
-            f"assert {check}.right", id=f"check-{number}", metadata={"nbgrader": common | test}
-        )
+def marked(solution: NotebookNode, number: str) -> Iterator[NotebookNode]:
+    """Yield a solution with the marks of nbgrader, and its check as a test."""
+
+    def cell(name: str, code: str, **kind: bool | int) -> NotebookNode:
+        name = f"{name}-{number.replace('.', '-')}"
+        common = {"schema_version": 3, "grade_id": name, "task": False}
+        return new_code_cell(code, id=name, metadata={"nbgrader": common | kind})
+
+    code = f"### BEGIN SOLUTION\n{solution.source}\n### END SOLUTION"
+    yield cell("solution", code, grade=False, locked=False, solution=True)
+    test = f"assert {solution.source.splitlines()[-1]}.right"
+    yield cell("test", test, grade=True, locked=True, solution=False, points=1)
 
 
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument(
-        "--nbgrader", action="store_true", help="mark the teacher's solutions for nbgrader"
+        "--nbgrader",
+        action="append_const",
+        const="nbgrader",
+        default=["student", "teacher"],
+        dest="readers",
+        help="write a third folder, nbgrader, as a source for nbgrader",
     )
-    nbgrader = parser.parse_args().nbgrader
+    readers = parser.parse_args().readers
     settings = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["tool"]
-    Classroom(**settings["rotedu"]).write(CLASS, nbgrader=nbgrader)
-    print("The notebooks for a class are here: class/student and class/teacher")
+    Classroom(**settings["rotedu"]).write(CLASS, readers)
+    print("The notebooks for a class are here:", *(f"class/{reader}" for reader in readers))

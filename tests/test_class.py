@@ -246,10 +246,22 @@ def test_katex_sets_every_formula_without_macros(reader: list[Path]) -> None:
     assert int(run.stdout) == len(formulas) > 800
 
 
-def execute(file: Path, folder: Path) -> None:
-    notebook = nbformat.read(file, as_version=4)
-    place = {"metadata": {"path": folder}}
-    NotebookClient(notebook, timeout=300, kernel_name="python3", resources=place).execute()
+def linking_outputs(notebook: list[Any]) -> list[str]:
+    """Outputs in Markdown that have links, which Python makes for the book."""
+    outputs = [output for cell in notebook for output in cell.get("outputs", ())]
+    shown = [output.get("data", {}).get("text/markdown", "") for output in outputs]
+    return [output for output in shown if "](" in FENCE.sub("", output)]
+
+
+def test_tables_with_links_are_text(reader: list[Path]) -> None:
+    for source, file in zip(SOURCES, reader, strict=True):
+        tables = linking_outputs(cells(source))
+        assert linking_outputs(cells(file)) == []
+        for table in tables:
+            rows = [line.count("|") for line in table.splitlines()]
+            written = [cell.source for cell in cells(file, "markdown") if cell.source[0] == "|"]
+            assert rows in [[line.count("|") for line in text.splitlines()] for text in written]
+    assert sum(len(linking_outputs(cells(source))) for source in SOURCES) >= 5
 
 
 QUICK = ("01-introduction", "02-quaternions")
@@ -264,7 +276,13 @@ QUICK = ("01-introduction", "02-quaternions")
 )
 def test_a_students_notebook_runs_unanswered(page: str, folder: Path, tmp_path: Path) -> None:
     pages = [source.stem for source in SOURCES]
-    execute(sorted((folder / "student").iterdir())[pages.index(page)], tmp_path)
+    file = sorted((folder / "student").iterdir())[pages.index(page)]
+    notebook = nbformat.read(file, as_version=4)
+    place = {"metadata": {"path": tmp_path}}
+    NotebookClient(notebook, timeout=300, kernel_name="python3", resources=place).execute()
+    assert linking_outputs(notebook.cells) == []
+    said = everything(notebook.cells).count(": not answered yet.")
+    assert said == len(EXERCISE.findall(text(file)))
 
 
 @pytest.mark.parametrize(

@@ -39,7 +39,7 @@ CAPTION = re.compile(r"\*\*((?:Figure|Picture) [\w-]+)\.\*\*")
 EXERCISE = re.compile(r"^\*\*Exercise ([\d.]+)\*\* \((.+), (\d+) minutes\)", re.MULTILINE)
 SOLUTION = re.compile(r"# Solution of Exercise ([\d.]+)\n")
 DIRECTIVE = re.compile(r"\{(admonition|dropdown)\} (.+)")
-BOX = re.compile(r":class: (\w+)\n+")
+BOX = re.compile(r":class: (\w+).*\n+")
 BOXES = {"claim": colors.VECTOR, "erratum": colors.AXIS, "fair": colors.RESULT}
 MACRO = re.compile(rf"\\({'|'.join(name.lower() for name in colors.__all__)})(?![A-Za-z])")
 # What a text may hold besides words. Each is found where it begins, so code and formulas may

@@ -202,6 +202,8 @@ class Classroom:
             summary = f"<summary>{title}</summary>"
             return f'<details style="margin: 1em 0">\n{summary}\n\n{body}\n\n</details>'
         box = BOX.match(token.content)
+        if box is None or box[1] not in BOXES:
+            raise ValueError(f"{page}: the box {title!r} has no class of {', '.join(BOXES)}")
         body = self.markdown(page, token.content[box.end() :])
         return quotation(BOXES[box[1]], self.inline(page, title), body)
 

@@ -7,7 +7,7 @@ READY := .venv/made-by-$(shell $(PYTHON) -c 'import sys; print("python%d.%d" % s
 # The viewer for notebooks.
 VIEWER := rotedu/figures/static/figure.js
 
-.PHONY: book test test-slow audit bench mutate lab notebooks lock clean help
+.PHONY: book test test-slow audit bench mutate lab class notebooks lock clean help
 .DEFAULT_GOAL := help
 
 help: ## list the targets
@@ -40,6 +40,9 @@ mutate: $(READY) ## break the mathematics and see whether the tests notice (an h
 lab: $(READY) $(VIEWER) ## open the notebooks in JupyterLab, with figures that turn
 	$(BIN)/jupyter lab book
 
+class: $(READY) ## write notebooks for a class, with and without solutions
+	$(BIN)/python tools/class_notebooks.py
+
 notebooks: $(READY) ## run the notebooks and store what they print
 	$(BIN)/python tools/run_notebooks.py
 
@@ -49,7 +52,7 @@ lock: $(READY) ## write new requirements.txt and package-lock.json
 	$(BIN)/npm install --package-lock-only --no-audit --no-fund
 
 clean: ## remove everything that make has made
-	rm -rf .venv _build node_modules rotedu/figures/static dist .*_cache .hypothesis .benchmarks
+	rm -rf .venv _build class node_modules rotedu/figures/static dist .*_cache .hypothesis .benchmarks
 
 $(READY): requirements.txt pyproject.toml tools/set_up.py
 	@$(PYTHON) tools/set_up.py

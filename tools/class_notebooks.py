@@ -1,0 +1,356 @@
+"""Write the notebooks for a class: without solutions in ``student``, with them in ``teacher``.
+
+They are the notebooks of the book in plain Markdown, for places that know no MyST. The settings
+``book`` and ``wheel`` are in ``pyproject.toml``, under ``tool.rotedu``.
+"""
+
+import argparse
+import itertools
+import re
+import shutil
+import tomllib
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import Literal
+
+import nbformat
+import yaml
+from markdown_it import MarkdownIt
+from markdown_it.token import Token
+from mdit_py_plugins.colon_fence import colon_fence_plugin
+from mdit_py_plugins.dollarmath import dollarmath_plugin
+from mdit_py_plugins.myst_blocks import myst_block_plugin
+from nbformat import NotebookNode
+from nbformat.v4 import new_code_cell, new_markdown_cell
+from pybtex.database import parse_file
+
+from rotedu import colors
+
+ROOT = Path(__file__).parents[1]
+BOOK = ROOT / "book"
+CLASS = ROOT / "class"
+
+Reader = Literal["student", "teacher", "nbgrader"]
+
+MYST = MarkdownIt("commonmark").enable("table")
+MYST.use(colon_fence_plugin).use(dollarmath_plugin, allow_labels=True).use(myst_block_plugin)
+
+CAPTION = re.compile(r"\*\*((?:Figure|Picture) [\w-]+)\.\*\*")
+EXERCISE = re.compile(r"^\*\*Exercise ([\d.]+)\*\* \((.+), (\d+) minutes\)", re.MULTILINE)
+SOLUTION = re.compile(r"# Solution of Exercise ([\d.]+)\n")
+DIRECTIVE = re.compile(r"\{(admonition|dropdown)\} (.+)")
+BOX = re.compile(r":class: (\w+).*\n+")
+BOXES = {"claim": colors.VECTOR, "erratum": colors.AXIS, "fair": colors.RESULT}
+MACRO = re.compile(rf"\\({'|'.join(name.lower() for name in colors.__all__)})(?![A-Za-z])")
+# What a text may hold besides words. Each is found where it begins, so code and formulas may
+# contain what looks like the others.
+INLINE = re.compile(
+    r"\{(?P<role>[\w:]+)\}`(?P<key>[^`]+)`"
+    r"|(?P<ticks>`+).+?(?P=ticks)"
+    r"|\$(?P<formula>[^$]+)\$"
+    r"|\[(?P<text>[^][]+)\]\((?P<address>[^)\s]+)\)",
+    re.DOTALL,
+)
+
+INSTALL = """\
+# Installs rotedu if it is missing.
+from importlib.util import find_spec
+
+if find_spec("rotedu") is None:
+    print("Installing rotedu from {wheel}")
+    %pip install --quiet "{requirement}"\
+"""
+NO_WHEEL = """\
+# Says so if rotedu is missing.
+from importlib.util import find_spec
+
+if find_spec("rotedu") is None:
+    raise ModuleNotFoundError("Please install rotedu. Your teacher knows where it is.")\
+"""
+FOR_THE_TEACHER = """\
+Solutions are folded below their exercises: click the bar that stands for the code, then the bar \
+that stands for the output. The students' notebook has none of them.\
+"""
+EXERCISES = "\n\n| Exercise | Kind | Minutes |\n| --- | --- | --- |\n"
+
+
+def blocks(text: str) -> Iterator[tuple[Token, str]]:
+    """Yield the blocks of a text, each with its lines."""
+    lines = text.splitlines()
+    for token in MYST.parse(text):
+        if token.level == 0 and token.map:
+            yield token, "\n".join(lines[slice(*token.map)]).strip()
+
+
+def caption_anchor(source: str) -> str:
+    """Return the name by which links find a caption, or nothing for another paragraph."""
+    caption = CAPTION.match(source)
+    return caption[1].lower().replace(" ", "-") if caption else ""
+
+
+def anchors(text: str) -> Iterator[tuple[str, str]]:
+    """Yield the names that links may use, each with its name on the page of the book."""
+    for token, source in blocks(text):
+        if token.type == "math_block_label":
+            yield token.info, f"equation-{token.info}"
+        elif name := token.content if token.type == "myst_target" else caption_anchor(source):
+            yield name, name
+
+
+def coloured(formula: str) -> str:
+    """Write out the macros for colours, which other places do not define."""
+    return MACRO.sub(lambda m: rf"\textcolor{{{getattr(colors, m[1].upper())}}}", formula)
+
+
+def quotation(color: str, title: str, body: str) -> str:
+    """Return a box: a quotation, with a rule in its colour where styles are allowed."""
+    style = f"border-left: 4px solid {color}; padding-left: 1em"
+    return f'<blockquote style="{style}">\n\n**{title}**\n\n{body}\n\n</blockquote>'
+
+
+def class_names() -> dict[str, str]:
+    """Name the notebooks of the book so that folders show them in order: 05a-arcs for 05-arcs."""
+    contents = yaml.safe_load((ROOT / "_toc.yml").read_text(encoding="utf-8"))
+    files = [chapter["file"] for part in contents["parts"] for chapter in part["chapters"]]
+    pages = [file.name for file in (ROOT / f"{file}.ipynb" for file in files) if file.exists()]
+    names = {}
+    for chapter, group in itertools.groupby(pages, key=lambda page: page.partition("-")[0]):
+        of_chapter = list(group)
+        for letter, page in zip("abcdefgh", of_chapter, strict=False):
+            names[page] = page.replace(chapter, chapter + letter) if of_chapter[1:] else page
+    return names
+
+
+class Classroom:
+    """Turns the pages of the book into notebooks for a class.
+
+    Parameters
+    ----------
+    book : str
+        The address of the published book. Without one, links lead to the notebooks beside, and
+        pages that are no notebooks are not linked.
+    wheel : str
+        The address or path from which a notebook installs rotedu, if any.
+    """
+
+    def __init__(self, book: str = "", wheel: str = "") -> None:
+        self.book = book.rstrip("/")
+        self.wheel = wheel
+        self.names = class_names()
+        self.notebooks = {page: nbformat.read(BOOK / page, as_version=4) for page in self.names}
+        texts = {file.name: file.read_text(encoding="utf-8") for file in BOOK.glob("*.md")}
+        for page, notebook in self.notebooks.items():
+            cells = [cell.source for cell in notebook.cells if cell.cell_type == "markdown"]
+            texts[page] = "\n\n".join(cells)
+        self.anchors = {
+            anchor: (page, in_book)
+            for page, text in texts.items()
+            for anchor, in_book in anchors(text)
+        }
+        self.sources = parse_file(BOOK / "references.bib").entries
+
+    def linked(self, page: str, text: str, address: str) -> str:
+        """Return a text with a link, if there is something to lead to."""
+        if "://" in address:
+            return f"[{text}]({address})"
+        target, _, anchor = address.partition("#")
+        in_book = ""
+        if anchor:
+            if anchor not in self.anchors:
+                raise ValueError(f"{page}: expected a target on some page, got #{anchor}")
+            target, in_book = self.anchors[anchor]
+            anchor, in_book = f"#{anchor}", f"#{in_book}"
+        if target == page:
+            return f"[{text}]({anchor})" if anchor else text
+        if self.book:
+            return f"[{text}]({self.book}/book/{Path(target).stem}.html{in_book})"
+        return f"[{text}]({self.names[target]}{anchor})" if target in self.names else text
+
+    def cited(self, page: str, role: str, key: str) -> str:
+        """Return a citation as text, with a link to its source."""
+        source = self.sources[key]
+        authors = [" ".join(person.last_names) for person in source.persons["author"]]
+        names = f"{authors[0]} et al." if len(authors) > 2 else " and ".join(authors)
+        year = source.fields["year"]
+        text = {"cite:t": f"{names} ({year})", "cite:p": f"({names}, {year})"}[role]
+        doi = source.fields.get("doi")
+        address = f"https://doi.org/{doi}" if doi else source.fields.get("url", "references.md")
+        return self.linked(page, text, address)
+
+    def inline(self, page: str, text: str) -> str:
+        """Rewrite citations, formulas and links."""
+
+        def rewrite(match: re.Match[str]) -> str:
+            if match["role"]:
+                return self.cited(page, match["role"], match["key"])
+            if match["formula"]:
+                return f"${coloured(match['formula'])}$"
+            if match["address"]:
+                return self.linked(page, self.inline(page, match["text"]), match["address"])
+            return match[0]
+
+        return INLINE.sub(rewrite, text)
+
+    def directive(self, page: str, token: Token) -> str:
+        """Return a box as a coloured quotation, a folded text as HTML that folds."""
+        directive = DIRECTIVE.fullmatch(token.info)
+        if directive is None:
+            raise ValueError(f"{page}: cannot write {token.info!r} without MyST")
+        name, title = directive.groups()
+        if name == "dropdown":
+            body = self.markdown(page, token.content)
+            summary = f"<summary>{title}</summary>"
+            return f'<details style="margin: 1em 0">\n{summary}\n\n{body}\n\n</details>'
+        box = BOX.match(token.content)
+        if box is None or box[1] not in BOXES:
+            raise ValueError(f"{page}: the box {title!r} has no class of {', '.join(BOXES)}")
+        body = self.markdown(page, token.content[box.end() :])
+        return quotation(BOXES[box[1]], self.inline(page, title), body)
+
+    def markdown(self, page: str, text: str, *, answered: bool = True) -> str:
+        """Rewrite a text without MyST; without the answer that it begins with, unless answered."""
+        written = []
+        for token, source in blocks(text):
+            match token.type:
+                case "colon_fence" if not answered and not written:
+                    continue
+                case "colon_fence":
+                    written.append(self.directive(page, token))
+                case "math_block":
+                    written.append(f"$$\n{coloured(token.content.strip())}\n$$")
+                case "math_block_label":
+                    number = token.info.removeprefix("eq-")
+                    formula = f"{coloured(token.content.strip())}\n\\tag{{{number}}}"
+                    written.append(f'<div id="{token.info}"></div>\n\n$$\n{formula}\n$$')
+                case "myst_target":
+                    written.append(f'<div id="{token.content}"></div>')
+                case "fence" | "code_block":
+                    written.append(source)
+                case _:
+                    name = caption_anchor(source)
+                    anchor = f'<a id="{name}"></a>' if name else ""
+                    written.append(anchor + self.inline(page, source))
+        return "\n\n".join(written)
+
+    def first_cell(self) -> NotebookNode:
+        """Return a cell that installs rotedu where it is missing."""
+        requirement = (
+            f"rotedu[notebooks] @ {self.wheel}"
+            if "://" in self.wheel
+            else f"{self.wheel}[notebooks]"
+        )
+        code = INSTALL.format(wheel=self.wheel, requirement=requirement)
+        return new_code_cell(
+            code if self.wheel else NO_WHEEL,
+            id="install",
+            metadata={"jupyter": {"source_hidden": True}},
+        )
+
+    def code_cells(self, page: str, cell: NotebookNode) -> Iterator[NotebookNode]:
+        """Yield a cell with code, or the text of the table that it makes, if that has links."""
+        tags = cell.metadata.get("tags", [])
+        table = "".join(output.get("data", {}).get("text/markdown", "") for output in cell.outputs)
+        if "](" not in table:
+            folded = {"hide-input", "remove-input"} & set(tags)
+            yield code_cell(cell, "source") if folded else code_cell(cell)
+            return
+        if "remove-input" not in tags:
+            # Shown by Python, the links of the table would lead nowhere.
+            silent = NotebookNode(cell, source=f"{cell.source};", outputs=[])
+            yield code_cell(silent, "source")
+        yield new_markdown_cell(self.markdown(page, table), id=f"{cell.id}-table")
+
+    def cells(self, page: str, reader: Reader) -> Iterator[NotebookNode]:
+        """Yield the cells of a page that a reader gets."""
+        yield self.first_cell()
+        solved = ""
+        for cell in self.notebooks[page].cells:
+            tags = cell.metadata.get("tags", [])
+            if "remove-cell" in tags and not (reader == "teacher" and "teacher" in tags):
+                continue
+            if cell.cell_type == "markdown":
+                answered = reader == "teacher" or not solved
+                if text := self.markdown(page, cell.source, answered=answered):
+                    yield new_markdown_cell(text, id=cell.id)
+            solved = solves(cell)
+            if solved and reader == "teacher":
+                yield code_cell(cell, "source", "outputs")
+            elif solved and reader == "nbgrader":
+                yield from marked(cell, solved)
+            elif cell.cell_type == "code" and not solved:
+                yield from self.code_cells(page, cell)
+
+    def notebook(self, page: str, reader: Reader) -> NotebookNode:
+        """Return a page as a notebook for a reader."""
+        cells = list(self.cells(page, reader))
+        if reader == "teacher":
+            # Below the title.
+            cells.insert(2, notes(self.notebooks[page]))
+        return nbformat.v4.new_notebook(cells=cells, metadata=self.notebooks[page].metadata)
+
+    def write(self, folder: Path, readers: Iterable[Reader] = ("student", "teacher")) -> None:
+        """Write a folder for each reader, with nothing else in it."""
+        for reader in readers:
+            shutil.rmtree(folder / reader, ignore_errors=True)
+            (folder / reader).mkdir(parents=True)
+            for page, name in self.names.items():
+                notebook = self.notebook(page, reader)
+                nbformat.validate(notebook)
+                nbformat.write(notebook, folder / reader / name)
+
+
+def solves(cell: NotebookNode) -> str:
+    """Return the number of the exercise that a cell solves, or nothing."""
+    tags = {"solution", "hide-cell"} & set(cell.metadata.get("tags", []))
+    first_line = SOLUTION.match(cell.source)
+    if "solution" in tags and not first_line:
+        raise ValueError(f"cell {cell.id}: expected the first line # Solution of Exercise ...")
+    return first_line[1] if tags and first_line else ""
+
+
+def code_cell(cell: NotebookNode, *folded: str) -> NotebookNode:
+    """Return a cell before it runs, with what it will print; source or outputs may be folded."""
+    metadata = {"jupyter": {f"{part}_hidden": True for part in folded}} if folded else {}
+    outputs = [NotebookNode(output) for output in cell.outputs]
+    for output in outputs:
+        if "execution_count" in output:
+            output.execution_count = None
+    return new_code_cell(cell.source, id=cell.id, metadata=metadata, outputs=outputs)
+
+
+def notes(notebook: NotebookNode) -> NotebookNode:
+    """Return a cell that tells the teacher what to know about a notebook."""
+    text = "\n".join(cell.source for cell in notebook.cells if cell.cell_type == "markdown")
+    rows = [f"| {' | '.join(exercise)} |" for exercise in EXERCISE.findall(text)]
+    body = FOR_THE_TEACHER + EXERCISES + "\n".join(rows) if rows else FOR_THE_TEACHER
+    return new_markdown_cell(quotation(colors.NEUTRAL, "For the teacher", body), id="notes")
+
+
+def marked(solution: NotebookNode, number: str) -> Iterator[NotebookNode]:
+    """Yield a solution with the marks of nbgrader, and its check as a test."""
+
+    def cell(name: str, code: str, **kind: bool | int) -> NotebookNode:
+        name = f"{name}-{number.replace('.', '-')}"
+        common = {"schema_version": 3, "grade_id": name, "task": False}
+        return new_code_cell(code, id=name, metadata={"nbgrader": common | kind})
+
+    code = f"### BEGIN SOLUTION\n{solution.source}\n### END SOLUTION"
+    yield cell("solution", code, grade=False, locked=False, solution=True)
+    test = f"assert {solution.source.splitlines()[-1]}.right"
+    yield cell("test", test, grade=True, locked=True, solution=False, points=1)
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser.add_argument(
+        "--nbgrader",
+        action="append_const",
+        const="nbgrader",
+        default=["student", "teacher"],
+        dest="readers",
+        help="write a third folder, nbgrader, as a source for nbgrader",
+    )
+    readers = parser.parse_args().readers
+    settings = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["tool"]
+    Classroom(**settings["rotedu"]).write(CLASS, readers)
+    print("The notebooks for a class are here:", *(f"class/{reader}" for reader in readers))

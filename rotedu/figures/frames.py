@@ -164,7 +164,7 @@ def draw_chart(
     label : str
         What the chart shows.
     colors : mapping of str to str, optional
-        Colour of each curve.
+        Colour of each curve, and of the ``marks``.
     marks : sequence of str
         What stands where each piece begins; there may be more names than pieces.
     """

@@ -9,7 +9,6 @@ from typing import Any
 
 import numpy as np
 
-from rotedu.colors import VECTOR
 from rotedu.figures.frames import Chart, Output
 from rotedu.figures.inputs import Input
 
@@ -102,6 +101,7 @@ def _chart(name: str, chart: Chart, start: Mapping[str, Any]) -> str:
     )
     level = HEIGHT * chart.y[1] / (chart.y[1] - chart.y[0])
     zero = f'<line data-zero="" x2="{WIDTH}" y1="{level:.1f}" y2="{level:.1f}"/>'
+    ink = chart.colors.get("marks", "inherit")
     pieces = max(len(np.atleast_2d(heights)) for heights in chart.curves.values())
     marks = "".join(
         f"<span{'' if i < pieces else ' hidden'}>{escape(text)}</span>"
@@ -115,7 +115,7 @@ def _chart(name: str, chart: Chart, start: Mapping[str, Any]) -> str:
         f'<svg viewBox="0 0 {WIDTH} {HEIGHT}" preserveAspectRatio="none" role="img"'
         f' aria-label="{escape(chart.label)}">{zero if chart.y[0] < 0 < chart.y[1] else ""}{curves}'
         f'<line data-mark="" x1="{at:.1f}" x2="{at:.1f}" y1="0" y2="{HEIGHT}"/></svg>'
-        f'<div class="explorable-marks" style="color: {VECTOR}">{marks}</div></div>'
+        f'<div class="explorable-marks" style="color: {ink}">{marks}</div></div>'
         f'<span class="explorable-range">{low}</span></figure>'
     )
 

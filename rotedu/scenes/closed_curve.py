@@ -210,7 +210,7 @@ def closed_curve_by_hand(
             x=(0, 1),
             y=top,
             label=text,
-            colors={"curve": RESULT},
+            colors={"curve": RESULT, "marks": VECTOR},
             marks=[f"P{chr(ord('₀') + k)}" for k in range(MOST)],
         )
     describe(
@@ -413,7 +413,7 @@ def camera_by_hand(
         x=(0, 1),
         y=(0, 150),
         label="speed, degrees a second",
-        colors={"arcs": CROSS, "curve": RESULT},
+        colors={"arcs": CROSS, "curve": RESULT, "marks": VECTOR},
         marks=CAMERA_SEES,
     )
     describe(

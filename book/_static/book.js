@@ -54,7 +54,7 @@ if (pageHead) {
     section.classList.add("presented");
     section.tabIndex = -1;
     section.focus({ preventScroll: true });
-    scrollTo(0, 0);
+    scrollTo({ top: 0, behavior: "instant" });
     const title = section.querySelector("h1, h2, h3, h4").cloneNode(true);
     for (const unsaid of title.querySelectorAll(".katex-mathml, .headerlink")) unsaid.remove();
     const said = `${place + 1} of ${sections.length}: ${title.textContent}`;

@@ -211,9 +211,9 @@ def scene_labels(plotter: pyvista.Plotter) -> list[dict[str, Any]]:
     Returns
     -------
     list of dict
-        For each label its ``name``, ``text``, ``color`` (as ``#rrggbb``), ``position`` (x, y, z),
-        ``left`` and ``top`` (fractions of the picture's width and height) and ``hidden`` (whether
-        a surface stands in front of it, or it is absent).
+        For each label its ``name``, ``text``, ``color`` (as ``#rrggbb``), ``position`` (x, y, z, or
+        None if it is absent), ``left`` and ``top`` (fractions of the picture's width and height)
+        and ``hidden`` (whether it is absent, or a surface stands in front of it).
     """
     width, height = plotter.window_size
     camera = plotter.camera
@@ -236,7 +236,7 @@ def scene_labels(plotter: pyvista.Plotter) -> list[dict[str, Any]]:
                     "name": name,
                     "text": str(text),
                     "color": color,
-                    "position": position.tolist(),
+                    "position": None if absent else position.tolist(),
                     "left": round((1 + x / w) / 2, 4),
                     "top": round((1 - y / w) / 2, 4),
                     "hidden": absent

@@ -134,7 +134,7 @@ def visit_scene_label(writer: Any, node: scene_label) -> None:
     """Open a label at its place over the poster."""
     attributes = {
         "style": f"--left: {node['left']:.2%}; --top: {node['top']:.2%}",
-        "data-position": " ".join(f"{coordinate:.6g}" for coordinate in node["position"]),
+        "data-position": " ".join(f"{coordinate:.6g}" for coordinate in node["position"] or ()),
         "data-label": node["name"],
     }
     if node["hidden"]:

@@ -33,6 +33,8 @@ BEFORE, HERE, AFTER = "$P_{i-1}$", "$P_i$", "$P_{i+1}$"
 REFLECTED, MIDDLE = r"$\bar P_{i-1}$", r"$\bar P_i$"
 A, B = "$a_i$", "$b_i$"
 NAMES = (BEFORE, HERE, AFTER, REFLECTED, MIDDLE, A, B)
+# A formula has thirty elements, and its page has as many as a phone can bear.
+PLAIN = dict(zip(NAMES, ("Pᵢ₋₁", "Pᵢ", "Pᵢ₊₁", "P̄ᵢ₋₁", "P̄ᵢ", "aᵢ", "bᵢ"), strict=True))
 # From the camera of the other figures, the plane of P_i, a_i and b_i would be seen edge on.
 SIDE = (-1.35, 5.5, 0.9)
 COLORS = dict(zip(NAMES, (VECTOR, VECTOR, VECTOR, CROSS, CROSS, RESULT, RESULT), strict=True))
@@ -318,7 +320,7 @@ def control_points_by_hand(
         (AFTER, after, [here, reflected]),
     ):
         add_point(plotter, point, VECTOR, 0.036, name=name)
-        add_label(plotter, beside(point, others), name, VECTOR)
+        add_label(plotter, beside(point, others), PLAIN[name], VECTOR, name.strip("$"))
     add_arcs(plotter, [reflected], [after], CROSS, name="halved")
     plotter.actors["halved"].visibility = step > 1
     add_point(plotter, -reflected, NEUTRAL, 0.024, name="opposite").visibility = step >= 1
@@ -338,7 +340,8 @@ def control_points_by_hand(
         line = add_line(plotter, way, color, radius=0.008 + 0.002 * k, name=f"path {k}")
         line.visibility = taken
         add_point(plotter, way[-1], color, name=name).visibility = taken
-        add_label(plotter, beside(way[-1], others, distance) if taken else None, name, ink)
+        place = beside(way[-1], others, distance) if taken else None
+        add_label(plotter, place, PLAIN[name], ink, name.strip("$"))
 
     forward = reflected - before
     gap_after, place_of_a = (

@@ -34,9 +34,11 @@ export async function show(element, file, context, { width, height, alt }) {
   const canvas = createCanvas(alt);
   const labels = [...element.querySelectorAll(".scene-label")].map((label) => ({
     label,
-    position: label.dataset.position.split(" ").map(Number),
+    // A label that is absent for now has no position.
+    position: label.dataset.position ? label.dataset.position.split(" ").map(Number) : null,
   }));
-  const ends = outermost([...clouds, ...labels.map(({ position }) => position)], pose.target);
+  const places = labels.flatMap(({ position }) => (position ? [position] : []));
+  const ends = outermost([...clouds, ...places], pose.target);
   const { radius } = around;
   const distance = camera.position.distanceTo(new Vector3(...pose.target));
   camera.lookAt(...pose.target);
@@ -124,16 +126,16 @@ export async function show(element, file, context, { width, height, alt }) {
     rest();
   };
 
-  const places = new Map(labels.map((entry) => [entry.label.dataset.label, entry]));
+  const named = new Map(labels.map((entry) => [entry.label.dataset.label, entry]));
   return {
     canvas,
     /** Show a frame: move parts and labels, and take another view or the reader's own. */
-    apply({ parts: moved, labels: named, view: taken = null }) {
+    apply({ parts: moved, labels: moving, view: taken = null }) {
       // What moves may come nearer to the camera than anything did at the start.
       around.radius = Math.max(around.radius, MOVING * radius);
       view = taken;
       for (const [name, change] of Object.entries(moved)) move(parts.get(name), change);
-      for (const [name, position] of Object.entries(named)) places.get(name).position = position;
+      for (const [name, position] of Object.entries(moving)) named.get(name).position = position;
       redraw();
     },
     /** Call back after each picture. */
@@ -182,8 +184,10 @@ function placeLabels(labels, camera, surfaces) {
   const matrix = lens(camera);
   const eye = camera.position.toArray();
   for (const { label, position } of labels) {
-    label.toggleAttribute("data-absent", !position);
-    if (!position) continue;
+    if (!position) {
+      label.toggleAttribute("data-behind", true);
+      continue;
+    }
     const { left, top, inFront } = project(matrix, position);
     label.style.setProperty("--x", `${100 * left}%`);
     label.style.setProperty("--y", `${100 * top}%`);

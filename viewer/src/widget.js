@@ -137,7 +137,7 @@ function createLabel({ name, text, color, position }) {
   } else {
     ink.textContent = text;
   }
-  const place = { "data-position": position.join(" "), "data-label": name };
+  const place = { "data-position": (position ?? []).join(" "), "data-label": name };
   return element("span", { class: "scene-label", ...place }, ink);
 }
 

@@ -9,6 +9,7 @@ from typing import Any
 import nbformat
 import pytest
 from bs4 import BeautifulSoup
+from test_figures_in_browser import AT_REST
 
 BOOK = Path(__file__).parents[1] / "book"
 TEXT = (BOOK / "teaching.md").read_text("utf-8")
@@ -139,6 +140,8 @@ def test_a_tall_section_scrolls_before_the_next_comes(
     assert page.evaluate(TALL)
     assert press(page, forward) == 2
     page.wait_for_function("scrollY > 0")
+    # The browser scrolls by itself for a moment.
+    page.wait_for_function(AT_REST, polling=100)
     page.evaluate(BOTTOM)
     assert press(page, forward) == 3
     assert page.evaluate("scrollY") == 0

@@ -205,7 +205,7 @@ def test_each_handle_by_finger(name: str, open_figure: Callable[..., Any]) -> No
             session.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
         session.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
         assert check(name, figure) != before
-        assert page.evaluate("scrollY") == down
+        assert abs(page.evaluate("scrollY") - down) <= 1
 
 
 @pytest.mark.slow

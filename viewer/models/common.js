@@ -1,5 +1,5 @@
 /* What the models share. */
-import { combine, cross, deCasteljau, dot, length, rotate, slerp } from "../src/sphere.js";
+import { combine, cross, deCasteljau, dot, length, rotate, slerp, transpose } from "../src/sphere.js";
 
 export const DEGREES = 180 / Math.PI;
 export const ORIGIN = [0, 0, 0];
@@ -27,9 +27,9 @@ export function turning(point, axis, angle, steps) {
   return spread(steps + 1).map((x) => rotate(point, axis, x * angle));
 }
 
-/** The 16 numbers, by columns, that turn a part by a 3x3 matrix about the origin. */
-export function placing([[a, b, c], [d, e, f], [g, h, i]]) {
-  return [a, d, g, 0, b, e, h, 0, c, f, i, 0, 0, 0, 0, 1];
+/** The sixteen numbers, by columns, that turn a part by a 3x3 matrix about the origin. */
+export function placing(matrix) {
+  return columns(transpose(matrix));
 }
 
 /** Velocity and geodesic curvature: `rotedu.scenes.closed_curve.motion`. */

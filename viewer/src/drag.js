@@ -1,7 +1,5 @@
 /* The geometry of dragging a point over a sphere about the origin. */
-
-const dot = (p, q) => p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
-const mix = (a, p, b, q) => p.map((x, i) => a * x + b * q[i]);
+import { combine, dot, rotate } from "./sphere.js";
 
 /**
  * Where a line of sight meets the sphere first; beside it, the nearest point of the rim.
@@ -11,16 +9,16 @@ const mix = (a, p, b, q) => p.map((x, i) => a * x + b * q[i]);
  */
 export function alongSphere(eye, direction, radius) {
   const middle = -dot(eye, direction);
-  const foot = mix(1, eye, middle, direction);
+  const foot = combine(1, eye, middle, direction);
   const beside = dot(foot, foot) - radius * radius;
-  if (beside <= 0) return mix(1, eye, middle - Math.sqrt(-beside), direction);
+  if (beside <= 0) return combine(1, eye, middle - Math.sqrt(-beside), direction);
   // The rim seen from the eye is the circle of the points p with p . eye = radius^2.
   const distance = Math.hypot(...eye);
   const towards = eye.map((x) => x / distance);
-  const across = mix(1, foot, -dot(foot, towards), towards);
+  const across = combine(1, foot, -dot(foot, towards), towards);
   const cosine = radius / distance;
   const out = (radius * Math.sqrt(1 - cosine * cosine)) / Math.hypot(...across);
-  return mix(radius * cosine, towards, out, across);
+  return combine(radius * cosine, towards, out, across);
 }
 
 /**
@@ -31,13 +29,5 @@ export function alongSphere(eye, direction, radius) {
  * @param {number} angle of a step
  */
 export function turned(point, [right, up], [x, y], angle) {
-  const axis = mix(x, up, -y, right);
-  const [c, s] = [Math.cos(angle), Math.sin(angle)];
-  const along = dot(point, axis) * (1 - c);
-  return point.map(
-    (value, i) =>
-      c * value +
-      along * axis[i] +
-      s * (axis[(i + 1) % 3] * point[(i + 2) % 3] - axis[(i + 2) % 3] * point[(i + 1) % 3]),
-  );
+  return rotate(point, combine(x, up, -y, right), angle);
 }

@@ -160,7 +160,7 @@ function reproduces(model, { name, model: called, start, frame }) {
 }
 
 /** Compare numbers, texts and what consists of them; Python may say more about a part. */
-export function agree(mine, stored) {
+function agree(mine, stored) {
   if (typeof mine === "number") {
     return Math.abs(mine - stored) <= ROUNDING * Math.max(1, Math.abs(stored));
   }

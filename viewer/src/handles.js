@@ -91,7 +91,7 @@ function place(handle, live, point) {
   const { left, top, riding } = live.project(point);
   handle.style.left = `${100 * left}%`;
   handle.style.top = `${100 * top}%`;
-  const { eye } = live.sight(0.5, 0.5);
+  const eye = live.eye();
   const facing = point.reduce((sum, x, i) => sum + x * (eye[i] - x), 0);
   handle.toggleAttribute("data-behind", facing < 0);
   handle.hidden = riding;

@@ -1,7 +1,5 @@
 /* The controls, numbers and charts below a figure, as `rotedu.figures.panel` writes them. */
 
-const WIDTH = 320;
-const HEIGHT = 96;
 const ROUNDING = 1e-9;
 const calm = matchMedia("(prefers-reduced-motion: reduce)");
 
@@ -16,7 +14,15 @@ const calm = matchMedia("(prefers-reduced-motion: reduce)");
 export function bindPanel(element, specs, now, { change, reset, link }) {
   const form = element.querySelector(".explorable-panel");
   const all = (selector) => [...form.querySelectorAll(selector)];
-  const named = (name) => all(`[name="${name}"]`);
+  // Nothing is looked up while the hand moves.
+  const controls = Object.entries(specs).map(([name, spec]) => ({
+    name,
+    spec,
+    inputs: all(`input[name="${name}"]`),
+    field: form.elements[`${name}-number`],
+    buttons: all(`[data-input="${name}"]`),
+  }));
+  const charts = new Map(all("[data-chart]").map((chart) => [chart.dataset.chart, bindChart(chart)]));
   form.querySelector("fieldset").disabled = false;
   form.addEventListener("submit", (event) => event.preventDefault());
 
@@ -45,19 +51,19 @@ export function bindPanel(element, specs, now, { change, reset, link }) {
   for (const button of all("[data-action=play]")) button.hidden = calm.matches;
 
   return {
-    show(inputs, { outputs, charts }) {
-      for (const [name, spec] of Object.entries(specs)) {
-        const value = inputs[name];
-        for (const control of named(name)) {
-          if (spec.kind === "switch") control.checked = value;
-          else if (spec.kind === "choice") control.checked = control.value === value;
-          else if (spec.kind === "number") control.value = value;
+    show(values, { outputs, charts: drawn = {} }) {
+      for (const { name, spec, inputs, field, buttons } of controls) {
+        const value = values[name];
+        for (const input of inputs) {
+          if (spec.kind === "switch") input.checked = value;
+          else if (spec.kind === "choice") input.checked = input.value === value;
+          else input.value = value;
         }
-        for (const field of named(`${name}-number`)) {
-          if (field !== document.activeElement) field.value = value.toFixed(decimals(spec.step));
+        if (field && field !== document.activeElement) {
+          field.value = value.toFixed(decimals(spec.step));
         }
         if (spec.most) {
-          const [add, remove] = all(`[data-input="${name}"]`);
+          const [add, remove] = buttons;
           add.disabled = value.length >= spec.most;
           remove.disabled = value.length <= spec.least;
         }
@@ -67,21 +73,38 @@ export function bindPanel(element, specs, now, { change, reset, link }) {
         output.textContent = text(value, output.dataset);
         output.toggleAttribute("data-no", value === "no");
       }
-      for (const [name, curves] of Object.entries(charts ?? {})) drawChart(name, curves);
-      for (const chart of all("[data-over]")) mark(chart, inputs[chart.dataset.over]);
+      for (const [name, curves] of Object.entries(drawn)) charts.get(name).draw(curves);
+      for (const { over, mark } of charts.values()) mark(values[over]);
     },
   };
+}
 
-  function drawChart(name, curves) {
-    const chart = form.querySelector(`[data-chart="${name}"]`);
-    const [low, high] = chart.dataset.y.split(" ").map(Number);
-    for (const [curve, heights] of Object.entries(curves)) {
-      const pieces = Array.isArray(heights[0]) ? heights : [heights];
-      chart.querySelector(`[data-curve="${curve}"]`).setAttribute("d", path(pieces, low, high));
-      const marks = chart.querySelectorAll(".explorable-marks span");
-      marks.forEach((mark, i) => (mark.hidden = i >= pieces.length));
-    }
-  }
+/** What draws the curves of a chart, and its mark at the value of the input along it. */
+function bindChart(chart) {
+  const { over, x, y } = chart.dataset;
+  const [[first, last], [low, high]] = [x, y].map((range) => range.split(" ").map(Number));
+  const { width, height } = chart.querySelector("svg").viewBox.baseVal;
+  const box = { width, height, low, high };
+  const lines = new Map(
+    [...chart.querySelectorAll("[data-curve]")].map((line) => [line.dataset.curve, line]),
+  );
+  const marks = chart.querySelectorAll(".explorable-marks span");
+  const here = chart.querySelector("[data-mark]");
+  return {
+    over,
+    draw(curves) {
+      for (const [curve, heights] of Object.entries(curves)) {
+        const pieces = Array.isArray(heights[0]) ? heights : [heights];
+        lines.get(curve).setAttribute("d", path(pieces, box));
+        marks.forEach((mark, i) => (mark.hidden = i >= pieces.length));
+      }
+    },
+    mark(value) {
+      const place = ((value - first) / (last - first)) * width;
+      here.setAttribute("x1", place);
+      here.setAttribute("x2", place);
+    },
+  };
 }
 
 /** Decimals for a number with a smallest difference. */
@@ -89,21 +112,13 @@ function decimals(step) {
   return Math.max(0, Math.ceil(-Math.log10(step)));
 }
 
-function mark(chart, value) {
-  const [low, high] = chart.dataset.x.split(" ").map(Number);
-  const x = ((value - low) / (high - low)) * WIDTH;
-  const line = chart.querySelector("[data-mark]");
-  line.setAttribute("x1", x);
-  line.setAttribute("x2", x);
-}
-
-function path(pieces, low, high) {
-  const width = WIDTH / pieces.length;
+function path(pieces, { width, height, low, high }) {
+  const each = width / pieces.length;
   const paths = pieces.map((heights, i) => {
-    const points = heights.map((height, k) => {
-      const share = Math.min(1.05, Math.max(-0.05, (height - low) / (high - low)));
-      const x = (i + k / (heights.length - 1)) * width;
-      return `${x.toFixed(1)},${(HEIGHT * (1 - share)).toFixed(1)}`;
+    const points = heights.map((value, k) => {
+      const share = Math.min(1.05, Math.max(-0.05, (value - low) / (high - low)));
+      const x = (i + k / (heights.length - 1)) * each;
+      return `${x.toFixed(1)},${(height * (1 - share)).toFixed(1)}`;
     });
     return `M${points.join(" ")}`;
   });
@@ -111,7 +126,7 @@ function path(pieces, low, high) {
 }
 
 /** Write a number, a text or a matrix as Python does. */
-export function text(value, { digits, unit }) {
+function text(value, { digits, unit }) {
   if (typeof value === "string") return value;
   const number = (x) => {
     const written = x.toFixed(digits);

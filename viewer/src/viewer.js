@@ -148,6 +148,7 @@ export async function show(element, file, context, { width, height, alt }) {
       const direction = through.sub(camera.position).normalize();
       return { eye: camera.position.toArray(), direction: direction.toArray() };
     },
+    eye: () => camera.position.toArray(),
     axes: () => axes(camera),
     reset,
     rest,

@@ -8,6 +8,7 @@ import numpy as np
 from rotedu._vectors import Array
 from rotedu.arcs import angle_between, arc_axis, nlerp, slerp
 from rotedu.edition.exercises.judging import (
+    RADIANS,
     Wrong,
     along_equator,
     as_array,
@@ -57,7 +58,7 @@ def beyond_the_ends(answer: Any) -> Wrong | None:
         ),
         (
             np.deg2rad(right),
-            Wrong("Are these radians?", "The exercise asks for degrees."),
+            RADIANS,
         ),
         otherwise=Wrong(
             "How long is the arc, and where does it begin?",

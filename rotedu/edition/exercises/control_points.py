@@ -8,6 +8,7 @@ from rotedu._vectors import Array
 from rotedu.arcs import angle_between, arc_axis
 from rotedu.control_points import bisect, control_points, double
 from rotedu.edition.exercises.judging import (
+    RADIANS,
     Wrong,
     along_equator,
     as_array,
@@ -21,8 +22,6 @@ from rotedu.edition.exercises.judging import (
 from rotedu.ordinary_rotation import rotate
 
 __all__: list[str] = []
-
-RADIANS = Wrong("Are these radians?", "The exercise asks for degrees.")
 
 
 @exercise(

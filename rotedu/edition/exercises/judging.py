@@ -17,6 +17,7 @@ from rotedu.quaternions import Quaternion
 
 __all__ = [
     "EXERCISES",
+    "RADIANS",
     "Exercise",
     "Verdict",
     "Wrong",
@@ -47,6 +48,10 @@ class Wrong(NamedTuple):
 
     first: str
     second: str
+
+
+RADIANS = Wrong("Are these radians?", "The exercise asks for degrees.")
+"""The hint for an angle in radians where degrees are asked for."""
 
 
 @dataclass(frozen=True)

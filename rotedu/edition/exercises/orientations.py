@@ -8,6 +8,7 @@ from rotedu._vectors import Array
 from rotedu.arcs import angle_between, arc_axis, slerp
 from rotedu.closed_curve import closed_curve
 from rotedu.edition.exercises.judging import (
+    RADIANS,
     Wrong,
     as_array,
     as_number,
@@ -24,8 +25,6 @@ from rotedu.orientations import slerp_rotations
 from rotedu.quaternions import Quaternion
 
 __all__: list[str] = []
-
-RADIANS = Wrong("Are these radians?", "The exercise asks for degrees.")
 
 
 @exercise(

@@ -1,5 +1,6 @@
 """Checks of the exercises of Chapter 5, Arcs."""
 
+from collections.abc import Iterator
 from itertools import count
 from typing import Any
 
@@ -9,31 +10,32 @@ from rotedu._vectors import Array
 from rotedu.arcs import angle_between, arc_axis, nlerp, slerp
 from rotedu.edition.exercises.judging import (
     RADIANS,
+    Numbers,
     Wrong,
     along_equator,
     as_array,
     close,
     exercise,
     judged,
+    numeric,
     on_equator,
-    without_full_turns,
 )
 from rotedu.quaternions import Quaternion
 
 __all__: list[str] = []
 
 
-@exercise(
+@numeric(
     "5.1",
+    fields={"at t = 1/4": "°", "at t = 2": "°", "at t = −1": "°"},
     expects="three angles in degrees",
     because="A fraction of the arc is a fraction of its angle, also beyond its ends.",
 )
-def beyond_the_ends(answer: Any) -> Wrong | None:
-    """Judge three places on the great circle of an arc."""
+def beyond_the_ends() -> Iterator[Numbers]:
+    """Yield three places on the great circle of an arc."""
     start, end, t = 10, 70, np.array([1 / 4, 2, -1])
     right = along_equator(slerp(*on_equator([start, end]), t))
-    return judged(
-        without_full_turns(as_array(answer, (3,))),
+    yield Numbers(
         right,
         (
             t * (end - start),
@@ -66,6 +68,7 @@ def beyond_the_ends(answer: Any) -> Wrong | None:
             " backwards.",
         ),
         within=0.01,
+        period=360,
     )
 
 
@@ -118,13 +121,14 @@ def ends_exchanged(answer: Any) -> Wrong | None:
     )
 
 
-@exercise(
+@numeric(
     "5.3",
+    fields={"length": "km", "latitude": "°"},
     expects="two numbers: a length in km and a latitude in degrees",
     because="The flight goes farther north than both its ends.",
 )
-def great_circle_flight(answer: Any) -> Wrong | None:
-    """Judge the length of a flight and its northernmost latitude."""
+def great_circle_flight() -> Iterator[Numbers]:
+    """Yield the length of a flight and its northernmost latitude."""
     radius = 6371
     frankfurt, san_francisco = (50.0, 8.6), (37.6, -122.4)
 
@@ -135,12 +139,10 @@ def great_circle_flight(answer: Any) -> Wrong | None:
     def angle(one: tuple[float, float], other: tuple[float, float]) -> float:
         return float(angle_between(place(*one), place(*other)))
 
-    length, latitude = as_array(answer, (2,))
     theta = angle(frankfurt, san_francisco)
     # The axis leans from the pole by as much as the great circle leans from the equator.
     northernmost = np.arccos(abs(arc_axis(place(*frankfurt), place(*san_francisco))[2]))
-    return judged(
-        length,
+    yield Numbers(
         radius * theta,
         (
             radius * 2 * np.sin(theta / 2),
@@ -176,8 +178,8 @@ def great_circle_flight(answer: Any) -> Wrong | None:
             " coordinate is the sine of the latitude.",
         ),
         within=5,
-    ) or judged(
-        latitude,
+    )
+    yield Numbers(
         np.rad2deg(northernmost),
         (
             max(frankfurt[0], san_francisco[0]),

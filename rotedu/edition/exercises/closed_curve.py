@@ -1,6 +1,6 @@
 """Checks of the exercises of Chapter 5, Closed curve."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 import numpy as np
@@ -10,6 +10,7 @@ from rotedu.arcs import angle_between, arc_axis, slerp
 from rotedu.closed_curve import closed_curve, de_casteljau
 from rotedu.control_points import bisect, control_points, double
 from rotedu.edition.exercises.judging import (
+    Numbers,
     Wrong,
     along_equator,
     as_array,
@@ -19,6 +20,7 @@ from rotedu.edition.exercises.judging import (
     close,
     exercise,
     judged,
+    numeric,
     on_equator,
 )
 from rotedu.ordinary_rotation import rotate
@@ -26,19 +28,17 @@ from rotedu.ordinary_rotation import rotate
 __all__: list[str] = []
 
 
-@exercise(
+@numeric(
     "5.12",
+    fields={"leaving": "° per unit", "arriving": "° per unit", "second control point": "°"},
     expects="three numbers in degrees: two speeds and an angle",
     because="The first and the last arc alone decide the velocity at the ends.",
 )
-def leaving_and_arriving(answer: Any) -> Wrong | None:
-    """Judge the speeds at the ends of a piece, and where the next piece must aim."""
+def leaving_and_arriving() -> Iterator[Numbers]:
+    """Yield the speeds at the ends of a piece, and where the next piece must aim."""
     points = on_equator([0, 20, 70, 80])
     first, middle, last = np.rad2deg(angle_between(points[:-1], points[1:]))
-    leaving, arriving, aim = as_array(answer, (3,))
-    speeds = leaving, arriving
-    return judged(
-        speeds,
+    yield Numbers(
         [3 * first, 3 * last],
         (
             [first, last],
@@ -67,8 +67,8 @@ def leaving_and_arriving(answer: Any) -> Wrong | None:
             "How long is the first arc, how long is the last, and how many levels are there?",
         ),
         within=0.01,
-    ) or judged(
-        aim,
+    )
+    yield Numbers(
         along_equator(double(points[2], points[3])),
         (
             along_equator(points[2]),
@@ -78,7 +78,7 @@ def leaving_and_arriving(answer: Any) -> Wrong | None:
             ),
         ),
         (
-            along_equator(points[3]) + arriving,
+            along_equator(points[3]) + 3 * last,
             Wrong(
                 "The next piece would leave too fast.",
                 "A speed is not the length of an arc. What did you multiply by?",
@@ -92,17 +92,17 @@ def leaving_and_arriving(answer: Any) -> Wrong | None:
     )
 
 
-@exercise(
+@numeric(
     "5.13",
+    fields={"cubic curve": "arcs", "m = 10": "arcs"},
     expects="two numbers of arcs",
     because="Each level has one arc fewer than the one before.",
 )
-def number_of_arcs(answer: Any) -> Wrong | None:
-    """Judge the number of arcs for one point of a curve."""
+def number_of_arcs() -> Iterator[Numbers]:
+    """Yield the number of arcs for one point of a curve."""
     degrees = np.array([3, 10])
     right = [sum(range(1, m + 1)) for m in degrees]
-    return judged(
-        as_array(answer, (2,)),
+    yield Numbers(
         right,
         (
             degrees,

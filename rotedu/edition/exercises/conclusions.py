@@ -1,5 +1,6 @@
 """Checks of the exercises of Chapter 6."""
 
+from collections.abc import Iterator
 from dataclasses import astuple
 from itertools import count
 from typing import Any
@@ -8,12 +9,13 @@ import numpy as np
 
 from rotedu.cost import OperationCount
 from rotedu.edition.exercises.judging import (
+    Numbers,
     Wrong,
     as_array,
-    as_number,
     close,
     exercise,
     judged,
+    numeric,
     radians_for_degrees,
 )
 from rotedu.ordinary_rotation import axis_angle
@@ -26,20 +28,25 @@ MATRICES, QUATERNIONS = OperationCount(27, 18), OperationCount(16, 12)
 CONVERSION, POINT = OperationCount(9, 15), OperationCount(9, 6)
 
 
-@exercise(
+def as_two_numbers(cost: Any) -> Any:
+    """Return the multiplications and additions of an operation count, or a pair as it is."""
+    return astuple(cost)[:2] if isinstance(cost, OperationCount) else cost
+
+
+@numeric(
     "6.1",
+    fields={"multiplications": "", "additions": ""},
     expects="two numbers: multiplications and additions",
     because="The product is computed once, for all points.",
+    read=as_two_numbers,
 )
-def one_product_for_all(answer: Any) -> Wrong | None:
-    """Judge the cost of turning points by the product of two matrices."""
+def one_product_for_all() -> Iterator[Numbers]:
+    """Yield the cost of turning points by the product of two matrices."""
 
     def numbers(cost: OperationCount) -> tuple[int, int]:
         return cost.multiplications, cost.additions
 
-    given = astuple(answer)[:2] if isinstance(answer, OperationCount) else answer
-    return judged(
-        as_array(given, (2,)),
+    yield Numbers(
         numbers(MATRICES + 50 * POINT),
         (
             numbers(2 * 50 * POINT),
@@ -78,45 +85,45 @@ def one_product_for_all(answer: Any) -> Wrong | None:
     )
 
 
-@exercise(
+@numeric(
     "6.2",
+    fields={"random turns": "", "one turn repeated": ""},
     expects="two numbers: two errors",
     because="Errors that cancel grow like a square root; an error that is repeated adds up.",
 )
-def two_laws_of_growth(answer: Any) -> Wrong | None:
-    """Judge how errors of a long product grow."""
+def two_laws_of_growth() -> Iterator[Numbers]:
+    """Yield how errors of a long product grow."""
     first, longer = 1e-6, 27_000 / 3000
-    random, repeated = first * np.sqrt(longer), first * longer
-    return judged(
-        as_array(answer, (2,)) / first,
-        np.array([random, repeated]) / first,
+    root = np.sqrt(longer)
+    yield Numbers(
+        [first * root, first * longer],
         (
-            [longer, longer],
+            [first * longer, first * longer],
             Wrong(
                 "Random errors partly cancel.",
                 "By which power of the number of products do they grow?",
             ),
         ),
         (
-            np.sqrt([longer, longer]),
+            [first * root, first * root],
             Wrong(
                 "An error that is always the same does not cancel.",
                 "After twice as many equal steps, how large is the sum?",
             ),
         ),
         (
-            [longer, np.sqrt(longer)],
+            [first * longer, first * root],
             Wrong("You have the two laws the wrong way round.", "Which errors can cancel?"),
         ),
         (
-            [1, longer],
+            [first, first * longer],
             Wrong(
                 "Random errors do not cancel completely.",
                 "How far does a random walk get?",
             ),
         ),
         (
-            [longer**2, longer],
+            [first * longer**2, first * longer],
             Wrong(
                 "Random errors grow more slowly, not faster.",
                 "You squared what you should have done the reverse with.",
@@ -126,17 +133,18 @@ def two_laws_of_growth(answer: Any) -> Wrong | None:
             "How many times as long is the second chain?",
             "One of the errors grows in proportion to that number, the other like its root.",
         ),
-        within=0.02,
+        within=0.02 * first,
     )
 
 
-@exercise(
+@numeric(
     "6.3",
+    fields={"joints": ""},
     expects="a number of joints",
     because="Each product saves 17 operations, and the conversion costs 24, once.",
 )
-def joints_of_an_arm(answer: Any) -> Wrong | None:
-    """Judge the number of joints from which on quaternions are cheaper."""
+def joints_of_an_arm() -> Iterator[Numbers]:
+    """Yield the number of joints from which on quaternions are cheaper."""
 
     def total(cost: OperationCount) -> int:
         return cost.multiplications + cost.additions
@@ -146,8 +154,7 @@ def joints_of_an_arm(answer: Any) -> Wrong | None:
 
     shorter = OperationCount(24, 15)
     enough = next(joints for joints in count(1) if saved(joints) > 0)
-    return judged(
-        as_number(answer),
+    yield Numbers(
         enough,
         (
             enough - 1,

@@ -1,5 +1,6 @@
 """Checks of the exercises of Chapter 5, Control points."""
 
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -9,6 +10,7 @@ from rotedu.arcs import angle_between, arc_axis
 from rotedu.control_points import bisect, control_points, double
 from rotedu.edition.exercises.judging import (
     RADIANS,
+    Numbers,
     Wrong,
     along_equator,
     as_array,
@@ -16,6 +18,7 @@ from rotedu.edition.exercises.judging import (
     close,
     exercise,
     judged,
+    numeric,
     on_equator,
     without_full_turns,
 )
@@ -24,16 +27,16 @@ from rotedu.ordinary_rotation import rotate
 __all__: list[str] = []
 
 
-@exercise(
+@numeric(
     "5.6",
+    fields={"U": "", "V": "", "W": ""},
     expects="a point, shape (3,)",
     because="Reflecting in a point is a half turn about it.",
 )
-def reflected_in_the_pole(answer: Any) -> Wrong | None:
-    """Judge the reflection of a point in the pole."""
+def reflected_in_the_pole() -> Iterator[Numbers]:
+    """Yield the reflection of a point in the pole."""
     point, pole = np.array([1, 2, 2]) / 3, np.array([0, 0, 1])
-    return judged(
-        as_array(answer, (3,)),
+    yield Numbers(
         double(point, pole),
         (
             point * [1, 1, -1],
@@ -64,20 +67,20 @@ def reflected_in_the_pole(answer: Any) -> Wrong | None:
     )
 
 
-@exercise(
+@numeric(
     "5.7",
+    fields={"U": "", "V": "", "W": ""},
     expects="a point, shape (3,)",
     because="The midpoint has the direction of the sum, and no angle is needed.",
 )
-def middle_of_an_arc(answer: Any) -> Wrong | None:
-    """Judge the midpoint of two points of the equator."""
+def middle_of_an_arc() -> Iterator[Numbers]:
+    """Yield the midpoint of two points of the equator."""
     p, q = np.array([1, 0, 0]), np.array([0.28, 0.96, 0])
     inside = Wrong(
         "Your point is not on the sphere.",
         "The direction is right. What is the length of your vector, and what should it be?",
     )
-    return judged(
-        as_array(answer, (3,)),
+    yield Numbers(
         bisect(p, q),
         ((p + q) / 2, inside),
         (p + q, inside),
@@ -112,19 +115,21 @@ def construction(before: float, after: float) -> tuple[Array, Array, Array, Arra
     return reflected, middle, a, double(a, here)
 
 
-@exercise(
+@numeric(
     "5.8",
+    fields={
+        "of the first point with a bar": "°",
+        "of the second": "°",
+        "of a": "°",
+        "of b": "°",
+        "of a, for gaps of 30° and 110°": "°",
+    },
     expects="five angles in degrees",
     because="On a great circle, a_i is a quarter of both gaps together beyond P_i.",
 )
-def construction_on_a_circle(answer: Any) -> Wrong | None:
-    """Judge the four points of the construction, and the rule for a_i."""
-    *angles, by_rule = without_full_turns(as_array(answer, (5,)))
+def construction_on_a_circle() -> Iterator[Numbers]:
+    """Yield the four points of the construction, then what the rule for a_i gives."""
     before, after = 30, 110
-    right = along_equator(construction(60, 100))
-    rule = along_equator(construction(before, after)[2])
-    if close([*angles, by_rule], np.deg2rad([*right, rule]), 0.01):
-        return RADIANS
     hints = (
         Wrong(
             "The first angle is not right yet.",
@@ -143,12 +148,11 @@ def construction_on_a_circle(answer: Any) -> Wrong | None:
             "Double reflects the third angle in that of the middle point, not the reverse.",
         ),
     )
-    for angle, wanted, hint in zip(angles, right, hints, strict=True):
-        if not close(angle, wanted, 0.01):
-            return hint
-    return judged(
-        by_rule,
-        rule,
+    for angle, hint in zip(along_equator(construction(60, 100)), hints, strict=True):
+        radians = np.deg2rad(angle), RADIANS
+        yield Numbers(angle, radians, otherwise=hint, within=0.01, period=360)
+    yield Numbers(
+        along_equator(construction(before, after)[2]),
         (
             (before + after) / 2,
             Wrong(
@@ -168,6 +172,7 @@ def construction_on_a_circle(answer: Any) -> Wrong | None:
             "Do the four steps with letters in place of numbers.",
         ),
         within=0.01,
+        period=360,
     )
 
 

@@ -1,11 +1,13 @@
 """Checks of the exercises of Chapter 4."""
 
+from collections.abc import Iterator
 from itertools import permutations
 from typing import Any
 
 import numpy as np
 
 from rotedu.edition.exercises.judging import (
+    Numbers,
     Wrong,
     as_array,
     as_number,
@@ -14,6 +16,7 @@ from rotedu.edition.exercises.judging import (
     close,
     exercise,
     judged,
+    numeric,
     radians_for_degrees,
     same_rotation,
 )
@@ -28,13 +31,17 @@ from rotedu.general_rotation import (
 )
 
 
-@exercise("4.1", expects="a point, three numbers", because="The second turn is about W itself.")
-def end_of_v(answer: Any) -> Wrong | None:
-    """Compare with the chain, then with the other order and the other sense."""
+@numeric(
+    "4.1",
+    fields={"U": "", "V": "", "W": ""},
+    expects="a point, three numbers",
+    because="The second turn is about W itself.",
+)
+def end_of_v() -> Iterator[Numbers]:
+    """Yield the end of the chain, then those of the other order and the other sense."""
     u, w = (turn(np.pi / 2)[:3, :3] for turn in (rotation_u, rotation_w))
     v = [0, 1, 0]
-    return judged(
-        as_array(answer, (3,)),
+    yield Numbers(
         w @ u @ v,
         (
             u @ w @ v,

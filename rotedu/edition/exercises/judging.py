@@ -4,8 +4,8 @@ A check is a pure function of the answer. It returns None if the answer is right
 stages. It tests properties, so that every right form of an answer passes.
 """
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -19,6 +19,7 @@ __all__ = [
     "EXERCISES",
     "RADIANS",
     "Exercise",
+    "Numbers",
     "Verdict",
     "Wrong",
     "along_equator",
@@ -33,6 +34,7 @@ __all__ = [
     "degrees_for_radians",
     "exercise",
     "judged",
+    "numeric",
     "on_equator",
     "radians_for_degrees",
     "same_rotation",
@@ -69,12 +71,18 @@ class Exercise:
     judge : callable
         Function of the answer that returns None if it is right. It may raise anything if the
         answer does not have the expected form.
+    fields : mapping of str to str
+        If the answer is a few numbers, their names and units; else empty.
+    parts : callable
+        What the numbers are judged by, part by part, in the order of the fields.
     """
 
     number: str
     expects: str
     because: str
     judge: Callable[[Any], Wrong | None]
+    fields: Mapping[str, str] = field(default_factory=dict)
+    parts: Callable[[], Iterable["Numbers"]] = tuple
 
 
 @dataclass(frozen=True, repr=False)
@@ -123,12 +131,112 @@ def exercise(
     """
 
     def register(judge: Callable[[Any], Wrong | None]) -> Callable[[Any], Wrong | None]:
-        if number in EXERCISES:
-            raise ValueError(f"exercise {number} has two checks")
-        EXERCISES[number] = Exercise(number, expects, because, judge)
+        add(Exercise(number, expects, because, judge))
         return judge
 
     return register
+
+
+class Numbers:
+    """One or more numbers that are judged together: an answer, or a part of it.
+
+    The same declaration judges the answer in Python and in the page.
+
+    Parameters
+    ----------
+    right : array_like
+        The right numbers, or a row for each right answer if there are several.
+    *mistakes : pairs of array_like and Wrong
+        The results of usual mistakes, each with the hint meant for it.
+    otherwise : Wrong
+        The hint for all other answers.
+    within : float
+        The largest difference allowed in any number.
+    period : float, optional
+        Numbers that differ by a multiple of it count as the same, as angles do by full turns.
+    """
+
+    def __init__(
+        self,
+        right: npt.ArrayLike,
+        *mistakes: tuple[npt.ArrayLike, Wrong],
+        otherwise: Wrong,
+        within: float = WITHIN,
+        period: float | None = None,
+    ) -> None:
+        self.right = rows(right)
+        self.mistakes = [(rows(result), wrong) for result, wrong in mistakes]
+        self.otherwise = otherwise
+        self.within = within
+        self.period = period
+
+    def judge(self, given: Array) -> Wrong | None:
+        """Return None if the numbers are right, else the hint for the first mistake they fit."""
+        if self.fits(given, self.right):
+            return None
+        hints = (wrong for result, wrong in self.mistakes if self.fits(given, result))
+        return next(hints, self.otherwise)
+
+    def fits(self, given: Array, result: Array) -> bool:
+        """Tell whether the numbers are those of any row of a result."""
+        off = given - result
+        if self.period is not None:
+            off = off - self.period * np.round(off / self.period)
+        return bool((np.abs(off) <= self.within).all(axis=1).any())
+
+
+def rows(numbers: npt.ArrayLike) -> Array:
+    """Return a number, or a row of numbers, as an array of rows."""
+    return np.atleast_2d(np.asarray(numbers, np.float64))
+
+
+def numeric(
+    number: str,
+    *,
+    fields: Mapping[str, str],
+    expects: str,
+    because: str = "",
+    read: Callable[[Any], Any] = np.asarray,
+) -> Callable[[Callable[[], Iterable[Numbers]]], Callable[[], Iterable[Numbers]]]:
+    """Register an exercise whose answer is a few numbers. The page can check it, too.
+
+    Parameters
+    ----------
+    number, expects, because : str
+        As for `exercise`.
+    fields : mapping of str to str
+        The names of the numbers, each with its unit.
+    read : callable
+        Function that makes numbers of an answer in another form.
+
+    Returns
+    -------
+    callable
+        A decorator that returns its function unchanged. The function yields `Numbers`, in the
+        order of the fields; a part is judged only if those before it are right.
+    """
+
+    def register(parts: Callable[[], Iterable[Numbers]]) -> Callable[[], Iterable[Numbers]]:
+        def judge(answer: Any) -> Wrong | None:
+            shape = [len(fields)] if len(fields) > 1 else []
+            left = np.atleast_1d(as_array(read(answer), shape))
+            for part in parts():
+                given, left = np.split(left, [part.right.shape[1]])
+                if wrong := part.judge(given):
+                    return wrong
+            return None
+
+        add(Exercise(number, expects, because, judge, fields, parts))
+        return parts
+
+    return register
+
+
+def add(asked: Exercise) -> None:
+    """Put an exercise into the register."""
+    if asked.number in EXERCISES:
+        raise ValueError(f"exercise {asked.number} has two checks")
+    EXERCISES[asked.number] = asked
 
 
 def check(number: str, answer: Any, hint: int = 1) -> Verdict:

@@ -1,10 +1,12 @@
 """Checks of the exercises of Chapter 3."""
 
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
 
 from rotedu.edition.exercises.judging import (
+    Numbers,
     Wrong,
     as_array,
     as_number,
@@ -13,21 +15,23 @@ from rotedu.edition.exercises.judging import (
     close,
     degrees_for_radians,
     exercise,
-    judged,
+    numeric,
     radians_for_degrees,
     same_rotation,
 )
 from rotedu.ordinary_rotation import axis_angle, rotate, rotation_matrix
 
 
-@exercise(
-    "3.1", expects="a point, three numbers", because="What lies along the axis stays where it is."
+@numeric(
+    "3.1",
+    fields={"U": "", "V": "", "W": ""},
+    expects="a point, three numbers",
+    because="What lies along the axis stays where it is.",
 )
-def quarter_turn_of_a_point(answer: Any) -> Wrong | None:
-    """Compare with the turned point, then with other senses, angles and axes."""
+def quarter_turn_of_a_point() -> Iterator[Numbers]:
+    """Yield the turned point, then what other senses, angles and axes lead to."""
     point, w = [1, 2, 3], [0, 0, 1]
-    return judged(
-        as_array(answer, (3,)),
+    yield Numbers(
         rotate(point, w, np.pi / 2),
         (
             rotate(point, w, -np.pi / 2),
@@ -191,21 +195,21 @@ def as_printed(n: Any, angle: float) -> Any:
     return cos * np.eye(3) + (1 - cos) * np.outer(n, n) + sin * np.cross(n, np.eye(3)).T
 
 
-@exercise(
+@numeric(
     "3.5",
+    fields={"largest entry": ""},
     expects="a number",
     because="It is three times the error of the axis, and the formula gives no warning.",
 )
-def axis_too_long(answer: Any) -> Wrong | None:
-    """Compare with the residual, then with other residuals."""
+def axis_too_long() -> Iterator[Numbers]:
+    """Yield the residual, then other residuals."""
     n = np.array([0, 0.6, 0.8])
 
     def residual(matrix: Any) -> Any:
         return np.abs(matrix.T @ matrix - np.eye(3)).max()
 
     bent = as_printed(1.001 * n, np.pi / 2)
-    return judged(
-        as_number(answer),
+    yield Numbers(
         residual(bent),
         (
             residual(as_printed(1.001 * n, 90)),

@@ -1,5 +1,6 @@
 """Checks of the exercises of Chapter 5, Points and orientations."""
 
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -9,15 +10,15 @@ from rotedu.arcs import angle_between, arc_axis, slerp
 from rotedu.closed_curve import closed_curve
 from rotedu.edition.exercises.judging import (
     RADIANS,
+    Numbers,
     Wrong,
     as_array,
-    as_number,
     as_rotation,
     close,
     exercise,
     judged,
+    numeric,
     radians_for_degrees,
-    without_full_turns,
 )
 from rotedu.errors import DegenerateError
 from rotedu.ordinary_rotation import axis_angle, rotation_matrix
@@ -75,13 +76,14 @@ def turn_between_cameras(answer: Any) -> Wrong | None:
     )
 
 
-@exercise(
+@numeric(
     "5.18",
+    fields={"as they stand": "°", "sign changed": "°", "matrices": "°"},
     expects="three angles in degrees",
     because="Only quaternions can go the long way; matrices have no sign to choose.",
 )
-def halfway_in_three_ways(answer: Any) -> Wrong | None:
-    """Judge the place halfway along two ways round."""
+def halfway_in_three_ways() -> Iterator[Numbers]:
+    """Yield the place halfway along two ways round."""
     total = np.deg2rad(300)
     q1, q2 = Quaternion.from_axis_angle([0, 0, 1], [0, total]).components
     ends = rotation_matrix([0, 0, 1], [0, total])
@@ -99,8 +101,7 @@ def halfway_in_three_ways(answer: Any) -> Wrong | None:
         "A change of sign leads round the other way.",
         "How large is the turn from one end to the other, in each of the two directions?",
     )
-    return judged(
-        without_full_turns(as_array(answer, (3,))),
+    yield Numbers(
         right,
         ([as_they_stand] * 3, signs),
         ([changed] * 3, signs),
@@ -132,16 +133,18 @@ def halfway_in_three_ways(answer: Any) -> Wrong | None:
             "The body can turn to the same end by 300° or by the rest of a full turn backwards.",
         ),
         within=0.1,
+        period=360,
     )
 
 
-@exercise(
+@numeric(
     "5.19",
+    fields={"angle": "°"},
     expects="an angle in degrees",
     because="It is the area of the triangle, as an angle.",
 )
-def carried_platform(answer: Any) -> Wrong | None:
-    """Judge the turn of a platform that is carried round a triangle; its sign is free."""
+def carried_platform() -> Iterator[Numbers]:
+    """Yield the turn of a platform that is carried round a triangle; its sign is free."""
     east = np.deg2rad(40)
     corners = np.array([[0, 0, 1], [1, 0, 0], [np.cos(east), np.sin(east), 0]])
     trip = np.eye(3)
@@ -149,17 +152,18 @@ def carried_platform(answer: Any) -> Wrong | None:
         trip = rotation_matrix(arc_axis(start, end), angle_between(start, end)) @ trip
     _, turn = axis_angle(trip)
     right = np.rad2deg(turn)
-    given = as_number(answer)
-    if close(given, 180 + right, 0.1):
-        return Wrong(
-            "That is the sum of the angles of the triangle.",
-            "The area is what this sum has more than the sum in the plane.",
-        )
-    return judged(
-        abs(without_full_turns(given)),
-        right,
+    either_sign = np.array([[1], [-1]])
+    yield Numbers(
+        right * either_sign,
         (
-            np.deg2rad(right),
+            180 + right,
+            Wrong(
+                "That is the sum of the angles of the triangle.",
+                "The area is what this sum has more than the sum in the plane.",
+            ),
+        ),
+        (
+            np.deg2rad(right) * either_sign,
             Wrong("Is this an angle in radians?", "The exercise asks for degrees."),
         ),
         (
@@ -170,7 +174,7 @@ def carried_platform(answer: Any) -> Wrong | None:
             ),
         ),
         (
-            90,
+            90 * either_sign,
             Wrong(
                 "That is the answer for an eighth of the sphere.",
                 "How large is the angle of this triangle at the pole?",
@@ -181,6 +185,7 @@ def carried_platform(answer: Any) -> Wrong | None:
             "Two of them are between a meridian and the equator. What is their sum beyond 180°?",
         ),
         within=0.1,
+        period=360,
     )
 
 

@@ -1,10 +1,12 @@
 """Checks of the exercises of Chapter 2."""
 
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
 
 from rotedu.edition.exercises.judging import (
+    Numbers,
     Wrong,
     as_array,
     as_number,
@@ -15,6 +17,7 @@ from rotedu.edition.exercises.judging import (
     close,
     exercise,
     judged,
+    numeric,
     radians_for_degrees,
     same_rotation,
     up_to_sign,
@@ -22,20 +25,21 @@ from rotedu.edition.exercises.judging import (
 from rotedu.quaternions import Quaternion
 
 
-@exercise(
+@numeric(
     "2.1",
+    fields={"scalar part": "", "along U": "", "along V": "", "along W": ""},
     expects="a quaternion, four numbers with the scalar part first",
     because="The norms multiply, too.",
+    read=as_quaternion,
 )
-def product_by_hand(answer: Any) -> Wrong | None:
-    """Compare with the product, then with products of wrong order and wrong parts."""
+def product_by_hand() -> Iterator[Numbers]:
+    """Yield the product, then products of wrong order and wrong parts."""
     p, q = Quaternion(1, [2, 0, 0]), Quaternion(3, [1, 1, 0])
     # Half the difference of the two products is the part that the order decides.
     crossed = (p * q - q * p).components / 2
     dotted = np.array([p.v @ q.v, 0, 0, 0])
     right = (p * q).components
-    return judged(
-        as_quaternion(answer),
+    yield Numbers(
         right,
         (
             (q * p).components,

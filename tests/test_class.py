@@ -37,6 +37,11 @@ EXERCISE = re.compile(r"^\*\*Exercise ([\d.]+)\*\*", re.MULTILINE)
 SOLUTION = re.compile(r"# Solution of Exercise ([\d.]+)$", re.MULTILINE)
 REASONS = re.compile(r"^:::\{dropdown\} Why\n(.*?)^:::$", re.MULTILINE | re.DOTALL)
 BOX = re.compile(r"^:class: (\w+)$", re.MULTILINE)
+TITLE_OF_QUESTION = "Before you read on"
+QUESTION = re.compile(
+    rf"^::::\{{admonition\}} {TITLE_OF_QUESTION}\n(.*?)^::::$", re.MULTILINE | re.DOTALL
+)
+CHOICE = re.compile(r"^:::\{dropdown\} (.+)$", re.MULTILINE)
 TAG = re.compile(r"\\tag\{(.*?)\}")
 LABEL = re.compile(r"^\$\$ \(eq-(.*)\)$", re.MULTILINE)
 ANCHOR = re.compile(r'\bid="([^"]+)"')
@@ -165,10 +170,32 @@ def test_no_myst_is_left(reader: list[Path]) -> None:
 
 
 def test_boxes_keep_their_colours(reader: list[Path]) -> None:
-    meaning = {colors.VECTOR: "claim", colors.AXIS: "erratum", colors.RESULT: "fair"}
+    meaning = {
+        colors.VECTOR: "claim",
+        colors.AXIS: "erratum",
+        colors.RESULT: "fair",
+        colors.NEUTRAL: "question",
+    }
     for source, file in zip(SOURCES, reader, strict=True):
-        found = [color for color in BORDER.findall(text(file)) if color != colors.NEUTRAL]
+        cells_of_book = [cell for cell in cells(file, "markdown") if cell.id != "notes"]
+        found = BORDER.findall("\n".join(cell.source for cell in cells_of_book))
         assert [meaning[color] for color in found] == BOX.findall(text(source))
+
+
+def test_choices_fold_inside_the_box_with_their_question(reader: list[Path]) -> None:
+    for source, file in zip(SOURCES, reader, strict=True):
+        boxes = QUESTION.findall(text(source))
+        page = BeautifulSoup(PLAIN.render(text(file)), "html.parser")
+        found = [
+            box for box in page.find_all("blockquote") if box.p.get_text() == TITLE_OF_QUESTION
+        ]
+        assert len(found) == len(boxes)
+        assert boxes or not source.name[0].isdigit()
+        for box, written in zip(found, boxes, strict=True):
+            choices = box.find_all("details", recursive=False)
+            assert [choice.summary.get_text() for choice in choices] == CHOICE.findall(written)
+            assert len(choices) >= 2
+            assert all(choice.p.get_text() for choice in choices)
 
 
 def test_html_is_balanced(reader: list[Path]) -> None:

@@ -24,6 +24,12 @@ two = 2
 
 **Figure 1.** Two words.
 
+:::{dropdown} A folded title
+:class: unread
+
+Is read.
+:::
+
 ## Exercises
 
 **Exercise 1.1** (recall, 5 minutes). This is not counted.
@@ -39,10 +45,10 @@ Done.
 def test_what_is_counted(tmp_path: Path) -> None:
     page = tmp_path / "page.md"
     page.write_text(PAGE, "utf-8")
-    title, sentence, caption, end = 3, 10, 4, 4
+    title, sentence, caption, folded, end = 3, 10, 4, 5, 4
     counted = count(page)
-    assert counted == (title + sentence + caption + end, 2, 1, 1, 15)
-    assert counted.minutes == 2  # 21 words at 0.3 s, 2 lines at 5, a formula at 20, a figure at 30
+    assert counted == (title + sentence + caption + folded + end, 2, 1, 1, 15)
+    assert counted.minutes == 2  # 26 words at 0.3 s, 2 lines at 5, a formula at 20, a figure at 30
     assert counted.time == "**Time** 2 minutes to read, 15 for the exercises."
 
 

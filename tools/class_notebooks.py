@@ -40,7 +40,12 @@ EXERCISE = re.compile(r"^\*\*Exercise ([\d.]+)\*\* \((.+), (\d+) minutes\)", re.
 SOLUTION = re.compile(r"# Solution of Exercise ([\d.]+)\n")
 DIRECTIVE = re.compile(r"\{(admonition|dropdown)\} (.+)")
 BOX = re.compile(r":class: (\w+).*\n+")
-BOXES = {"claim": colors.VECTOR, "erratum": colors.AXIS, "fair": colors.RESULT}
+BOXES = {
+    "claim": colors.VECTOR,
+    "erratum": colors.AXIS,
+    "fair": colors.RESULT,
+    "question": colors.NEUTRAL,
+}
 MACRO = re.compile(rf"\\({'|'.join(name.lower() for name in colors.__all__)})(?![A-Za-z])")
 # What a text may hold besides words. Each is found where it begins, so code and formulas may
 # contain what looks like the others.

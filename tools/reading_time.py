@@ -28,7 +28,7 @@ FORMULA = re.compile(r"\$\$.*?\$\$(?: *\([\w-]+\))?", re.DOTALL)
 LISTING = re.compile(r"```.*?\n(.*?)```", re.DOTALL)
 # Markup that nobody reads: comments, options and fences of directives, targets of links, roles.
 MARKS = re.compile(
-    r"\A---\n.*?\n---\n|<!--.*?-->|^[:`]{3,}[^\n]*|^:[\w-]+:[^\n]*|^\([\w-]+\)=$|\]\([^)]*\)"
+    r"\A---\n.*?\n---\n|<!--.*?-->|^[:`]{3,}(?:\{[\w-]+\})?|^:[\w-]+:[^\n]*|^\([\w-]+\)=$|\]\([^)]*\)"
     r"|\{[\w:]+\}|<[^>]*>",
     re.MULTILINE | re.DOTALL,
 )

@@ -23,7 +23,8 @@ if (location.protocol === "file:") {
   }
 }
 
-// Present a page: one section at a time. A figure, or a box that scrolls, keeps the keys it uses.
+// Present a page: one section at a time. A figure, a field, or a box that
+// scrolls, keeps the keys it uses.
 const pageHead = document.querySelector(".page-head");
 
 if (pageHead) {
@@ -80,7 +81,7 @@ if (pageHead) {
   addEventListener("keydown", (event) => {
     const { key, target } = event;
     if (!presents() || event.ctrlKey || event.metaKey || event.altKey) return;
-    const kept = target.closest(".scene, .explorable, [tabindex='0']");
+    const kept = target.closest(".scene, .explorable, input, [tabindex='0']");
     if (key === "Escape") return kept ? sections[place].focus() : leave();
     if (kept || (key === " " && target.closest("a, button, summary"))) return;
     const step = key === " " && event.shiftKey ? -1 : steps[key];

@@ -118,11 +118,11 @@ def construction(before: float, after: float) -> tuple[Array, Array, Array, Arra
 @numeric(
     "5.8",
     fields={
-        "of the first point with a bar": "°",
-        "of the second": "°",
-        "of a": "°",
-        "of b": "°",
-        "of a, for gaps of 30° and 110°": "°",
+        "first point with a bar": "°",
+        "second": "°",
+        "a": "°",
+        "b": "°",
+        "a, for gaps of 30° and 110°": "°",
     },
     expects="five angles in degrees",
     because="On a great circle, a_i is a quarter of both gaps together beyond P_i.",

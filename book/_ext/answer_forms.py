@@ -1,0 +1,79 @@
+"""Let the page check an answer of a few numbers, as `rotedu.edition.exercises` does.
+
+What judges it stands below the starter cell, and ``_static/answers.js`` makes a form of it. Without
+scripts there is no form, and the text is complete.
+"""
+
+import json
+import re
+from typing import Any
+
+from docutils import nodes
+from sphinx.application import Sphinx
+from sphinx.transforms.post_transforms import SphinxPostTransform
+
+from rotedu.edition.exercises.judging import EXERCISES, Exercise, Numbers
+
+CHECK = re.compile(r'^check\("([\d.]+)", answer\)$', re.MULTILINE)
+
+
+class answer_form(nodes.General, nodes.Element):  # noqa: N801 (docutils names nodes so)
+    """What a form needs to judge an answer."""
+
+
+def judged_by(part: Numbers) -> dict[str, Any]:
+    """Return numbers that are judged together as plain data."""
+    mistakes = [{"rows": rows.tolist(), "hint": wrong} for rows, wrong in part.mistakes]
+    return {
+        "right": part.right.tolist(),
+        "mistakes": mistakes,
+        "otherwise": part.otherwise,
+        "within": part.within,
+        "period": part.period,
+    }
+
+
+def form_of(exercise: Exercise) -> answer_form:
+    """Return the node for an exercise."""
+    asked = {
+        "number": exercise.number,
+        "fields": list(exercise.fields.items()),
+        "expects": exercise.expects,
+        "because": exercise.because,
+        "parts": [judged_by(part) for part in exercise.parts()],
+    }
+    return answer_form(asked=json.dumps(asked, ensure_ascii=False))
+
+
+class AddForms(SphinxPostTransform):
+    """Put a form below each starter cell with a check of numbers."""
+
+    default_priority = 5
+
+    def run(self, **_: Any) -> None:
+        """Find the cells by their last line; solutions end with the same one, but are folded."""
+        for cell in list(self.document.findall(nodes.container)):
+            if cell.get("nb_element") != "cell_code" or "tag_hide-cell" in cell["classes"]:
+                continue
+            source = next(iter(cell.findall(nodes.literal_block)), None)
+            check = source and CHECK.search(source.astext())
+            if check and EXERCISES[check[1]].fields:
+                cell.parent.insert(cell.parent.index(cell) + 1, form_of(EXERCISES[check[1]]))
+
+
+def visit_answer_form(writer: Any, node: answer_form) -> None:
+    """Write an empty element for the script to fill."""
+    attributes = {"data-asked": node["asked"]}
+    writer.body.append(writer.starttag(node, "div", "", CLASS="answer-form", **attributes))
+
+
+def depart_answer_form(writer: Any, node: answer_form) -> None:
+    """Close it."""
+    writer.body.append("</div>\n")
+
+
+def setup(app: Sphinx) -> dict[str, Any]:
+    """Register the step and its node."""
+    app.add_node(answer_form, html=(visit_answer_form, depart_answer_form))
+    app.add_post_transform(AddForms)
+    return {"parallel_read_safe": True, "parallel_write_safe": True}

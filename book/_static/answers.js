@@ -1,0 +1,57 @@
+// Check answers that are a few numbers. What they are judged by comes from rotedu.edition.exercises,
+// and the verdict is that of Python's `check`.
+const fits = (given, rows, { within, period }) =>
+  rows.some((row) =>
+    row.every((number, i) => {
+      const off = given[i] - number;
+      return Math.abs(period ? off - period * Math.round(off / period) : off) <= within;
+    }),
+  );
+
+// Return two stages of a hint, or nothing if the numbers are right.
+const judge = (given, parts) => {
+  let start = 0;
+  for (const part of parts) {
+    const numbers = given.slice(start, (start += part.right[0].length));
+    if (fits(numbers, part.right, part)) continue;
+    return part.mistakes.find(({ rows }) => fits(numbers, rows, part))?.hint ?? part.otherwise;
+  }
+};
+
+const addForm = (place) => {
+  const { number, fields, expects, because, parts } = JSON.parse(place.dataset.asked);
+  const label = ([name, unit]) =>
+    `<label>${name} <span><input type="number" step="any"> ${unit}</span></label>`;
+  place.innerHTML = `<form novalidate>
+    <fieldset>
+      <legend>Check your answer to ${number} here</legend>
+      ${fields.map(label).join("")}
+      <button>Check</button>
+    </fieldset>
+    <output></output>
+  </form>`;
+  const form = place.firstChild;
+  const inputs = [...form.querySelectorAll("input")];
+  const output = form.querySelector("output");
+  let hinted;
+
+  const verdict = () => {
+    if (inputs.some(({ validity }) => validity.badInput)) return [false, `Expected ${expects}.`];
+    if (inputs.some(({ value }) => !value)) return [null, "Not answered yet."];
+    const hint = judge(inputs.map(({ valueAsNumber }) => valueAsNumber), parts);
+    if (!hint) return [true, `Right. ${because}`];
+    const [first, second] = hint;
+    const again = hinted === first;
+    hinted = first;
+    return [false, again ? `Not yet. ${second}` : `Not yet. ${first} For more, check again.`];
+  };
+
+  form.addEventListener("submit", (event) => {
+    event.preventDefault();
+    const [right, text] = verdict();
+    output.dataset.right = right;
+    output.textContent = text;
+  });
+};
+
+document.querySelectorAll(".answer-form").forEach(addForm);

@@ -10,40 +10,15 @@ import nbformat
 import numpy as np
 import pytest
 from matplotlib import pyplot
-from wrong_answers import (
-    arcs,
-    closed_curve,
-    conclusions,
-    control_points,
-    general_rotation,
-    introduction,
-    ordinary_rotation,
-    orientations,
-    quaternions,
-)
+from wrong_answers import WRONG
 
 from rotedu.edition.exercises import check
-from rotedu.edition.exercises.judging import EXERCISES
+from rotedu.edition.exercises.judging import EXERCISES, Numbers, Wrong, exercise
 
 ROOT = Path(__file__).parents[1]
 IN_ORDER = re.findall(r"file: (book/0\d-[\w-]+)", (ROOT / "_toc.yml").read_text("utf-8"))
 PAGES = [ROOT / f"{name}.ipynb" for name in IN_ORDER]
 HEADING = re.compile(r"^\*\*Exercise ([\d.]+)\*\* \([^)]*?(\d+) minutes\)", re.MULTILINE)
-WRONG = {
-    number: answers
-    for page in (
-        introduction,
-        quaternions,
-        ordinary_rotation,
-        general_rotation,
-        arcs,
-        control_points,
-        closed_curve,
-        orientations,
-        conclusions,
-    )
-    for number, answers in page.WRONG.items()
-}
 GARBAGE = [None, "x", np.nan, (None, None), np.full((2, 5), 7.0), object(), {}, [], [[1], [2, 3]]]
 
 
@@ -161,3 +136,42 @@ class TestCheck:
 def test_an_unknown_number_is_refused() -> None:
     with pytest.raises(ValueError, match=r"'9\.9'"):
         check("9.9", 1)
+
+
+def test_a_number_is_refused_twice() -> None:
+    with pytest.raises(ValueError, match=r"3\.1 has two checks"):
+        exercise("3.1", expects="nothing")(lambda _: None)
+
+
+HINT, OTHER = Wrong("a mistake", "more"), Wrong("another", "more")
+
+
+class TestNumbers:
+    def test_every_number_must_be_right(self) -> None:
+        pair = Numbers([1, 2], ([2, 1], HINT), otherwise=OTHER, within=0.1)
+        assert pair.judge(np.array([1.09, 1.91])) is None
+        assert pair.judge(np.array([1.09, 1.89])) == OTHER
+        assert pair.judge(np.array([2.0, 1.0])) == HINT
+
+    def test_a_row_is_a_right_answer_or_a_mistake_of_its_own(self) -> None:
+        either = Numbers([[3], [-3]], ([[1], [2]], HINT), otherwise=OTHER)
+        verdicts = [either.judge(np.array([number])) for number in (3, -3, 1, 2, 0)]
+        assert verdicts == [None, None, HINT, HINT, OTHER]
+
+    def test_full_turns_do_not_count(self) -> None:
+        angle = Numbers(350, (90, HINT), otherwise=OTHER, within=1, period=360)
+        verdicts = [angle.judge(np.array([number])) for number in (-10, 710, 351, 450, 352)]
+        assert verdicts == [None, None, None, HINT, OTHER]
+        assert Numbers(350, otherwise=OTHER, within=1).judge(np.array([-10])) == OTHER
+
+
+@pytest.mark.parametrize("number", [n for n, asked in EXERCISES.items() if asked.fields])
+def test_a_numeric_exercise_has_a_field_for_each_number(number: str) -> None:
+    asked = EXERCISES[number]
+    parts = list(asked.parts())
+    assert sum(part.right.shape[1] for part in parts) == len(asked.fields)
+    for part in parts:
+        assert all(rows.shape[1] == part.right.shape[1] for rows, _ in part.mistakes)
+        # A mistake that is too close to the right answer would pass.
+        for rows, wrong in part.mistakes:
+            assert all(part.judge(row) == wrong for row in rows)

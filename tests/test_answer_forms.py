@@ -1,0 +1,133 @@
+"""The page checks answers that are a few numbers, and its verdict is Python's."""
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from bs4 import BeautifulSoup
+from wrong_answers import WRONG
+
+from rotedu.cost import OperationCount
+from rotedu.edition.exercises import check
+from rotedu.edition.exercises.judging import EXERCISES
+
+NUMERIC = {number: asked for number, asked in EXERCISES.items() if asked.fields}
+FORM = ".answer-form:has(legend:text-is('Check your answer to {} here'))"
+# Fill in each of several answers afresh, check it twice, and return both verdicts.
+CHECK_ALL = """(place, answers) => answers.map((answer) => {
+    const form = place.querySelector("form");
+    form.querySelectorAll("input").forEach((input, i) => { input.value = answer[i]; });
+    return [1, 2].map(() => {
+        form.requestSubmit();
+        return form.querySelector("output").textContent;
+    });
+})"""
+
+
+@pytest.fixture(scope="module")
+def pages(book: Path) -> dict[str, str]:
+    """The page of each exercise with a form."""
+    found = {}
+    for file in sorted((book / "book").glob("0*.html")):
+        page = BeautifulSoup(file.read_text("utf-8"), "html.parser")
+        for place in page.select(".answer-form"):
+            starter = place.find_previous_sibling("div", class_="cell").get_text()
+            [number] = [n for n in NUMERIC if f'check("{n}", answer)' in starter]
+            found[number] = f"book/{file.name}"
+    return found
+
+
+@pytest.fixture
+def form(browser: Any, site: str, pages: dict[str, str], request: Any) -> Iterator[Any]:
+    """The form of an exercise, in a browser."""
+    page = browser.new_page()
+    page.goto(f"{site}/{pages[request.param]}")
+    yield page.locator(FORM.format(request.param))
+    page.close()
+
+
+def answers_to(number: str) -> Iterator[list[float]]:
+    """Right and wrong answers, some of them just inside and just outside the tolerance."""
+    parts = list(NUMERIC[number].parts())
+    right = np.concatenate([part.right[-1] for part in parts])
+    bounds = np.concatenate([np.full(part.right.shape[1], part.within) for part in parts])
+    periods = np.concatenate([np.full(part.right.shape[1], part.period or 0) for part in parts])
+    for share in (0, 0.9, -0.9, 1.1, -2):
+        yield list(right + share * bounds)
+    yield list(right + periods)
+    yield list(right - 3 * periods)
+    for answer, _ in WRONG[number]:
+        numbers = (
+            (answer.multiplications, answer.additions)
+            if isinstance(answer, OperationCount)
+            else answer
+        )
+        yield list(np.ravel(getattr(numbers, "components", numbers)))
+
+
+def in_page(number: str, answer: Any) -> list[str]:
+    """What a form should say at the first and at the second check."""
+    first, second = (check(number, answer, hint) for hint in (1, 2))
+    if first.right:
+        return [first.text.capitalize()[:1] + first.text[1:]] * 2
+    text, _, _ = first.text.partition("\n")
+    return [f"N{text[1:]} For more, check again.", f"N{second.text[1:]}"]
+
+
+def test_every_numeric_exercise_has_its_form(pages: dict[str, str]) -> None:
+    assert set(pages) == set(NUMERIC)
+    assert len(set(pages.values())) == 8  # Chapter 1 asks for matrices and words.
+
+
+@pytest.mark.parametrize(("form", "number"), [(n, n) for n in NUMERIC], indirect=["form"])
+def test_the_verdict_is_pythons(form: Any, number: str) -> None:
+    answers = [list(map(float, answer)) for answer in answers_to(number)]
+    assert form.locator("label").count() == len(answers[0])
+    said = form.evaluate(CHECK_ALL, [[repr(x) for x in answer] for answer in answers])
+    shaped = [answer if len(answer) > 1 else answer[0] for answer in answers]
+    previous = ""
+    for answer, (first, second) in zip(shaped, said, strict=True):
+        expected = in_page(number, answer)
+        # The same kind of mistake twice in a row earns the second stage at once.
+        assert first == expected[previous == expected[0]], answer
+        assert second == expected[1], answer
+        previous = previous if second.startswith("Right.") else expected[0]
+    assert any(second.startswith("Right.") for _, second in said)
+
+
+@pytest.mark.parametrize("form", ["5.19"], indirect=True)
+def test_a_form_answers_the_keyboard(form: Any) -> None:
+    keyboard, field, status = form.page.keyboard, form.locator("input"), form.get_by_role("status")
+    field.focus()
+    for typed, said in (
+        ("", "Not answered yet."),
+        ("-", f"Expected {EXERCISES['5.19'].expects}."),
+        ("90", "Not yet. That is the answer for an eighth of the sphere. For more, check again."),
+        ("90", "Not yet. How large is the angle of this triangle at the pole?"),
+        ("0.7", "Not yet. Is this an angle in radians? For more, check again."),
+        ("-320", f"Right. {EXERCISES['5.19'].because}"),
+    ):
+        field.press("ControlOrMeta+a")
+        field.press("Delete")
+        keyboard.type(typed)
+        keyboard.press("Enter")
+        assert status.text_content() == said
+    assert form.page.get_by_label("angle °").count() == 1
+    assert form.page.url.endswith("05-orientations.html")
+
+
+@pytest.mark.parametrize("form", ["5.1"], indirect=True)
+def test_keys_stay_in_a_field_while_the_page_is_presented(form: Any) -> None:
+    page = form.page
+    page.locator(".page-head button").click()
+    while not form.is_visible():
+        page.keyboard.press("ArrowRight")
+    field = form.locator("input").first
+    field.fill("12")
+    field.press("Home")
+    page.keyboard.type("3")
+    assert field.input_value() == "312"
+    field.press("Escape")
+    assert page.locator("html.presenting").count() == 1

@@ -1,0 +1,212 @@
+"""The questions before one reads on: choices to open, each with an answer."""
+
+import re
+from pathlib import Path
+from typing import Any
+
+import nbformat
+import numpy as np
+import pytest
+from bs4 import BeautifulSoup
+
+from rotedu import scenes
+from rotedu.arcs import angle_between, arc_axis
+from rotedu.closed_curve import closed_curve
+from rotedu.control_points import bisect, control_points, double
+from rotedu.general_rotation import (
+    euler_angles,
+    matrix_from_euler_angles,
+    rotation_u,
+    rotation_v,
+    rotation_w,
+)
+from rotedu.ordinary_rotation import axis_angle, rotation_matrix
+from rotedu.orientations import nearest_rotation
+
+ROOT = Path(__file__).parents[1]
+AXE = ROOT / "node_modules" / "axe-core" / "axe.min.js"
+CHAPTERS = sorted((ROOT / "book").glob("0*.ipynb"))
+QUESTION = re.compile(r"^::::\{admonition\} [^\n]+\n:class: question\n(.*?)^::::$", re.M | re.S)
+CHOICE = re.compile(r"^:::\{dropdown\} ([^\n]+)\n(.*?)^:::$", re.M | re.S)
+VERDICT = re.compile(r"(Yes|No|Half true)\b")
+
+chapters = pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda chapter: chapter.stem)
+
+
+def text_of(chapter: Path) -> str:
+    cells = nbformat.read(chapter, as_version=4).cells
+    return "\n\n".join(cell.source for cell in cells if cell.cell_type == "markdown")
+
+
+def answers(stem: str) -> str:
+    """All that the answers on a page say."""
+    [question] = QUESTION.findall(text_of(ROOT / "book" / f"{stem}.ipynb"))
+    return "\n".join(answer for _, answer in CHOICE.findall(question))
+
+
+def degrees(angle: Any) -> float:
+    return float(np.rad2deg(angle))
+
+
+@chapters
+def test_a_chapter_asks_before_it_tells(chapter: Path) -> None:
+    """The first word of an answer is its verdict, and one choice is right."""
+    questions = QUESTION.findall(text_of(chapter))
+    assert questions
+    for question in questions:
+        choices = CHOICE.findall(question)
+        assert 2 <= len(choices) <= 4
+        verdicts = [VERDICT.match(answer) for _, answer in choices]
+        assert [match and match[0] for match in verdicts].count("Yes") == 1
+        assert None not in verdicts
+        # Class notebooks put choices into HTML, where a formula is not typeset.
+        assert not re.search(r"[$`*\[]", "".join(choice for choice, _ in choices))
+
+
+class TestWhatTheAnswersSay:
+    """The numbers in the answers, and what they claim, computed."""
+
+    def test_halfway(self) -> None:
+        turn = rotation_matrix([-1, -2, 2], 2 * np.arctan2(3, 4))
+        half = rotation_matrix([-1, -2, 2], np.arctan2(3, 4))
+        of_each = matrix_from_euler_angles(*(np.array(euler_angles(turn)) / 2))[:3, :3]
+        shorter = np.linalg.norm((np.eye(3) + turn)[:, 0]) / 2
+        off = degrees(axis_angle(of_each.T @ half)[1])
+        assert f"ends {off:.0f}° away" in answers("01-introduction")
+        assert f"to {shorter:.0%} of its length" in answers("01-introduction")
+
+    def test_two_mirrors(self) -> None:
+        def reflect(degrees: float) -> Any:
+            """The mirror at an angle, as a matrix of the plane at right angles to the axis."""
+            twice = 2 * np.deg2rad(degrees)
+            return np.array([[np.cos(twice), np.sin(twice)], [np.sin(twice), -np.cos(twice)]])
+
+        def green(blue: float, second: float = 60) -> float:
+            start = np.cos(np.deg2rad(blue)), np.sin(np.deg2rad(blue))
+            return degrees(np.arctan2(*(reflect(second) @ reflect(0) @ start)[::-1]))
+
+        assert green(-20) - green(-30) == pytest.approx(10)
+        assert green(-30, second=65) - green(-30) == pytest.approx(10)
+
+    def test_three_arrows(self) -> None:
+        r, n = np.array([0.3, 0.5, 0.6]), np.array([0, 0.6, 0.8])
+
+        def lengths(angle: float) -> Any:
+            cos, sin = np.cos(np.deg2rad(angle)), np.sin(np.deg2rad(angle))
+            arrows = cos * r, (1 - cos) * (r @ n) * n, sin * np.cross(n, r)
+            return [np.linalg.norm(arrow).round(9) for arrow in arrows]
+
+        assert lengths(180) == pytest.approx([np.linalg.norm(r), 2 * (r @ n), 0])
+        assert lengths(0) == pytest.approx([np.linalg.norm(r), 0, 0])
+        assert lengths(90)[0] == 0
+
+    def test_three_quarter_turns(self) -> None:
+        u, v, w = (turn(np.pi / 2)[:3, :3] for turn in (rotation_u, rotation_v, rotation_w))
+        for turn, axis, angle in ((w @ v @ u, [0, 1, 0], 90), (u @ v @ w, [1, 0, 1], 180)):
+            assert np.allclose(turn, rotation_matrix(axis, np.deg2rad(angle)))
+
+    def test_opposite_ends(self) -> None:
+        start, beyond = np.array([1, 0, 0]), np.array([-1, 0.01, 0])
+        sides = [arc_axis(start, end) for end in (beyond, beyond * [1, -1, 1])]
+        assert np.allclose(*(sides * np.array([[1], [-1]])))
+
+    def test_one_control_point(self) -> None:
+        points = np.array(scenes.FIGURE_8)
+        points /= np.linalg.norm(points, axis=1, keepdims=True)
+        moved = points.copy()
+        moved[2] = bisect(points[2], points[3])
+        changed = ~np.isclose(*(closed_curve(p, 100) for p in (points, moved))).all(axis=1)
+        # Every piece has changed somewhere.
+        assert changed.reshape(4, 100).any(axis=1).all()
+        a, b = control_points(points)
+        assert np.allclose(bisect(a, b), points)
+
+    def test_straight_ahead(self) -> None:
+        before, here = np.array([[1, 0, 0], [0.5, 0.75**0.5, 0]])
+        ahead = double(before, here)
+        a = bisect(here, bisect(ahead, ahead))
+        assert np.allclose(np.cross(before, here)[:2], 0)
+        assert a[2] == 0
+        assert f"{degrees(angle_between(here, a)):.0f}° away" in answers("05-control-points")
+
+    def test_carried_around(self) -> None:
+        targets = np.array(scenes.CAMERA_TARGETS)
+        trip = np.eye(3)
+        for start, end in zip(targets, np.roll(targets, -1, axis=0), strict=True):
+            axis = arc_axis(start, end)
+            assert abs(axis @ start) < 1e-12
+            trip = rotation_matrix(axis, angle_between(start, end)) @ trip
+        rolled = f"rolled by {degrees(axis_angle(trip)[1]):.0f}°"
+        assert answers("05-orientations").count(rolled) == 2
+
+    def test_worn_spoons(self) -> None:
+        matrix, quaternion = (
+            degrees(axis_angle(nearest_rotation(worn))[1]) for worn in scenes.worn_rotations()
+        )
+        said = answers("06-conclusions")
+        assert f"it is {matrix:.0f} degrees off instead of {quaternion:.0f}" in said
+        assert f"matrix is {matrix:.0f} degrees off, the quaternion {quaternion:.0f}" in said
+
+
+@chapters
+def test_a_page_offers_its_choices_as_native_elements(book: Path, chapter: Path) -> None:
+    html = (book / "book" / f"{chapter.stem}.html").read_text("utf-8")
+    page = BeautifulSoup(html, "html.parser")
+    groups = page.select(".question")
+    written = QUESTION.findall(text_of(chapter))
+    assert len(groups) == len(written)
+    for group, question in zip(groups, written, strict=True):
+        assert group["role"] == "group"
+        [name] = page.select(f"#{group['aria-labelledby']}")
+        assert name.get_text().endswith("?") or "?" in name.get_text()
+        choices = group.find_all("details", recursive=False)
+        summaries = [choice.summary.get_text().strip() for choice in choices]
+        assert summaries == [choice for choice, _ in CHOICE.findall(question)]
+        for choice in choices:
+            assert not choice.has_attr("open")
+            assert VERDICT.match(choice.select_one(".sd-summary-content").get_text().strip())
+
+
+def test_choices_open_by_keyboard_without_scripts(browser: Any, site: str) -> None:
+    page = browser.new_page(java_script_enabled=False)
+    page.goto(f"{site}/book/03-ordinary-rotation.html")
+    choices = page.locator(".question details")
+    first, second = (choices.nth(k) for k in (0, 1))
+    first.locator("summary").focus()
+    for key, choice in (("Enter", first), ("Space", second)):
+        answer = choice.locator(".sd-summary-content")
+        assert not answer.is_visible()
+        page.keyboard.press(key)
+        assert answer.is_visible()
+        page.keyboard.press("Tab")
+    # Answers can be compared.
+    assert first.locator(".sd-summary-content").is_visible()
+    assert page.locator(".answer-form input").count() == 0
+    page.close()
+
+
+def test_a_finger_can_hit_a_choice(browser: Any, site: str) -> None:
+    page = browser.new_page(viewport={"width": 390, "height": 900}, has_touch=True)
+    heights = []
+    for chapter in CHAPTERS:
+        page.goto(f"{site}/book/{chapter.stem}.html")
+        boxes = page.locator(".question summary, .answer-form :is(input, button)")
+        heights += boxes.evaluate_all("all => all.map(box => box.getBoundingClientRect().height)")
+    page.close()
+    assert min(heights) >= 44
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_axe_finds_nothing(browser: Any, site: str, scheme: str) -> None:
+    if not AXE.exists():
+        pytest.skip("axe is not installed: make audit does it")
+    page = browser.new_page(color_scheme=scheme)
+    page.goto(f"{site}/book/03-ordinary-rotation.html")
+    page.evaluate("document.querySelectorAll('.question details').forEach(one => one.open = true)")
+    page.locator(".answer-form input").last.fill("0.001")
+    page.locator(".answer-form button").last.click()
+    page.add_script_tag(path=AXE)
+    where = "{include: ['.question', '.answer-form']}"
+    run = f"axe.run({where}).then(({{violations}}) => violations.map(({{id}}) => id))"
+    assert page.evaluate(run) == []
+    page.close()

@@ -154,7 +154,8 @@ def test_escape_leaves_where_the_reader_was(page: Any) -> None:
     page.keyboard.press("Escape")
     assert len(page.evaluate(VISIBLE)) == page.locator("article section").count()
     assert not page.get_by_role("navigation", name="Sections").is_visible()
-    assert 0 <= page.locator("#rodrigues-formula > h2").bounding_box()["y"] < 200
+    # A browser scrolls to a whole pixel.
+    assert -1 < page.locator("#rodrigues-formula > h2").bounding_box()["y"] < 200
     page.keyboard.press("ArrowRight")
     assert len(page.evaluate(VISIBLE)) > 1
     page.get_by_role("button", name="Present").click()

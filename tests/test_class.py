@@ -36,14 +36,14 @@ TITLE = re.compile(r"^# \w.*", re.MULTILINE)
 EXERCISE = re.compile(r"^\*\*Exercise ([\d.]+)\*\*", re.MULTILINE)
 SOLUTION = re.compile(r"# Solution of Exercise ([\d.]+)$", re.MULTILINE)
 REASONS = re.compile(r"^:::\{dropdown\} Why\n(.*?)^:::$", re.MULTILINE | re.DOTALL)
-BOX = re.compile(r"^:class: (\w+)$", re.MULTILINE)
+BOX = re.compile(r"^:class: (\w+)", re.MULTILINE)
 TITLE_OF_QUESTION = "Before you read on"
 QUESTION = re.compile(
     rf"^::::\{{admonition\}} {TITLE_OF_QUESTION}\n(.*?)^::::$", re.MULTILINE | re.DOTALL
 )
 CHOICE = re.compile(r"^:::\{dropdown\} (.+)$", re.MULTILINE)
 TAG = re.compile(r"\\tag\{(.*?)\}")
-LABEL = re.compile(r"^\$\$ \(eq-(.*)\)$", re.MULTILINE)
+LABEL = re.compile(r"^:label: eq-(.*)$", re.MULTILINE)
 ANCHOR = re.compile(r'\bid="([^"]+)"')
 BORDER = re.compile(r"border-left: 4px solid (#\w+)")
 MYST = re.compile(r"^:::|^:\w+: |^\(.+\)=|\{[\w:]+\}`|\$\$ \(|<!--|\\def", re.MULTILINE)

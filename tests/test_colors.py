@@ -19,7 +19,9 @@ MACROS = {rf"\{name.lower()}": rf"\textcolor{{#{CODES[name]}}}{{#1}}" for name i
 DEFINITIONS = "\n".join(
     (
         "---",
-        "<!--: Colours of formulas, for MyST in JupyterLab and for MathJax",
+        "<!--: Numbers of equations, colours of formulas: for MyST in JupyterLab and for MathJax",
+        "numbering:",
+        "  equation: false",
         "math:",
         *(f"  {macro}: {meaning}" for macro, meaning in MACROS.items()),
         "# -->",

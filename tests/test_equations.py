@@ -25,7 +25,8 @@ from rotedu.edition.equations import (
 from rotedu.edition.errata import ERRATA, errata_table
 
 NUMBERED = {2: 6, 3: 3, 4: 7, 5: 15}
-EQUATION_LABEL = re.compile(r"^\$\$ \((eq-[^)]*)\)$|^:label: (eq-.*)$", re.MULTILINE)
+ENUMERATOR = re.compile(r"^:label: (.*)\n:enumerated: true\n:enumerator: (.*)$", re.MULTILINE)
+EQUATION_LABEL = re.compile(r"^:label: (eq-.*)$", re.MULTILINE)
 CAPTION = re.compile(r"^\*\*Figure (\d+)\.\*\*", re.MULTILINE)
 LINK = re.compile(r"\]\(#([\w-]+)\)")
 
@@ -69,6 +70,10 @@ class TestEquations:
     def test_each_label_is_on_one_page(self) -> None:
         labels = Counter(label for (label,) in found(EQUATION_LABEL))
         assert labels == Counter(row.label for row in EQUATIONS)
+
+    def test_jupyterlab_shows_the_same_numbers(self) -> None:
+        expected = [(row.label, row.number) for row in EQUATIONS]
+        assert sorted(found(ENUMERATOR)) == sorted(expected)
 
     @pytest.mark.parametrize("row", EQUATIONS, ids=lambda row: row.number)
     def test_what_is_not_as_printed_says_why(self, row: Equation) -> None:

@@ -35,6 +35,15 @@ class TestNotebook:
                 assert output.get("name") != "stderr"
                 assert not [mime for mime in output.get("data", {}) if mime.startswith("image/")]
 
+    def test_is_folded_in_jupyterlab_as_in_the_book(self, file: Path) -> None:
+        for cell in code_cells(file):
+            tags = set(cell.metadata.get("tags", []))
+            folded = cell.metadata.get("jupyter", {})
+            assert ("source_hidden" in folded) == bool(
+                tags & {"hide-input", "remove-input", "hide-cell"}
+            )
+            assert ("outputs_hidden" in folded) == ("hide-cell" in tags)
+
     def test_shows_no_private_function(self, file: Path) -> None:
         """A listing is a public function; operators are methods with two underscores."""
         shown = [name for cell in code_cells(file) for name in SHOWN.findall(cell.source)]

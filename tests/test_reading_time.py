@@ -14,7 +14,13 @@ A [link of five words](elsewhere.md), a role: {cite:t}`one2000`, and $x + y$.
 
 $$
 a = b
-$$ (eq-1-1)
+$$
+
+:::{math}
+:label: eq-1-1
+
+b = a
+:::
 
 ```python
 one = 1
@@ -47,8 +53,8 @@ def test_what_is_counted(tmp_path: Path) -> None:
     page.write_text(PAGE, "utf-8")
     title, sentence, caption, folded, end = 3, 10, 4, 5, 4
     counted = count(page)
-    assert counted == (title + sentence + caption + folded + end, 2, 1, 1, 15)
-    assert counted.minutes == 2  # 26 words at 0.3 s, 2 lines at 5, a formula at 20, a figure at 30
+    assert counted == (title + sentence + caption + folded + end, 2, 2, 1, 15)
+    assert counted.minutes == 2  # 26 words at 0.3 s, 2 lines at 5, 2 formulas at 20, a figure at 30
     assert counted.time == "**Time** 2 minutes to read, 15 for the exercises."
 
 

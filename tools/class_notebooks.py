@@ -39,6 +39,7 @@ CAPTION = re.compile(r"\*\*((?:Figure|Picture) [\w-]+)\.\*\*")
 EXERCISE = re.compile(r"^\*\*Exercise ([\d.]+)\*\* \((.+), (\d+) minutes\)", re.MULTILINE)
 SOLUTION = re.compile(r"# Solution of Exercise ([\d.]+)\n")
 DIRECTIVE = re.compile(r"\{(admonition|dropdown)\} (.+)")
+EQUATION = re.compile(r":label: (eq-(.+))\n(?::.*\n)*\n")
 BOX = re.compile(r":class: (\w+).*\n+")
 BOXES = {
     "claim": colors.VECTOR,
@@ -96,8 +97,9 @@ def caption_anchor(source: str) -> str:
 def anchors(text: str) -> Iterator[tuple[str, str]]:
     """Yield the names that links may use, each with its name on the page of the book."""
     for token, source in blocks(text):
-        if token.type == "math_block_label":
-            yield token.info, f"equation-{token.info}"
+        if token.info == "{math}":
+            label = EQUATION.match(token.content)[1]
+            yield label, f"equation-{label}"
         elif name := token.content if token.type == "myst_target" else caption_anchor(source):
             yield name, name
 
@@ -105,6 +107,13 @@ def anchors(text: str) -> Iterator[tuple[str, str]]:
 def coloured(formula: str) -> str:
     """Write out the macros for colours, which other places do not define."""
     return MACRO.sub(lambda m: rf"\textcolor{{{getattr(colors, m[1].upper())}}}", formula)
+
+
+def numbered(equation: str) -> str:
+    """Return an equation with its number, from the options and the formula of a directive."""
+    options = EQUATION.match(equation)
+    formula = coloured(equation[options.end() :].strip())
+    return f'<div id="{options[1]}"></div>\n\n$$\n{formula}\n\\tag{{{options[2]}}}\n$$'
 
 
 def quotation(color: str, title: str, body: str) -> str:
@@ -198,6 +207,8 @@ class Classroom:
 
     def directive(self, page: str, token: Token) -> str:
         """Return a box as a coloured quotation, a folded text as HTML that folds."""
+        if token.info == "{math}":
+            return numbered(token.content)
         directive = DIRECTIVE.fullmatch(token.info)
         if directive is None:
             raise ValueError(f"{page}: cannot write {token.info!r} without MyST")
@@ -223,10 +234,6 @@ class Classroom:
                     written.append(self.directive(page, token))
                 case "math_block":
                     written.append(f"$$\n{coloured(token.content.strip())}\n$$")
-                case "math_block_label":
-                    number = token.info.removeprefix("eq-")
-                    formula = f"{coloured(token.content.strip())}\n\\tag{{{number}}}"
-                    written.append(f'<div id="{token.info}"></div>\n\n$$\n{formula}\n$$')
                 case "myst_target":
                     written.append(f'<div id="{token.content}"></div>')
                 case "fence" | "code_block":
@@ -256,13 +263,11 @@ class Classroom:
         tags = cell.metadata.get("tags", [])
         table = "".join(output.get("data", {}).get("text/markdown", "") for output in cell.outputs)
         if "](" not in table:
-            folded = {"hide-input", "remove-input"} & set(tags)
-            yield code_cell(cell, "source") if folded else code_cell(cell)
+            yield code_cell(cell)
             return
         if "remove-input" not in tags:
             # Shown by Python, the links of the table would lead nowhere.
-            silent = NotebookNode(cell, source=f"{cell.source};", outputs=[])
-            yield code_cell(silent, "source")
+            yield code_cell(NotebookNode(cell, source=f"{cell.source};", outputs=[]))
         yield new_markdown_cell(self.markdown(page, table), id=f"{cell.id}-table")
 
     def cells(self, page: str, reader: Reader) -> Iterator[NotebookNode]:
@@ -279,7 +284,7 @@ class Classroom:
                     yield new_markdown_cell(text, id=cell.id)
             solved = solves(cell)
             if solved and reader == "teacher":
-                yield code_cell(cell, "source", "outputs")
+                yield code_cell(cell)
             elif solved and reader == "nbgrader":
                 yield from marked(cell, solved)
             elif cell.cell_type == "code" and not solved:
@@ -313,9 +318,9 @@ def solves(cell: NotebookNode) -> str:
     return first_line[1] if tags and first_line else ""
 
 
-def code_cell(cell: NotebookNode, *folded: str) -> NotebookNode:
-    """Return a cell before it runs, with what it will print; source or outputs may be folded."""
-    metadata = {"jupyter": {f"{part}_hidden": True for part in folded}} if folded else {}
+def code_cell(cell: NotebookNode) -> NotebookNode:
+    """Return a cell before it runs, with what it will print, folded as in the book."""
+    metadata = {"jupyter": cell.metadata.jupyter} if "jupyter" in cell.metadata else {}
     outputs = [NotebookNode(output) for output in cell.outputs]
     for output in outputs:
         if "execution_count" in output:

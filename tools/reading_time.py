@@ -24,7 +24,7 @@ EXERCISES = re.compile(r"^## Exercises$.*?(?=^## |\Z)", re.MULTILINE | re.DOTALL
 EXERCISE = re.compile(r"^\*\*Exercise [\d.]+\*\* \([^)]*?(\d+) minutes?\)", re.MULTILINE)
 TIME = re.compile(r"\*\*Time\*\* .*? for the exercises\.|\*\*Time\*\* \d+ minutes to read\.")
 FIGURE = re.compile(r"^\*\*(?:Figure|Picture) [\w-]+\.\*\*", re.MULTILINE)
-FORMULA = re.compile(r"\$\$.*?\$\$(?: *\([\w-]+\))?", re.DOTALL)
+FORMULA = re.compile(r"\$\$.*?\$\$|:::\{math\}.*?:::", re.DOTALL)
 LISTING = re.compile(r"```.*?\n(.*?)```", re.DOTALL)
 # Markup that nobody reads: comments, options and fences of directives, targets of links, roles.
 MARKS = re.compile(

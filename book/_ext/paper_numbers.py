@@ -1,10 +1,15 @@
-"""Give equations the numbers of the paper: the label ``eq-3-1`` gets the number (3-1)."""
+"""Give equations the numbers of the paper: the label ``eq-3-1`` gets the number (3-1).
+
+Beside its label, an equation has the two options by which MyST in JupyterLab numbers it.
+"""
 
 from typing import Any
 
 from docutils import nodes
+from docutils.parsers.rst import directives
 from sphinx import addnodes
 from sphinx.application import Sphinx
+from sphinx.directives.patches import MathDirective
 from sphinx.domains.math import MathDomain
 from sphinx.transforms import SphinxTransform
 
@@ -20,6 +25,15 @@ class PaperMathDomain(MathDomain):
         if not labelid.startswith(PREFIX):
             raise ValueError(f"equation label: expected {PREFIX}<number>, got {labelid!r}")
         self.equations[labelid] = (docname, labelid.removeprefix(PREFIX))  # type: ignore[assignment]
+
+
+class NumberedEquation(MathDirective):
+    """Sphinx's directive, with the options ``enumerated`` and ``enumerator``."""
+
+    option_spec = MathDirective.option_spec | {
+        "enumerated": directives.unchanged,
+        "enumerator": directives.unchanged,
+    }
 
 
 class IndexNumbers(SphinxTransform):
@@ -38,7 +52,8 @@ class IndexNumbers(SphinxTransform):
 
 
 def setup(app: Sphinx) -> dict[str, Any]:
-    """Replace Sphinx's own domain, and register the step."""
+    """Replace Sphinx's own domain and directive, and register the step."""
     app.add_domain(PaperMathDomain, override=True)
+    app.add_directive("math", NumberedEquation, override=True)
     app.add_transform(IndexNumbers)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -19,7 +19,7 @@ MACROS = {rf"\{name.lower()}": rf"\textcolor{{#{CODES[name]}}}{{#1}}" for name i
 DEFINITIONS = "\n".join(
     (
         "---",
-        "<!--: Numbers of equations, colours of formulas: for MyST in JupyterLab and for MathJax",
+        "<!--: Numbers and colours of formulas, for MyST in JupyterLab and for MathJax",
         "numbering:",
         "  equation: false",
         "math:",

@@ -140,12 +140,11 @@ def test_fonts_are_in_the_pdf(pdf: PdfReader) -> None:
     for page in pdf.pages:
         for font in page["/Resources"].get("/Font", {}).values():
             font = font.get_object()
-            if font["/Subtype"] == "/Type3":
+            if font["/Subtype"] == "/Type3":  # its letters are drawings in the file
                 continue
             details = font.get("/DescendantFonts", [font])[0].get_object()["/FontDescriptor"]
             assert {"/FontFile", "/FontFile2", "/FontFile3"} & set(details.get_object())
             names.add(font["/BaseFont"])
-    assert any("SourceSerif" in name for name in names)
     assert any("KaTeX" in name for name in names)
 
 

@@ -45,6 +45,12 @@ SHOW_FORMULAS = """() => document.querySelectorAll(".katex").forEach(formula => 
     formula.querySelector(".katex-html").removeAttribute("aria-hidden");
 })"""
 
+# Chromium makes no target of some of the signatures of functions, but of a text in them it does.
+NAME_SIGNATURES = """() => document.querySelectorAll("dt.sig[id]").forEach(signature => {
+    signature.querySelector(".descname").id = signature.id;
+    signature.removeAttribute("id");
+})"""
+
 NUMBER_CONTENTS = """pages => document.querySelectorAll("#contents a").forEach(link => {
     const number = document.createElement("span");
     number.className = "page-number";
@@ -73,9 +79,10 @@ def starts(pdf: Path) -> dict[str, int]:
 
 def print_pages(page: Any) -> None:
     """Print the page that holds the whole book."""
-    page.goto((BUILD / "singlehtml" / "index.html").as_uri())
+    page.goto((BUILD / "singlehtml" / "index.html").as_uri(), timeout=180_000)
     page.add_style_tag(content=page.evaluate(RUNNING_TITLES))
     page.evaluate(SHOW_FORMULAS)
+    page.evaluate(NAME_SIGNATURES)
     page.evaluate("document.fonts.ready")
     page.pdf(**PRINT)
     page.evaluate(NUMBER_CONTENTS, starts(PDF))

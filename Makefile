@@ -7,7 +7,7 @@ READY := .venv/made-by-$(shell $(PYTHON) -c 'import sys; print("python%d.%d" % s
 # The viewer for notebooks.
 VIEWER := rotedu/figures/static/figure.js
 
-.PHONY: book test test-slow audit bench mutate lab class notebooks lock clean help
+.PHONY: book test test-slow audit bench mutate lab class pdf epub notebooks lock clean help
 .DEFAULT_GOAL := help
 
 help: ## list the targets
@@ -42,6 +42,12 @@ lab: $(READY) $(VIEWER) ## open the notebooks in JupyterLab, with figures that t
 
 class: $(READY) ## write notebooks for a class, with and without solutions
 	$(BIN)/python tools/class_notebooks.py
+
+pdf: $(READY) .venv/browser ## print the book into _build/pdf
+	$(BIN)/python tools/print_book.py pdf
+
+epub: $(READY) ## write the book for e-readers into _build/epub
+	$(BIN)/python tools/print_book.py epub
 
 notebooks: $(READY) ## run the notebooks and store what they print
 	$(BIN)/python tools/run_notebooks.py

@@ -17,6 +17,7 @@ from sphinx.config import Config
 ROOT = Path(__file__).parents[2]
 FRAME = (
     "book/_ext/**/*",
+    "book/_paper/**/*",
     "book/_static/**/*",
     "viewer/**/*",
     # Every page links to it.

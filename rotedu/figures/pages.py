@@ -4,6 +4,8 @@ A scene is a box with the shape of its picture. It contains the poster and, over
 element for each label, placed in per cent of the box so that it keeps its place at any size. A
 reader sees this without any script. On pages with scenes a small script waits until they come near
 the screen, and then makes them live.
+
+On paper and in an EPUB (every builder but ``html``) the poster and its labels are all there is.
 """
 
 import base64
@@ -22,6 +24,8 @@ from sphinx.application import Sphinx
 from rotedu.figures.backend import MIME_TYPE
 
 NO_SCRIPT = "This figure can be turned where JavaScript is on."
+ON_PAPER = "Online, this figure answers the hand: its points and sliders can be moved."
+BUILDERS = ("html", "singlehtml", "epub")
 
 
 class scene(addnodes.download_reference):  # noqa: N801 (docutils names nodes so)
@@ -43,7 +47,9 @@ class explorable(addnodes.download_reference):  # noqa: N801
 class SceneRenderer:
     """Renderer of MyST-NB for the notebook output of a scene."""
 
-    mime_priority_overrides: ClassVar[list[tuple[str, str, int]]] = [("html", MIME_TYPE, 1)]
+    mime_priority_overrides: ClassVar[list[tuple[str, str, int]]] = [
+        (builder, MIME_TYPE, 1) for builder in BUILDERS
+    ]
 
     @staticmethod
     def handle_mime(renderer: Any, data: Any, inline: bool) -> list[nodes.Element] | None:
@@ -92,8 +98,16 @@ def write_file(renderer: Any, content: bytes, suffix: str) -> str:
     return str(renderer.write_file([f"scene-{digest}.{suffix}"], content, exists_ok=True))
 
 
+def is_live(writer: Any) -> bool:
+    """Tell whether figures can move where a writer's pages are read."""
+    return bool(writer.builder.name == "html")
+
+
 def visit_scene(writer: Any, node: scene) -> None:
     """Open the box in the shape of the picture."""
+    if not is_live(writer):
+        writer.body.append('<div class="scene">')
+        return
     attributes = {
         "style": f"aspect-ratio: {node['width']} / {node['height']}",
         "data-scene": posixpath.join(writer.builder.dlpath, node["filename"]),
@@ -104,11 +118,14 @@ def visit_scene(writer: Any, node: scene) -> None:
 def depart_scene(writer: Any, node: scene) -> None:
     """Close the box."""
     writer.body.append("</div>\n")
-    writer.body.append(f'<noscript><p class="scene-message">{NO_SCRIPT}</p></noscript>\n')
+    if is_live(writer):
+        writer.body.append(f'<noscript><p class="scene-message">{NO_SCRIPT}</p></noscript>\n')
 
 
 def visit_explorable(writer: Any, node: explorable) -> None:
     """Open the box around a scene and its panel."""
+    if not is_live(writer):
+        return
     attributes = {
         "data-name": node["title"],
         "data-explore": posixpath.join(writer.builder.dlpath, node["filename"]),
@@ -119,26 +136,34 @@ def visit_explorable(writer: Any, node: explorable) -> None:
 
 def depart_explorable(writer: Any, node: explorable) -> None:
     """Write the panel and close the box."""
-    writer.body.append(f"{node['panel']}</div>\n")
+    panel = f"{node['panel']}</div>" if is_live(writer) else f'<p class="scene-note">{ON_PAPER}</p>'
+    writer.body.append(f"{panel}\n")
 
 
 def visit_scene_poster(writer: Any, node: scene_poster) -> None:
     """Write the picture with its path among the pictures of the book."""
     source = posixpath.join(writer.builder.imgpath, writer.builder.images[node["uri"]])
-    attributes = {key: node[key] for key in ("alt", "width", "height")} | {"loading": "lazy"}
+    attributes = {key: node[key] for key in ("alt", "width", "height")}
+    if is_live(writer):
+        attributes["loading"] = "lazy"
     writer.body.append(writer.emptytag(node, "img", CLASS="scene-poster", src=source, **attributes))
     raise nodes.SkipNode
 
 
 def visit_scene_label(writer: Any, node: scene_label) -> None:
     """Open a label at its place over the poster."""
-    attributes = {
-        "style": f"--left: {node['left']:.2%}; --top: {node['top']:.2%}",
-        "data-position": " ".join(f"{coordinate:.6g}" for coordinate in node["position"] or ()),
-        "data-label": node["name"],
-    }
-    if node["hidden"]:
-        attributes["data-hidden"] = ""
+    if is_live(writer):
+        attributes = {
+            "style": f"--left: {node['left']:.2%}; --top: {node['top']:.2%}",
+            "data-position": " ".join(f"{coordinate:.6g}" for coordinate in node["position"] or ()),
+            "data-label": node["name"],
+        }
+        if node["hidden"]:
+            attributes["data-hidden"] = ""
+    elif node["hidden"]:
+        raise nodes.SkipNode
+    else:
+        attributes = {"style": f"left: {node['left']:.2%}; top: {node['top']:.2%}"}
     writer.body.append(writer.starttag(node, "span", "", CLASS="scene-label", **attributes))
     # The colour has an element of its own, because the viewer rewrites the style of the outer one.
     writer.body.append(f'<span style="color: {node["color"]}">')
@@ -157,7 +182,7 @@ def add_viewer(
     doctree: nodes.document | None,
 ) -> None:
     """Load styles and script on a page that has scenes."""
-    if doctree and next(iter(doctree.findall(scene)), None):
+    if app.builder.name == "html" and doctree and next(iter(doctree.findall(scene)), None):
         app.add_css_file("scene/scene.css")
         app.add_js_file("scene/loader.js", loading_method="defer")
 

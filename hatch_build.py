@@ -1,7 +1,5 @@
-"""Bundles the viewer for notebooks, which wheel and source distribution carry and git does not."""
+"""Lets wheel and source distribution carry the viewer for notebooks, which git does not."""
 
-import shutil
-import subprocess
 from pathlib import Path
 from typing import Any
 
@@ -15,17 +13,10 @@ The viewer for notebooks is missing. Make it in the checkout, then build again:
 
 
 class BundledViewer(BuildHookInterface):
-    """Makes the bundle where Node and its libraries are; elsewhere takes the one that is there."""
+    """Refuses a build without the viewer; an editable installation does without it."""
 
     def initialize(self, version: str, build_data: dict[str, Any]) -> None:
         """Run before a build."""
-        root = Path(self.root)
-        static = root / "rotedu" / "figures" / "static"
-        node = shutil.which("node")
-        if version == "editable":
-            return
-        if node and (root / "node_modules" / "esbuild").exists():
-            command = [node, root / "viewer" / "build.js", "--notebook", static]
-            subprocess.run(command, check=True)
-        if not (static / "figure.js").exists():
+        viewer = Path(self.root, "rotedu", "figures", "static", "figure.js")
+        if version != "editable" and not viewer.exists():
             self.app.abort(HELP)

@@ -3,6 +3,7 @@
 import base64
 import io
 import json
+import os
 import struct
 from typing import Any
 
@@ -15,7 +16,7 @@ from nbclient import NotebookClient
 from PIL import Image
 
 from rotedu import scenes
-from rotedu.figures import describe
+from rotedu.figures import backend, describe
 from rotedu.figures.backend import MIME_TYPE, POSTER_SCALE, book_figure, scene_labels
 from rotedu.figures.gltf import scene_gltf
 from rotedu.scenes import parts
@@ -340,3 +341,28 @@ class TestStillPicture:
         assert np.asarray(picture).std() > 1
         # conftest.py sets PYVISTA_JUPYTER_BACKEND, so other backends were not loaded.
         assert after.outputs[0].text == "None False\n"
+
+
+@pytest.mark.parametrize("handler", [book_figure, backend.still_picture])
+def test_without_opengl_a_picture_is_refused_in_words(
+    handler: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(backend, "needs_no_display", lambda: True)
+    monkeypatch.setattr(backend, "can_load", lambda _: False)
+    with pytest.raises(RuntimeError, match="the package libosmesa6 or libegl1 on Debian"):
+        handler(scenes.figure_1())
+
+
+def test_one_opengl_library_is_enough(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(backend, "needs_no_display", lambda: True)
+    monkeypatch.setattr(backend, "can_load", "libEGL.so.1".__eq__)
+    backend.require_opengl()
+    # Set first, so that it is restored even if it was not there.
+    monkeypatch.setenv("VTK_DEFAULT_OPENGL_WINDOW", "")
+    monkeypatch.delenv("VTK_DEFAULT_OPENGL_WINDOW")
+    backend.choose_render_window()
+    assert os.environ["VTK_DEFAULT_OPENGL_WINDOW"] == "vtkEGLRenderWindow"
+
+
+def test_a_library_that_is_missing_cannot_be_loaded() -> None:
+    assert not backend.can_load("libNobodyHasThis.so.8")

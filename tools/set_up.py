@@ -15,7 +15,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).parents[1]
 VENV = ROOT / ".venv"
-PYTHON = VENV / "bin" / "python"
+PYTHON = VENV / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
 OLDEST, NEWEST = (3, 11), (3, 13)
 
 # Runs in a process of its own, because VTK crashes without an OpenGL library.
@@ -43,9 +43,14 @@ def say(text: str) -> None:
     print(f"[set-up] {text}", flush=True)
 
 
+def is_root() -> bool:
+    """Tell whether this user may change the system; Windows does not say."""
+    return hasattr(os, "geteuid") and os.geteuid() == 0
+
+
 def apt_install(package: str) -> bool:
     """Install a Debian package if apt is there and this user may use it."""
-    if not shutil.which("apt-get") or os.geteuid() != 0:
+    if not shutil.which("apt-get") or not is_root():
         return False
     say(f"installing the system package {package}")
     quiet = {"env": os.environ | {"DEBIAN_FRONTEND": "noninteractive"}, "stdout": sys.stderr}
@@ -54,14 +59,18 @@ def apt_install(package: str) -> bool:
     return subprocess.run(install, **quiet).returncode == 0
 
 
-def refuse_other_pythons() -> None:
-    """Stop if the locked packages do not support this Python."""
-    if not OLDEST <= sys.version_info[:2] <= NEWEST:
-        here, oldest, newest = ("{}.{}".format(*v) for v in (sys.version_info, OLDEST, NEWEST))
-        sys.exit(
-            f"rotedu needs Python {oldest} to {newest}, not {here} ({sys.executable}): "
-            f"call make with, for example, PYTHON=python{newest}"
-        )
+def refusal(major: int, minor: int) -> str:
+    """Say in one line why a Python is refused, or nothing if the locked packages support it.
+
+    A Python as old as 3.6 can still read this file, and so gets that line.
+    """
+    if OLDEST <= (major, minor) <= NEWEST:
+        return ""
+    here, oldest, newest = ("{}.{}".format(*v) for v in ((major, minor), OLDEST, NEWEST))
+    return (
+        f"rotedu needs Python {oldest} to {newest}, not {here}: "
+        f"call make with, for example, PYTHON=python{newest}"
+    )
 
 
 def made_by_this_python() -> bool:
@@ -122,7 +131,9 @@ def find_browser() -> None:
 
 
 if __name__ == "__main__":
-    refuse_other_pythons()
+    refused = refusal(*sys.version_info[:2])
+    if refused:
+        sys.exit(refused)
     if "--browser" in sys.argv:
         find_browser()
     else:

@@ -49,6 +49,8 @@ class AddForms(SphinxPostTransform):
     """Put a form below each starter cell with a check of numbers."""
 
     default_priority = 5
+    # Paper runs no script.
+    builders = ("html",)
 
     def run(self, **_: Any) -> None:
         """Find the cells by their last line; solutions end with the same one, but are folded."""

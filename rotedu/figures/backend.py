@@ -17,6 +17,7 @@ import numpy as np
 import pyvista
 from IPython import get_ipython
 from PIL import Image
+from vtkmodules.vtkCommonCore import vtkLogger
 from vtkmodules.vtkRenderingLabel import vtkPointSetToLabelHierarchy
 
 from rotedu.figures.frames import shown
@@ -26,22 +27,54 @@ MIME_TYPE = "application/vnd.pyvista.scene+json"
 POSTER_SCALE = 2
 # Samples across each pixel of the poster, and as many down.
 POSTER_SAMPLES = 2
+# Libraries that draw without a display, and the window of VTK for each. OSMesa needs no device.
+WINDOWS = {"libOSMesa.so.8": "vtkOSOpenGLRenderWindow", "libEGL.so.1": "vtkEGLRenderWindow"}
+NO_OPENGL = (
+    "a picture needs an OpenGL library, and this machine has none. Install one, then restart the"
+    " kernel: the package libosmesa6 or libegl1 on Debian and Ubuntu,"
+    " mesa-libEGL with mesa-dri-drivers on Fedora"
+)
+
+
+def can_load(library: str) -> bool:
+    """Tell whether the system has a shared library."""
+    try:
+        ctypes.CDLL(library)
+    except OSError:
+        return False
+    return True
+
+
+def needs_no_display() -> bool:
+    """Tell whether VTK has to draw with one of `WINDOWS`."""
+    return sys.platform == "linux" and not os.environ.get("DISPLAY")
 
 
 def choose_render_window() -> None:
     """Tell VTK which off-screen window to use where there is no display.
 
-    Otherwise VTK would try the display first and complain on stderr, in the middle of the page.
-    OSMesa draws without any device. Where it is missing, VTK uses EGL.
+    Otherwise VTK would try the display first and complain on stderr, in the middle of the page. A
+    widget needs no picture, so without any library VTK gets a window that only must not be drawn.
     """
-    if sys.platform != "linux" or os.environ.get("DISPLAY"):
+    if not needs_no_display():
         return
-    try:
-        ctypes.CDLL("libOSMesa.so.8")
-        window = "vtkOSOpenGLRenderWindow"
-    except OSError:
-        window = "vtkEGLRenderWindow"
+    found = [window for library, window in WINDOWS.items() if can_load(library)]
+    if not found:
+        vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_ERROR)
+    window = found[0] if found else "vtkEGLRenderWindow"
     os.environ.setdefault("VTK_DEFAULT_OPENGL_WINDOW", window)
+
+
+def require_opengl() -> None:
+    """Refuse to draw a picture where VTK would crash.
+
+    Raises
+    ------
+    RuntimeError
+        If there is no display and no library that draws without one.
+    """
+    if needs_no_display() and not any(map(can_load, WINDOWS)):
+        raise RuntimeError(NO_OPENGL)
 
 
 choose_render_window()
@@ -105,7 +138,10 @@ def book_figure(plotter: pyvista.Plotter, **_: object) -> BookFigure:
     ------
     ValueError
         If the scene has no alternative text, or contains something that a page cannot show.
+    RuntimeError
+        If there is no OpenGL library.
     """
+    require_opengl()
     alt = getattr(plotter, "alt_text", None)
     if alt is None:
         raise ValueError(
@@ -136,7 +172,13 @@ def still_picture(plotter: pyvista.Plotter, **_: object) -> Image.Image:
     -------
     PIL.Image.Image
         The picture.
+
+    Raises
+    ------
+    RuntimeError
+        If there is no OpenGL library.
     """
+    require_opengl()
     plotter.render()
     close_after_cell(plotter)
     return Image.fromarray(np.asarray(plotter.screenshot(return_img=True)))

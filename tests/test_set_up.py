@@ -1,0 +1,79 @@
+"""The set-up refuses a Python that it does not support, and finds that of the environment."""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+
+import pytest
+import set_up
+
+ROOT = Path(__file__).parents[1]
+
+
+@pytest.mark.parametrize("minor", [6, 10, 14])
+def test_another_python_is_refused_in_one_line(minor: int) -> None:
+    told = set_up.refusal(3, minor)
+    assert told.startswith(f"rotedu needs Python 3.11 to 3.13, not 3.{minor}: ")
+    assert "\n" not in told
+
+
+@pytest.mark.parametrize("minor", [11, 12, 13])
+def test_a_supported_python_is_not_refused(minor: int) -> None:
+    assert set_up.refusal(3, minor) == ""
+
+
+def test_the_package_supports_the_same_pythons() -> None:
+    wanted = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
+    oldest, below = re.fullmatch(r">=3\.(\d+),<3\.(\d+)", wanted["requires-python"]).groups()
+    assert (3, int(oldest)) == set_up.OLDEST
+    assert (3, int(below) - 1) == set_up.NEWEST
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows has no make")
+def test_make_refuses_another_python_though_an_old_environment_is_there(tmp_path: Path) -> None:
+    for name in ("Makefile", "requirements.txt", "pyproject.toml", "package-lock.json"):
+        shutil.copy(ROOT / name, tmp_path)
+    (tmp_path / "tools").mkdir()
+    shutil.copy(ROOT / "tools" / "set_up.py", tmp_path / "tools")
+    (tmp_path / ".venv").mkdir()
+    (tmp_path / ".venv" / "made-by-python3.12").touch()
+    # Python reads this when it starts, and then says that it is Python 3.10.
+    (tmp_path / "sitecustomize.py").write_text("import sys; sys.version_info = (3, 10, 0)\n")
+    run = subprocess.run(
+        ["make", "-s", "book", f"PYTHON={sys.executable}"],
+        cwd=tmp_path,
+        env=os.environ | {"PYTHONPATH": str(tmp_path)},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert run.returncode != 0
+    assert run.stderr.splitlines()[0].startswith("rotedu needs Python 3.11 to 3.13, not 3.10: ")
+    assert not (tmp_path / ".venv" / "made-by-python3.10").exists()
+
+
+def test_the_environment_has_the_folders_of_its_system() -> None:
+    folder = "Scripts" if os.name == "nt" else "bin"
+    assert set_up.PYTHON.parts[-3:-1] == (".venv", folder)
+
+
+def test_binder_pins_a_supported_python() -> None:
+    pinned = (ROOT / ".binder" / "runtime.txt").read_text("utf-8").strip()
+    major, minor = re.fullmatch(r"python-(\d+)\.(\d+)", pinned).groups()
+    assert set_up.refusal(int(major), int(minor)) == ""
+
+
+def test_binder_starts_what_it_is_told_to() -> None:
+    if os.name == "nt":
+        pytest.skip("Binder runs Linux")
+    says = [
+        ROOT / ".binder" / "start",
+        sys.executable,
+        "-c",
+        "import os; print(os.environ['OPENBLAS_NUM_THREADS'])",
+    ]
+    assert subprocess.check_output(says, text=True) == "1\n"

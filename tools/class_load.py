@@ -32,7 +32,7 @@ import requests
 import websocket
 from audit import CHROME_FLAGS, find_chromium
 from jupyter_server.services.kernels.connection.base import deserialize_binary_message
-from playwright.sync_api import Page, Response, sync_playwright
+from playwright.sync_api import Locator, Page, Response, sync_playwright
 
 ROOT = Path(__file__).parents[1]
 RESULTS = ROOT / "benchmarks" / "class_load.json"
@@ -376,6 +376,25 @@ def is_save(response: Response) -> bool:
     return response.request.method == "PUT" and NOTEBOOK in response.url
 
 
+def drag_until_it_moves(page: Page, figure: Locator) -> None:
+    """Drag a handle; again if the page, still growing, moved it away under the mouse."""
+    before = figure.get_attribute("data-values")
+    handle = figure.locator("[data-handle]").first
+    end = time.monotonic() + PATIENCE
+    while figure.get_attribute("data-values") == before:
+        if time.monotonic() > end:
+            raise TimeoutError(f"a dragged handle: has not moved after {PATIENCE} seconds")
+        handle.scroll_into_view_if_needed()
+        box = handle.bounding_box()
+        assert box is not None
+        x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+        page.mouse.move(x, y)
+        page.mouse.down()
+        page.mouse.move(x + 20, y + 20, steps=10)
+        page.mouse.up()
+        page.wait_for_timeout(1000)
+
+
 def visit_by_browser(page: Page, url: str, name: str) -> Visit:
     """Do in JupyterLab what the class does."""
     began = time.monotonic()
@@ -394,20 +413,7 @@ def visit_by_browser(page: Page, url: str, name: str) -> Visit:
     if errors := page.evaluate(ERRORS):
         raise RuntimeError("; ".join(errors))
 
-    before = figure.get_attribute("data-values")
-    handle = figure.locator("[data-handle]").first
-    handle.scroll_into_view_if_needed()
-    box = handle.bounding_box()
-    assert box is not None
-    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
-    page.mouse.move(x, y)
-    page.mouse.down()
-    page.mouse.move(x + 20, y + 20, steps=10)
-    page.mouse.up()
-    page.wait_for_function(
-        "([figure, before]) => figure.dataset.values !== before",
-        arg=[figure.element_handle(), before],
-    )
+    drag_until_it_moves(page, figure)
     # While a figure has the focus, JupyterLab hears no keys.
     page.locator(".jp-MarkdownCell").first.click()
     with page.expect_response(is_save) as saved:

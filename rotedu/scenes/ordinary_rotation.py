@@ -85,7 +85,7 @@ def turned_vector(r: NDArray[np.float64], n: NDArray[np.float64], angle: float) 
     add_arrow(plotter, ORIGIN, r, VECTOR, radius=0.007, name="r")
     add_arrow(plotter, ORIGIN, turned, RESULT, radius=0.012, name="turned")
     add_label(plotter, 1.26 * n, r"$\hat n$", AXIS)
-    name_tips(plotter, [r, turned], center, n, lift=0.12)
+    name_tips(plotter, [r, turned], center, n, (-0.12, 0.12))
     add_terms(plotter, terms(r, n, angle), radius=0.02, name="term")
     return plotter
 
@@ -95,12 +95,12 @@ def name_tips(
     tips: Sequence[NDArray[np.float64]],
     center: NDArray[np.float64],
     n: NDArray[np.float64],
-    lift: float,
+    lifts: tuple[float, float],
     index: str = "",
 ) -> None:
-    """Name a vector below the circle and the turned one above it, beside their tips."""
+    """Name a vector and the turned one beside their tips, each at a height above the circle."""
     names = (rf"\vec r{index}", rf"\vec r{index}^{{\,\prime}}")
-    for tip, text, color, up in zip(tips, names, (VECTOR, RESULT), (-lift, lift), strict=True):
+    for tip, text, color, up in zip(tips, names, (VECTOR, RESULT), lifts, strict=True):
         add_label(plotter, tip + 0.17 * (tip - center) + up * n, f"${text}$", color)
 
 
@@ -165,7 +165,7 @@ def figure_1_by_hand(
     add_point(plotter, other, VECTOR, radius=0.024, name="other start")
     end = rotate(other, n, angle)
     add_point(plotter, end, RESULT, radius=0.024, name="other end")
-    name_tips(plotter, [other, end], (r @ n) * n, n, lift=0.25, index="_2")
+    name_tips(plotter, [other, end], (r @ n) * n, n, (0.0, 0.25), index="_2")
     add_terms(plotter, there, radius=0.008, name="other term")
 
     cos, sin = np.cos(angle), np.sin(angle)

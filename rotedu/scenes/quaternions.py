@@ -217,7 +217,7 @@ def double_cover_by_hand(theta: float = 360) -> pyvista.Plotter:
 
     ends = {side: on_band(angle, side) for side in (1.0, -1.0)}
     add_line(plotter, list(ends.values()), NEUTRAL, radius=0.014, name="stick")
-    ahead = 0.16 * np.cross(W, on_band(angle, 0))
+    ahead = 0.2 * np.cross(W, on_band(angle, 0))
     add_point(plotter, on_band(angle, 0), VECTOR, radius=0.035, name="rotation")
     for side, color, text, start in ((1.0, RESULT, "q", "1"), (-1.0, CROSS, "-q", "-1")):
         add_point(plotter, ends[side], color, radius=0.045, name=text)

@@ -43,7 +43,7 @@ export function figure1({ vector: r, axis, theta, around }) {
       "\\hat n": n.map((x) => 1.26 * x),
       "\\vec r": beside(r, -0.12),
       "\\vec r^{\\,\\prime}": beside(turned, 0.12),
-      "\\vec r_2": beside(other, -0.25),
+      "\\vec r_2": beside(other, 0),
       "\\vec r_2^{\\,\\prime}": beside(otherEnd, 0.25),
     },
     outputs: {

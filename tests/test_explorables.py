@@ -24,6 +24,7 @@ from rotedu.errors import DegenerateError
 from rotedu.figures import Choice, Handles, Slider, Switch, explorable, explore, read_out
 from rotedu.figures.explorable import FRAMES, Exploration
 from rotedu.figures.frames import frame_of, place_part
+from rotedu.figures.panel import path_of
 from rotedu.ordinary_rotation import rotate
 
 ROOT = Path(__file__).parents[1]
@@ -285,12 +286,44 @@ def test_a_declared_input_can_be_given_other_bounds() -> None:
     del a_ball.inputs, a_ball.model
 
 
+@pytest.mark.parametrize(
+    ("heights", "arrows"),
+    [
+        ([0.5, 0.9, 0.1, 0.5], []),
+        ([2, 2, 0.5, -1, 0.5], ["36.0,7.0 40.0,0.0 44.0,7.0", "236.0,89.0 240.0,96.0 244.0,89.0"]),
+        ([[0.5, 0.5, 0.5, 3], [0.5] * 4], ["156.0,7.0 160.0,0.0 164.0,7.0"]),
+        (None, []),
+    ],
+)
+def test_an_arrow_stands_where_a_curve_leaves_its_chart(heights: Any, arrows: list[str]) -> None:
+    paths = path_of(heights, (0, 1)).split("M")[1:]
+    assert [path for path in paths if len(path.split()) == 3] == arrows
+
+
+@pytest.mark.parametrize("pose", [{"v": -90}, {"u": 180, "v": 90, "w": 0}])
+def test_half_a_turn_away_the_three_angles_go_on_alone(pose: dict[str, float]) -> None:
+    figure = explore(scenes.euler_angles_by_hand)
+    inputs = figure.values | pose | {"t": 0.25}
+    frame = in_python(figure, inputs)["frame"]
+    assert "half a turn" in frame["outputs"]["by_slerp"]
+    assert [frame["parts"][f"{name} tip"]["hidden"] for name in ("angles", "slerp", "nlerp")] == [
+        False,
+        True,
+        True,
+    ]
+    [answer] = ask_node("models.js", json.dumps([("eulerAngles", inputs)]))["answers"]
+    assert not (found := disagreement(answer["frame"], frame, str(inputs))), found
+    figure.v = pose["v"]
+    assert "data-curve" in figure.panel(figure.draw())
+
+
 def test_a_curve_in_pieces_has_gaps_and_marks() -> None:
     figure = explore(scenes.closed_curve_by_hand)
     panel = BeautifulSoup(figure.panel(figure.draw()), "html.parser")
     speeds, curvatures = panel.select("[data-chart]")
     for chart in (speeds, curvatures):
-        pieces = str(chart.select_one("[data-curve]")["d"]).split("M")[1:]
+        paths = str(chart.select_one("[data-curve]")["d"]).split("M")[1:]
+        pieces = [path for path in paths if len(path.split()) > 3]
         assert [float(piece.split(",")[0]) for piece in pieces] == [0, 80, 160, 240]
         assert [float(piece.split()[-1].split(",")[0]) for piece in pieces] == [80, 160, 240, 320]
         seen = [mark.text for mark in chart.select(".explorable-marks span:not([hidden])")]

@@ -320,6 +320,7 @@ def test_a_geometry_without_an_answer_stays_pale(open_figure: Callable[..., Any]
     assert "antipodal" in told["refused"]
     scene, line = figure.locator(".scene"), figure.locator(".explorable-status")
     assert line.inner_text() == f"{told['refused'].capitalize()[0]}{told['refused'][1:]}."
+    assert {output.inner_text() for output in figure.locator("output").all()} == {"–"}
     pale = float(scene.locator("canvas").evaluate("e => getComputedStyle(e).opacity"))
     assert 0.2 < pale < 0.6
     assert live_picture(figure).any()
@@ -329,6 +330,58 @@ def test_a_geometry_without_an_answer_stays_pale(open_figure: Callable[..., Any]
         figure.page.keyboard.press("Shift+ArrowRight")
     assert "refused" not in check("closed_curve_by_hand", figure)
     assert scene.get_attribute("data-refused") is None
+
+
+def test_a_letter_can_be_dragged_round_the_axis(open_figure: Callable[..., Any]) -> None:
+    name = "two_mirrors_by_hand"
+    figure = live(open_figure(name))
+    in_sight(figure)
+    before = check(name, figure)
+    mouse = figure.page.mouse
+    x, y = center(figure.locator(".scene-handle"))
+    mouse.move(x, y)
+    mouse.down()
+    mouse.move(x + 30, y + 60, steps=5)
+    mouse.up()
+    after = check(name, figure)
+    assert after["letter"] < before["letter"] - 10
+    assert after["q"] == pytest.approx(before["q"])
+    there = center(figure.locator(".scene-handle"))
+    np.testing.assert_allclose(there, (x + 30, y + 60), atol=15)
+
+
+def test_a_scene_of_three_turns_only_so_far(open_figure: Callable[..., Any]) -> None:
+    figure = live(open_figure("euler_angles_by_hand"))
+    canvas = figure.locator("canvas")
+    canvas.focus()
+    for _ in range(8):
+        figure.page.keyboard.press("ArrowRight")
+    settle(figure.page)
+    there = live_picture(figure)
+    figure.page.keyboard.press("ArrowRight")
+    settle(figure.page)
+    assert difference(there, live_picture(figure)) < 0.001
+
+
+def test_play_starts_over(open_figure: Callable[..., Any]) -> None:
+    figure = live(open_figure("euler_angles_by_hand"))
+    slider = figure.locator("input[name=t-number]")
+    slider.fill("0.98")
+    figure.get_by_role("button", name="Play").click()
+    figure.page.wait_for_function(
+        "element => JSON.parse(element.dataset.values).t < 0.5", arg=figure.element_handle()
+    )
+    figure.get_by_role("button", name="Pause").click()
+    check("euler_angles_by_hand", figure)
+
+
+def test_the_status_line_forgets(open_figure: Callable[..., Any]) -> None:
+    figure = live(open_figure("figure_1_by_hand"))
+    line = figure.locator(".explorable-status")
+    figure.get_by_role("button", name="Link to this state").click()
+    assert "address" in line.inner_text()
+    turn(figure, "input[name=theta]", ("ArrowRight",))
+    assert line.inner_text() == ""
 
 
 def test_a_link_brings_the_state_back(open_figure: Callable[..., Any]) -> None:

@@ -39,7 +39,7 @@ if it has textures, several views or lights that stay in place, for example.
 
 from rotedu.figures.backend import describe
 from rotedu.figures.explorable import explorable, explore
-from rotedu.figures.frames import draw_chart, place_part, read_out
+from rotedu.figures.frames import draw_chart, limit_turning, place_part, read_out
 from rotedu.figures.inputs import Choice, Handles, Slider, Switch
 
 __all__ = [
@@ -51,6 +51,7 @@ __all__ = [
     "draw_chart",
     "explorable",
     "explore",
+    "limit_turning",
     "place_part",
     "read_out",
 ]

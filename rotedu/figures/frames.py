@@ -6,7 +6,8 @@ names then differ by a *frame*, which the viewer applies to the first without dr
 - a ball is ``at`` a point, an arrow goes ``from`` one point ``to`` another, lines follow ``paths``,
   and any other part has a ``matrix`` or ``points``;
 - a part may have another ``color`` and may be ``hidden``; a label has a position, or none;
-- an output is a number, a text or rows of numbers; a chart has a curve for each of its names.
+- an output is a number, a text or rows of numbers; a chart has a curve, or none for now,
+  for each of its names.
 """
 
 from collections.abc import Mapping, Sequence
@@ -31,6 +32,7 @@ class Output:
     label: str
     digits: int = 2
     unit: str = ""
+    loud: str = "no"
 
 
 @dataclass(frozen=True)
@@ -39,11 +41,12 @@ class Chart:
 
     x: tuple[float, float]
     y: tuple[float, float]
-    curves: Mapping[str, ArrayLike]
+    curves: Mapping[str, ArrayLike | None]
     label: str
     over: str
     colors: Mapping[str, str] = field(default_factory=dict)
     marks: Sequence[str] = ()
+    dashed: Sequence[str] = ()
 
 
 @dataclass
@@ -54,6 +57,7 @@ class Shown:
     labels: dict[str, list[float] | None] = field(default_factory=dict)
     outputs: dict[str, Output] = field(default_factory=dict)
     charts: dict[str, Chart] = field(default_factory=dict)
+    most: float = 0
 
 
 def shown(plotter: pyvista.Plotter) -> Shown:
@@ -109,6 +113,7 @@ def read_out(
     label: str,
     digits: int = 2,
     unit: str = "",
+    loud: str = "no",
 ) -> None:
     """Show a number, a text or a matrix beside a scene.
 
@@ -126,18 +131,20 @@ def read_out(
         Digits after the point.
     unit : str
         What follows the number, such as ``°``.
+    loud : str
+        The value that a reader should not miss; it is written in bold.
     """
     if isinstance(value, (bool, np.bool_)):
         value = "yes" if value else "no"
     elif not isinstance(value, str):
         value = np.asarray(value, float).tolist()
-    shown(plotter).outputs[name] = Output(value, label, digits, unit)
+    shown(plotter).outputs[name] = Output(value, label, digits, unit, loud)
 
 
 def draw_chart(
     plotter: pyvista.Plotter,
     name: str,
-    curves: Mapping[str, ArrayLike],
+    curves: Mapping[str, ArrayLike | None],
     *,
     over: str,
     x: tuple[float, float],
@@ -145,6 +152,7 @@ def draw_chart(
     label: str,
     colors: Mapping[str, str] | None = None,
     marks: Sequence[str] = (),
+    dashed: Sequence[str] = (),
 ) -> None:
     """Show a chart beside a scene.
 
@@ -156,20 +164,28 @@ def draw_chart(
         Name of the chart.
     curves : mapping of str to array_like
         The heights of each curve at places evenly spread over `x`: shape (m,), or (n, m) for n
-        pieces of equal width, with a gap where the height jumps from one to the next.
+        pieces of equal width, with a gap where the height jumps from one to the next. A curve that
+        does not exist for now is None.
     over : str
         The input along the chart; a mark shows its value.
     x, y : tuple of float
-        The range of each axis, the same in all frames. What lies beyond is cut off.
+        The range of each axis, the same in all frames. Where a curve lies beyond, an arrow says so.
     label : str
         What the chart shows.
     colors : mapping of str to str, optional
         Colour of each curve, and of the ``marks``.
     marks : sequence of str
         What stands where each piece begins; there may be more names than pieces.
+    dashed : sequence of str
+        Curves that let see what is below them.
     """
     heights = {curve: rounded(h) for curve, h in curves.items()}
-    shown(plotter).charts[name] = Chart(x, y, heights, label, over, colors or {}, marks)
+    shown(plotter).charts[name] = Chart(x, y, heights, label, over, colors or {}, marks, dashed)
+
+
+def limit_turning(plotter: pyvista.Plotter, most: float) -> None:
+    """Let the reader turn a scene by so many degrees only: parts in a row then stay apart."""
+    shown(plotter).most = most
 
 
 def frame_of(plotter: pyvista.Plotter) -> dict[str, Any]:

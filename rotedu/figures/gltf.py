@@ -314,6 +314,7 @@ def _camera(plotter: pyvista.Plotter) -> tuple[dict[str, Any], dict[str, Any]]:
 def _surroundings(plotter: pyvista.Plotter) -> dict[str, Any]:
     """Return the camera data that an orbit needs, and the lights, which follow the camera."""
     camera = plotter.camera
+    places = getattr(plotter, "shown", None)
     lights = []
     for light in plotter.renderer.lights:
         if light.on:
@@ -332,6 +333,7 @@ def _surroundings(plotter: pyvista.Plotter) -> dict[str, Any]:
             "up": list(camera.up),
             "viewAngle": camera.view_angle,
             "aspect": plotter.window_size[0] / plotter.window_size[1],
+            "most": places.most if places else 0,
         },
         "lights": lights,
     }

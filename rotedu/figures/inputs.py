@@ -28,7 +28,11 @@ class Slider:
     stride : float
         How far the button *Step* goes; 0 means an eighth of the range.
     plays : float
-        Seconds that the button *Play* takes from `low` to `high`; 0 means no buttons.
+        Seconds that the button *Play* takes from `low` to `high`, where it starts over; 0 means no
+        buttons.
+    grip : float
+        The number is also an angle in degrees from the U axis to the V axis: a handle on the circle
+        of this radius about the W axis can be dragged; 0 means no handle.
     """
 
     low: float
@@ -37,6 +41,7 @@ class Slider:
     step: float = 0
     stride: float = 0
     plays: float = 0
+    grip: float = 0
 
     kind = "number"
 
@@ -56,6 +61,7 @@ class Slider:
             "step": self.step or width / 200,
             "stride": self.stride or width / 8,
             "plays": self.plays,
+            "grip": self.grip,
         }
 
     def controls(self, name: str, start: float) -> str:

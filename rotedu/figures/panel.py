@@ -3,16 +3,20 @@
 The page and the notebook show the same HTML. The viewer finds everything in it by name.
 """
 
-from collections.abc import Mapping
+import itertools
+from collections.abc import Iterable, Mapping
 from html import escape
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from rotedu.figures.frames import Chart, Output
 from rotedu.figures.inputs import Input
 
 WIDTH, HEIGHT = 320, 96
+# The arrow where a curve leaves its chart: half its width, and its length.
+ARROW = (4, 7)
 
 
 def panel(
@@ -72,13 +76,14 @@ def _plain(x: float, digits: int) -> float:
 
 
 def _output(name: str, output: Output) -> str:
-    no = ' data-no=""' if output.value == "no" else ""
+    loud = ' class="explorable-loud"' if output.value == output.loud else ""
     matrix = " explorable-matrix" if np.ndim(_numbers(output.value)) == 2 else ""
     return (
         f'<label class="explorable-output{matrix}"><span>{escape(output.label)}</span>'
         # The status line below speaks; numbers that change with the hand are silent.
         f' <output name="{name}" aria-live="off" data-digits="{output.digits}"'
-        f' data-unit="{output.unit}"{no}>{escape(text_of(output))}</output></label>'
+        f' data-unit="{output.unit}" data-loud="{output.loud}"{loud}>'
+        f"{escape(text_of(output))}</output></label>"
     )
 
 
@@ -89,7 +94,8 @@ def _numbers(value: Any) -> Any:
 def _chart(name: str, chart: Chart, start: Mapping[str, Any]) -> str:
     curves = "".join(
         f'<path data-curve="{escape(curve)}" d="{path_of(heights, chart.y)}"'
-        f' style="stroke: {chart.colors.get(curve, "currentcolor")}"/>'
+        f' style="stroke: {chart.colors.get(curve, "currentcolor")}"'
+        f"{' data-dashed' if curve in chart.dashed else ''}/>"
         for curve, heights in chart.curves.items()
     )
     at = (start[chart.over] - chart.x[0]) / (chart.x[1] - chart.x[0]) * WIDTH
@@ -102,7 +108,7 @@ def _chart(name: str, chart: Chart, start: Mapping[str, Any]) -> str:
     level = HEIGHT * chart.y[1] / (chart.y[1] - chart.y[0])
     zero = f'<line data-zero="" x2="{WIDTH}" y1="{level:.1f}" y2="{level:.1f}"/>'
     ink = chart.colors.get("marks", "inherit")
-    pieces = max(len(np.atleast_2d(heights)) for heights in chart.curves.values())
+    pieces = max(len(np.atleast_2d(np.array(curve))) for curve in chart.curves.values())
     marks = "".join(
         f"<span{'' if i < pieces else ' hidden'}>{escape(text)}</span>"
         for i, text in enumerate(chart.marks)
@@ -121,15 +127,37 @@ def _chart(name: str, chart: Chart, start: Mapping[str, Any]) -> str:
 
 
 def path_of(heights: Any, y: tuple[float, float]) -> str:
-    """Write a curve, in one or more pieces, as an SVG path, cut off at the range of the chart."""
-    values = np.clip((np.asarray(heights, float) - y[0]) / (y[1] - y[0]), -0.05, 1.05)
-    pieces = np.atleast_2d(values)
+    """Write a curve, in one or more pieces, as an SVG path, with arrows where it is cut off."""
+    if heights is None:
+        return ""
+    pieces = np.atleast_2d((np.asarray(heights, float) - y[0]) / (y[1] - y[0]))
     xs = np.linspace(0, 1, pieces.shape[1])
     return "".join(
-        "M"
-        + " ".join(
-            f"{(i + x) * WIDTH / len(pieces):.1f},{HEIGHT * (1 - h):.1f}"
-            for x, h in zip(xs, piece, strict=True)
+        _line(zip((i + xs) * WIDTH / len(pieces), np.clip(piece, -0.05, 1.05), strict=True))
+        + "".join(
+            _arrow((i + k / (len(piece) - 1)) * WIDTH / len(pieces), edge)
+            for k, edge in _cut_off(piece)
         )
         for i, piece in enumerate(pieces)
     )
+
+
+def _line(points: Iterable[tuple[float, float]]) -> str:
+    return "M" + " ".join(f"{x:.1f},{HEIGHT * (1 - share):.1f}" for x, share in points)
+
+
+def _cut_off(piece: NDArray[np.float64]) -> list[tuple[float, int]]:
+    """Return the middle of each stretch where a curve is beyond its chart, and the edge, 1 or 0."""
+    sides = np.subtract(piece > 1, piece < 0, dtype=int)
+    found = []
+    for side, stretch in itertools.groupby(range(len(piece)), sides.__getitem__):
+        indices = list(stretch)
+        if side:
+            found.append(((indices[0] + indices[-1]) / 2, int(side > 0)))
+    return found
+
+
+def _arrow(x: float, edge: int) -> str:
+    half, long = ARROW[0], ARROW[1] / HEIGHT
+    back = edge - long if edge else long
+    return _line([(x - half, back), (x, edge), (x + half, back)])

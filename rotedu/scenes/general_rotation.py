@@ -1,6 +1,7 @@
 """Scenes of Chapter 4: three rotations, the one that replaces them, and transforms."""
 
 from collections.abc import Sequence
+from itertools import zip_longest
 
 import numpy as np
 import pyvista
@@ -8,7 +9,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from rotedu.arcs import nlerp
 from rotedu.colors import AXIS, CROSS, NEUTRAL, RESULT, VECTOR
-from rotedu.figures import Slider, describe, draw_chart, explorable, read_out
+from rotedu.errors import DegenerateError
+from rotedu.figures import Slider, describe, draw_chart, explorable, limit_turning, read_out
 from rotedu.figures.frames import place_part
 from rotedu.general_rotation import (
     axis_angle_from_euler_angles,
@@ -227,6 +229,9 @@ def one_for_three(
 SPOON = 0.8
 """Half the length of the spoons of `euler_angles_by_hand`."""
 STEP = 1e-4
+# A shorter direction has no length of 1 in the picture.
+SHORT = 0.05
+NO_WAY = "no unique path: start and end are half a turn apart"
 
 
 @explorable(
@@ -260,54 +265,62 @@ def euler_angles_by_hand(
     right /= np.linalg.norm(right)
     up = np.cross(back, right)
     plotter = new_scene(eye=23.1 * back, target=ORIGIN, view_angle=10)
+    limit_turning(plotter, 35)
     places = (1.3 * right - 0.05 * up, 1.13 * up - 1.75 * right, -0.87 * up - 1.75 * right)
     names, colors = ("angles", "slerp", "nlerp"), (CROSS, RESULT, NEUTRAL)
 
     steps = np.linspace(0, 1, 33)
     ways = three_ways(angles, steps)
     here = [turns[0] for turns in three_ways(angles, [t])]
-    for name, color, place, path, turn in zip(names, colors, places, ways, here, strict=True):
+    unique = len(ways) == len(names)
+    for k, (name, color, place) in enumerate(zip(names, colors, places, strict=True)):
+        path, turn = (ways[k], here[k]) if unique else (ways[0], here[0])
         if name != "angles":
             ball = pyvista.Sphere(
                 radius=SPOON, center=tuple(place), theta_resolution=48, phi_resolution=32
             )
             plotter.add_mesh(ball, color=NEUTRAL, opacity=0.18, smooth_shading=True)
-        add_moved(plotter, f"{name} spoon", teaspoon(41, 16), SPOON * turn, place, color)
-        add_line(plotter, place + SPOON * path[:, :, 0], color, radius=0.014, name=f"{name} path")
         add_point(plotter, place + SPOON * path[0, :, 0], VECTOR, 0.035, name=f"{name} start")
-        add_point(plotter, place + SPOON * turn[:, 0], color, 0.045, name=f"{name} tip")
+        for part in (
+            add_moved(plotter, f"{name} spoon", teaspoon(41, 16), SPOON * turn, place, color),
+            add_line(plotter, place + SPOON * path[:, :, 0], color, 0.014, name=f"{name} path"),
+            add_point(plotter, place + SPOON * turn[:, 0], color, 0.045, name=f"{name} tip"),
+        ):
+            part.visibility = unique or k == 0
     texts = ("three angles", "slerp", "nlerp")
     below = (1.75, 0.95, 0.95)
     for text, color, place, far in zip(texts, (CROSS, RESULT, "black"), places, below, strict=True):
         add_label(plotter, place - far * up, text, color)
-    add_gimbals(plotter, now, places[0], right)
+    add_gimbals(plotter, now, places[0], right, back)
 
     nearby = pose(now + np.array([(1, 0, 0), (-1, 0, 0), (0, 0, 1)]))
     apart = degrees_between(nearby[:2], nearby[2]).min()
-    read_out(plotter, "apart", apart, "1° of u and 1° of w differ by", 2, "°")
+    read_out(plotter, "apart", apart, "1° of u and 1° of w, up to sense, differ by", 2, "°")
     read_out(plotter, "matrix", here[0], "matrix of the three angles")
     sideways = pose([0, 0, now[2]])[:, 0]
     swung = rotation_matrix(sideways, np.deg2rad(1)) @ here[0]
     change = angle_change(now, swung)
-    read_out(plotter, "angle_change", change, "to swing 1° sideways, u or w needs", 1, "°")
-    read_out(
-        plotter, "entry_change", abs(swung - here[0]).max(), "… and matrix entries, at most", 4
-    )
+    label = "to tip the spoon 1° sideways, sliders must turn by"
+    read_out(plotter, "angle_change", change, label, 1, "°")
+    label = "… and entries of the matrix change by at most"
+    read_out(plotter, "entry_change", abs(swung - here[0]).max(), label, 4)
     path = pose(np.multiply.outer(t * steps, angles))
     turned = degrees_between(path[:-1], path[1:]).sum()
     read_out(plotter, "by_angles", turned, "turned by three angles", 0, "°")
-    read_out(plotter, "by_slerp", degrees_between(np.eye(3), here[1]), "by slerp", 0, "°")
+    by_slerp = degrees_between(np.eye(3), here[1]) if unique else NO_WAY
+    read_out(plotter, "by_slerp", by_slerp, "by slerp", 0, "°")
     before, after = (three_ways(angles, steps + h) for h in (-STEP, STEP))
     speeds = [degrees_between(p, q) / (2 * STEP) for p, q in zip(before, after, strict=True)]
     draw_chart(
         plotter,
         "speeds",
-        dict(zip(("three angles", "slerp", "nlerp"), speeds, strict=True)),
+        dict(zip_longest(("three angles", "slerp", "nlerp"), speeds)),
         over="t",
         x=(0, 1),
         y=(0, 200),
         label="speed, degrees for a step of 1 in t",
         colors=dict(zip(("three angles", "slerp", "nlerp"), colors, strict=True)),
+        dashed=("nlerp",),
     )
     describe(
         plotter,
@@ -338,13 +351,19 @@ def three_ways(angles: NDArray[np.float64], t: ArrayLike) -> list[NDArray[np.flo
     Returns
     -------
     list of ndarray, shape (n, 3, 3)
-        The orientations on each of the ways.
+        The orientations on each of the ways; only the first if the pose is half a turn away, where
+        slerp and nlerp have two shortest ways.
     """
     end = pose(angles)
+    by_angles = pose(np.multiply.outer(t, angles))
+    try:
+        by_slerp = slerp_rotations(np.eye(3), end, t)
+    except DegenerateError:
+        return [by_angles]
     q = nlerp([1, 0, 0, 0], Quaternion.from_matrix(end).components, t)
     return [
-        pose(np.multiply.outer(t, angles)),
-        slerp_rotations(np.eye(3), end, t),
+        by_angles,
+        by_slerp,
         Quaternion(q[:, 0], q[:, 1:]).matrix(),
     ]
 
@@ -368,12 +387,14 @@ def add_moved(
     turn: NDArray[np.float64],
     place: NDArray[np.float64],
     color: str,
-) -> None:
+) -> pyvista.Actor:
     """Add a mesh, turned or scaled by a 3x3 matrix and put at a place."""
     matrix = np.eye(4)
     matrix[:3, :3], matrix[:3, 3] = turn, place
     name = place_part(plotter, name, matrix=matrix.T.ravel())
-    add_thin(plotter, mesh, color, name).user_matrix = matrix
+    actor = add_thin(plotter, mesh, color, name)
+    actor.user_matrix = matrix
+    return actor
 
 
 def add_gimbals(
@@ -381,6 +402,7 @@ def add_gimbals(
     angles: NDArray[np.float64],
     place: NDArray[np.float64],
     right: NDArray[np.float64],
+    back: NDArray[np.float64],
 ) -> None:
     """Add two rings, each turning within the next, for Euler angles in degrees.
 
@@ -394,6 +416,8 @@ def add_gimbals(
         The centre.
     right : ndarray, shape (3,)
         The direction to the right in the picture, which keeps the names of U'' and W apart.
+    back : ndarray, shape (3,)
+        The direction out of the picture. The name of U'' lies within it, outside the rings.
     """
     u = pose(angles)[:, 0]
     v = pose(angles * (0, 0, 1))[:, 1]
@@ -405,12 +429,14 @@ def add_gimbals(
     for name, axis, first, last in (("W", w, 1.1, 1.36), ("V", v, 0.92, 1.31), ("U", u, 0.8, 0.92)):
         ends = [place + sign * np.outer((first, last), axis) for sign in (1, -1)]
         add_lines(plotter, ends, AXIS, radius=0.026, name=f"axis {name}")
-    for name, axis, aside, text in (
+    seen = u - (u @ back) * back
+    beside = seen / max(float(np.linalg.norm(seen)), SHORT)
+    for name, direction, aside, text in (
         ("W", w, 0.1, "$W$"),
         ("V", v, 0, r"$V^{\,\prime}$"),
-        ("U", u, -0.2, r"$U^{\,\prime\prime}$"),
+        ("U", beside, -0.2, r"$U^{\,\prime\prime}$"),
     ):
-        add_label(plotter, place + 1.48 * axis + aside * right, text, AXIS, name=name)
+        add_label(plotter, place + 1.48 * direction + aside * right, text, AXIS, name=name)
 
 
 def stages(steps: Sequence[ArrayLike] | None = None) -> pyvista.Plotter:

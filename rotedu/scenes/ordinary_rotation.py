@@ -1,5 +1,7 @@
 """Scenes of Chapter 3: a turned vector and a turned mesh."""
 
+from collections.abc import Sequence
+
 import numpy as np
 import pyvista
 from numpy.typing import ArrayLike, NDArray
@@ -11,7 +13,6 @@ from rotedu.ordinary_rotation import rotate, rotation_matrix, transform
 from rotedu.scenes.parts import (
     ORIGIN,
     add_arrow,
-    add_coordinate_axes,
     add_label,
     add_line,
     add_lines,
@@ -65,9 +66,8 @@ def turned_vector(r: NDArray[np.float64], n: NDArray[np.float64], angle: float) 
     turned = rotate(r, n, angle)
     spoke = r - center
 
-    plotter = new_scene(eye=(3.9, 1.77, 3.45), target=(0.0, 0.05, 0.07), view_angle=25)
-    add_coordinate_axes(plotter, 0.3)
-    add_label(plotter, (0, 0.09, -0.09), "$O$")
+    plotter = new_scene(eye=(4.5, 0.95, 2.9), target=(0.0, 0.03, 0.48), view_angle=21.5)
+    add_label(plotter, (0, 0.05, -0.11), "$O$")
 
     add_line(plotter, turning(r, n, 2 * np.pi, 80), NEUTRAL, radius=0.005, name="circle")
     sector = fan(center, center + turning(0.42 * spoke, n, angle))
@@ -77,21 +77,31 @@ def turned_vector(r: NDArray[np.float64], n: NDArray[np.float64], angle: float) 
     add_lines(plotter, spokes, NEUTRAL, radius=0.004, name="spokes")
     add_point(plotter, center, NEUTRAL, radius=0.022, name="centre")
     add_line(plotter, [ORIGIN, center], NEUTRAL, radius=0.012, name="height")
-    add_label(plotter, center + rotate(0.22 * spoke, n, angle / 2), r"$\theta$")
-    add_label(plotter, 0.45 * center - 0.12 * spoke, r"$\vec r_\parallel$")
+    add_label(plotter, center + rotate(0.58 * spoke, n, 0.6 * angle), r"$\theta$")
+    add_label(plotter, 0.4 * center - 0.16 * spoke, r"$\vec r_\parallel$")
     add_label(plotter, center + 0.72 * spoke + 0.09 * n, r"$\vec r_\perp$")
 
     add_arrow(plotter, ORIGIN, 1.1 * n, AXIS, radius=0.006, name="n")
     add_arrow(plotter, ORIGIN, r, VECTOR, radius=0.007, name="r")
     add_arrow(plotter, ORIGIN, turned, RESULT, radius=0.012, name="turned")
     add_label(plotter, 1.26 * n, r"$\hat n$", AXIS)
-    for tip, text, color, up in (
-        (r, r"$\vec r$", VECTOR, -0.12),
-        (turned, r"$\vec r^{\,\prime}$", RESULT, 0.12),
-    ):
-        add_label(plotter, tip + 0.17 * (tip - center) + up * n, text, color)
+    name_tips(plotter, [r, turned], center, n, (-0.12, 0.12))
     add_terms(plotter, terms(r, n, angle), radius=0.02, name="term")
     return plotter
+
+
+def name_tips(
+    plotter: pyvista.Plotter,
+    tips: Sequence[NDArray[np.float64]],
+    center: NDArray[np.float64],
+    n: NDArray[np.float64],
+    lifts: tuple[float, float],
+    index: str = "",
+) -> None:
+    """Name a vector and the turned one beside their tips, each at a height above the circle."""
+    names = (rf"\vec r{index}", rf"\vec r{index}^{{\,\prime}}")
+    for tip, text, color, up in zip(tips, names, (VECTOR, RESULT), lifts, strict=True):
+        add_label(plotter, tip + 0.17 * (tip - center) + up * n, f"${text}$", color)
 
 
 def terms(r: NDArray[np.float64], n: NDArray[np.float64], angle: float) -> NDArray[np.float64]:
@@ -118,7 +128,7 @@ def add_terms(
     vector=Handles("r", length=0),
     axis=Handles("n", reach=1.1),
     theta=Slider(0, 360, "angle θ, °", step=1, plays=8),
-    around=Slider(0, 360, "second r, ° ahead", step=1, plays=8),
+    around=Slider(0, 360, "r₂ ahead of r by, °", step=1, plays=8),
 )
 def figure_1_by_hand(
     vector: ArrayLike = VECTOR_1,
@@ -153,13 +163,24 @@ def figure_1_by_hand(
     plotter = turned_vector(r, n, angle)
     add_line(plotter, [ORIGIN, other], VECTOR, radius=0.003, name="other")
     add_point(plotter, other, VECTOR, radius=0.024, name="other start")
-    add_point(plotter, rotate(other, n, angle), RESULT, radius=0.024, name="other end")
+    end = rotate(other, n, angle)
+    add_point(plotter, end, RESULT, radius=0.024, name="other end")
+    name_tips(plotter, [other, end], (r @ n) * n, n, (0.0, 0.25), index="_2")
     add_terms(plotter, there, radius=0.008, name="other term")
 
     cos, sin = np.cos(angle), np.sin(angle)
-    read_out(plotter, "lengths", [cos, (1 - cos) * (r @ n), sin], "coefficients of r, n, n × r")
+    factors = (cos, (1 - cos) * (r @ n), sin)
     apart = np.linalg.norm(there - here, axis=1)
-    read_out(plotter, "apart", apart, "terms 1, 2, 3 differ by")
+    for name, term, vector, factor, length in zip(
+        ("first", "along", "across"),
+        ("first term", "along n̂", "across"),
+        ("r", "n̂", "n̂ × r"),
+        factors,
+        apart,
+        strict=True,
+    ):
+        read_out(plotter, name, factor, f"{term}: {vector} times")
+        read_out(plotter, f"{name}_apart", length, f"{term}: length of difference")
     read_out(plotter, "matrix", rotation_matrix(n, angle), "matrix (3-3)")
     describe(
         plotter,

@@ -61,8 +61,9 @@ def letter_f(size: float = 0.5, thickness: float = 0.07, border: float = 0.0) ->
     model="twoMirrors",
     first=Slider(0, 180, "mirror 1, °", step=1),
     second=Slider(0, 180, "mirror 2, °", step=1),
-    both=Slider(0, 360, "both mirrors, °", step=1, stride=30, plays=8),
-    letter=Slider(-180, 180, "blue letter, °", step=1),
+    # At these strides no letter lies on another, nor in a mirror.
+    both=Slider(0, 360, "turn both by, °", step=1, stride=60, plays=12),
+    letter=Slider(-180, 180, "blue letter, °", step=1, grip=1.05),
 )
 def two_mirrors_by_hand(
     first: float = 0, second: float = 60, both: float = 0, letter: float = -30
@@ -143,7 +144,7 @@ def two_mirrors_by_hand(
 
     read_out(plotter, "between", between, "from mirror 1 to mirror 2", 0, "°")
     read_out(plotter, "turned", 2 * between, "from blue to green letter", 0, "°")
-    read_out(plotter, "home", is_back(2 * between, 360), "green letter on blue letter")
+    read_out(plotter, "home", is_back(2 * between, 360), "green letter on blue letter", loud="yes")
     read_out(plotter, "q", -(m2 * m1).components, "q = −m₂m₁ (w x y z)", 2)
     describe(
         plotter,
@@ -215,17 +216,20 @@ def double_cover_by_hand(theta: float = 360) -> pyvista.Plotter:
         )
 
     ends = {side: on_band(angle, side) for side in (1.0, -1.0)}
-    add_line(plotter, list(ends.values()), NEUTRAL, radius=0.008, name="stick")
+    add_line(plotter, list(ends.values()), NEUTRAL, radius=0.014, name="stick")
+    ahead = 0.2 * np.cross(W, on_band(angle, 0))
     add_point(plotter, on_band(angle, 0), VECTOR, radius=0.035, name="rotation")
     for side, color, text, start in ((1.0, RESULT, "q", "1"), (-1.0, CROSS, "-q", "-1")):
         add_point(plotter, ends[side], color, radius=0.045, name=text)
-        add_label(plotter, on_band(angle + 0.05, 1.45 * side), f"${text}$", color, name=text)
+        add_label(plotter, on_band(angle, 1.3 * side) + ahead, f"${text}$", color, name=text)
         add_point(plotter, on_band(0, side), NEUTRAL, radius=0.03)
-        add_label(plotter, on_band(-0.15, 1.4 * side), f"${start}$")
+        add_line(plotter, [on_band(0, side), on_band(0, 1.35 * side)], NEUTRAL, radius=0.007)
+        add_label(plotter, on_band(0, 1.7 * side), f"${start}$")
 
-    read_out(plotter, "spoon_back", is_back(theta, 360), "spoon is back")
-    read_out(plotter, "q_back", is_back(theta, 720), "q is back")
+    read_out(plotter, "spoon_back", is_back(theta, 360), "spoon is back", loud="yes")
+    read_out(plotter, "q_back", is_back(theta, 720), "q is back", loud="yes")
     read_out(plotter, "twists", theta / 360, "twists of the ribbon", 2)
+    read_out(plotter, "half", theta / 2, "θ/2", 0, "°")
     read_out(plotter, "q", q.components, "q (w x y z)", 2)
     read_out(plotter, "matrix", matrix, "matrix", 2)
     describe(

@@ -1,8 +1,10 @@
 /* Models of `rotedu.scenes.general_rotation`. */
 import {
+  DegenerateError,
   axisAngle,
   combine,
   cross,
+  dot,
   eulerAngles as anglesOf,
   length,
   matrixFromEulerAngles,
@@ -23,6 +25,8 @@ const NAMES = ["angles", "slerp", "nlerp"];
 const BACK = [0.48, -0.74, 0.47];
 const RIGHT = unit(cross([0, 0, 1], BACK));
 const UP = cross(BACK, RIGHT);
+const SHORT = 0.05;
+const NO_WAY = "no unique path: start and end are half a turn apart";
 const PLACES = [
   combine(-0.05, UP, 1.3, RIGHT),
   combine(1.13, UP, -1.75, RIGHT),
@@ -33,19 +37,29 @@ const pose = (angles) => matrixFromEulerAngles(...angles.map((angle) => angle / 
 const column = (matrix, k) => matrix.map((row) => row[k]);
 const scaled = (factor, v) => combine(factor, v, 0, v);
 
-/** The three ways to a pose, as functions of t, and the angle of the shortest. */
+/** Tell whether slerp knows a way; two shortest ways lead through a half turn. */
+function isUnique(end) {
+  try {
+    slerpRotations(IDENTITY, end, 0);
+    return true;
+  } catch (error) {
+    if (error instanceof DegenerateError) return false;
+    throw error;
+  }
+}
+
+/** The three ways to a pose, as functions of t, null if there is none, and the angle of the shortest. */
 function threeWays(angles) {
   const end = pose(angles);
   const { axis, angle } = axisAngle(end);
   const q = quaternionFromMatrix(end);
-  // Two shortest ways lead through a half turn; this refuses it.
-  slerpRotations(IDENTITY, end, 0);
-  const ways = [
-    (t) => pose(scaled(t, angles)),
+  const free = [
     (t) => rotationMatrix(axis, t * angle),
     (t) => quaternionMatrix(combine(1 - t, [1, 0, 0, 0], t, q)),
   ];
-  return { ways, angle: DEGREES * angle };
+  const unique = isUnique(end);
+  const ways = [(t) => pose(scaled(t, angles)), ...(unique ? free : [null, null])];
+  return { ways, angle: unique ? DEGREES * angle : null };
 }
 
 /** The angle between orientations that are close together. */
@@ -78,17 +92,19 @@ function gimbals(angles, place) {
   const ring = (side) => ({ matrix: placed(transpose([V, side, cross(V, side)]), place) });
   const parts = { "outer ring": ring(W), "inner ring": ring(U) };
   const labels = {};
-  for (const [name, first, last, aside] of [
-    ["W", 1.1, 1.36, 0.1],
-    ["V", 0.92, 1.31, 0],
-    ["U", 0.8, 0.92, -0.2],
+  const seen = combine(1, U, -dot(U, BACK), BACK);
+  const beside = scaled(1 / Math.max(length(seen), SHORT), seen);
+  for (const [name, first, last, direction, aside] of [
+    ["W", 1.1, 1.36, W, 0.1],
+    ["V", 0.92, 1.31, V, 0],
+    ["U", 0.8, 0.92, beside, -0.2],
   ]) {
     const axis = axes[name];
     const paths = [1, -1].map((sign) =>
       [first, last].map((far) => combine(1, place, sign * far, axis)),
     );
     parts[`axis ${name}`] = { paths };
-    labels[name] = combine(1, combine(1, place, 1.48, axis), aside, RIGHT);
+    labels[name] = combine(1, combine(1, place, 1.48, direction), aside, RIGHT);
   }
   return { parts, labels };
 }
@@ -101,12 +117,14 @@ export function eulerAngles({ u, v, w, t }) {
   const steps = spread(33);
   const { parts, labels } = gimbals(now, PLACES[0]);
   ways.forEach((way, k) => {
+    const three = ["spoon", "path", "tip"].map((part) => `${NAMES[k]} ${part}`);
+    if (!way) return three.forEach((name) => (parts[name] = { hidden: true }));
     const tip = (turn) => combine(1, PLACES[k], SPOON, column(turn, 0));
     const here = way(t);
     const turn = here.map((row) => scaled(SPOON, row));
-    parts[`${NAMES[k]} spoon`] = { matrix: placed(turn, PLACES[k]) };
-    parts[`${NAMES[k]} path`] = { paths: [steps.map((x) => tip(way(x)))] };
-    parts[`${NAMES[k]} tip`] = { at: tip(here) };
+    parts[three[0]] = { matrix: placed(turn, PLACES[k]), hidden: false };
+    parts[three[1]] = { paths: [steps.map((x) => tip(way(x)))], hidden: false };
+    parts[three[2]] = { at: tip(here), hidden: false };
   });
 
   const here = pose(now);
@@ -119,8 +137,8 @@ export function eulerAngles({ u, v, w, t }) {
   const changes = swung.flatMap((row, i) => row.map((x, j) => Math.abs(x - here[i][j])));
   const path = steps.map((x) => ways[0](t * x));
   const turned = path.slice(1).map((turn, i) => degreesBetween(path[i], turn));
-  const speeds = ways.map((way) =>
-    steps.map((x) => degreesBetween(way(x - STEP), way(x + STEP)) / (2 * STEP)),
+  const speeds = ways.map(
+    (way) => way && steps.map((x) => degreesBetween(way(x - STEP), way(x + STEP)) / (2 * STEP)),
   );
   return {
     parts,
@@ -130,7 +148,7 @@ export function eulerAngles({ u, v, w, t }) {
       angle_change: angleChange(now, swung),
       entry_change: Math.max(...changes),
       by_angles: turned.reduce((sum, x) => sum + x),
-      by_slerp: t * angle,
+      by_slerp: angle === null ? NO_WAY : t * angle,
       matrix: here,
     },
     charts: { speeds: { "three angles": speeds[0], slerp: speeds[1], nlerp: speeds[2] } },

@@ -17,7 +17,9 @@ export function figure1({ vector: r, axis, theta, around }) {
   const here = terms(r, n, angle);
   const there = terms(other, n, angle);
   const rim = turning(spoke.map((x) => 0.42 * x), n, angle, 48);
+  const otherEnd = rotate(other, n, angle);
   const beside = (tip, up) => combine(1, combine(1.17, tip, -0.17, center), up, n);
+  const apart = here.map((term, i) => length(combine(1, there[i], -1, term)));
   return {
     parts: {
       circle: { paths: [turning(r, n, 2 * Math.PI, 80)] },
@@ -30,21 +32,27 @@ export function figure1({ vector: r, axis, theta, around }) {
       turned: { from: ORIGIN, to: turned },
       other: { paths: [[ORIGIN, other]] },
       "other start": { at: other },
-      "other end": { at: rotate(other, n, angle) },
+      "other end": { at: otherEnd },
       ...headToTail(here, "term"),
       ...headToTail(there, "other term"),
     },
     labels: {
-      "\\theta": combine(1, center, 0.22, rotate(spoke, n, angle / 2)),
-      "\\vec r_\\parallel": combine(0.45, center, -0.12, spoke),
+      "\\theta": combine(1, center, 0.58, rotate(spoke, n, 0.6 * angle)),
+      "\\vec r_\\parallel": combine(0.4, center, -0.16, spoke),
       "\\vec r_\\perp": combine(1, combine(1, center, 0.72, spoke), 0.09, n),
       "\\hat n": n.map((x) => 1.26 * x),
       "\\vec r": beside(r, -0.12),
       "\\vec r^{\\,\\prime}": beside(turned, 0.12),
+      "\\vec r_2": beside(other, 0),
+      "\\vec r_2^{\\,\\prime}": beside(otherEnd, 0.25),
     },
     outputs: {
-      lengths: [cos, (1 - cos) * dot(r, n), sin],
-      apart: here.map((term, i) => length(combine(1, there[i], -1, term))),
+      first: cos,
+      first_apart: apart[0],
+      along: (1 - cos) * dot(r, n),
+      along_apart: apart[1],
+      across: sin,
+      across_apart: apart[2],
       matrix: rotationMatrix(n, angle),
     },
   };

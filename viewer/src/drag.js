@@ -1,4 +1,4 @@
-/* The geometry of dragging a point over a sphere about the origin. */
+/* The geometry of dragging a point over a sphere about the origin, or over the plane of U and V. */
 import { combine, dot, rotate } from "./sphere.js";
 
 /**
@@ -19,6 +19,16 @@ export function alongSphere(eye, direction, radius) {
   const cosine = radius / distance;
   const out = (radius * Math.sqrt(1 - cosine * cosine)) / Math.hypot(...across);
   return combine(radius * cosine, towards, out, across);
+}
+
+/**
+ * Where a line of sight meets the plane of U and V; above its horizon, the direction of sight.
+ * @param {number[]} eye
+ * @param {number[]} direction
+ */
+export function alongFloor(eye, direction) {
+  const way = -eye[2] / direction[2];
+  return way > 0 ? combine(1, eye, way, direction) : direction;
 }
 
 /**

@@ -35,9 +35,13 @@ export function explore(element, live, data, models, python) {
 
   /** The status line stands where the hint was. */
   const makeRoom = () => scene.querySelector(".scene-hint")?.remove();
+  const write = (text) => {
+    clearTimeout(timer);
+    status.textContent = text;
+  };
   const say = (text) => {
     clearTimeout(timer);
-    timer = setTimeout(() => (status.textContent = text), QUIET);
+    timer = setTimeout(write, QUIET, text);
   };
   const tell = (frame) => {
     panel.show(inputs, frame);
@@ -45,6 +49,7 @@ export function explore(element, live, data, models, python) {
   };
   const show = (frame) => {
     refused = "";
+    write("");
     live.apply(frame);
     tell(frame);
   };
@@ -57,9 +62,9 @@ export function explore(element, live, data, models, python) {
   const refuse = (error) => {
     refused = error.message;
     makeRoom();
-    status.textContent = `${refused[0].toUpperCase()}${refused.slice(1)}.`;
-    clearTimeout(timer);
+    write(`${refused[0].toUpperCase()}${refused.slice(1)}.`);
     panel.show(inputs, { outputs: {}, charts: {} });
+    panel.withhold();
     finish({ refused });
   };
   /** Ask Python for one frame at a time. */
@@ -85,11 +90,9 @@ export function explore(element, live, data, models, python) {
     }
   };
   const set = (changes) => {
-    const was = refused;
     inputs = { ...inputs, ...scaled(data.inputs, changes) };
     if (data.frames) inputs = stored(data, inputs);
     update();
-    if (was && !refused) status.textContent = "";
   };
   /** What the hand does, unlike what Python sets, is told to Python. */
   const change = (changes, spoken = "") => {
@@ -105,8 +108,9 @@ export function explore(element, live, data, models, python) {
   };
   const link = () => {
     makeRoom();
-    location.hash = `explore-${data.name}?${toText(inputs, data.start)}`;
-    status.textContent = "The address of this page now leads to this state.";
+    // A new address that the figure does not follow: it is there already.
+    history.replaceState(null, "", `#explore-${data.name}?${toText(inputs, data.start)}`);
+    write("The address of this page now leads to this state.");
   };
 
   const handles = addHandles(scene, live, data.inputs, () => inputs, change);

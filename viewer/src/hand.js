@@ -11,13 +11,22 @@ const ZOOM = 0.9;
  * @param {HTMLElement} scene
  * @param {HTMLCanvasElement} canvas
  * @param {number[]} target the point that the camera turns about
+ * @param {number} [most] degrees by which it may turn to each side; by default it turns all round
  */
-export function takeInHand(camera, scene, canvas, target) {
+export function takeInHand(camera, scene, canvas, target, most) {
   const controls = new OrbitControls(camera, canvas);
   controls.target.set(...target);
   controls.minDistance = 0.2 * controls.getDistance();
   controls.maxDistance = 4 * controls.getDistance();
   controls.update();
+  if (most) {
+    const [around, down] = [controls.getAzimuthalAngle(), controls.getPolarAngle()];
+    const limit = (most * Math.PI) / 180;
+    controls.minAzimuthAngle = around - limit;
+    controls.maxAzimuthAngle = around + limit;
+    controls.minPolarAngle = Math.max(0, down - limit);
+    controls.maxPolarAngle = Math.min(Math.PI, down + limit);
+  }
   controls.saveState();
 
   const isFull = () => document.fullscreenElement === scene;

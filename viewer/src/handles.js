@@ -1,10 +1,12 @@
 /*
  * Points that can be dragged over a sphere about the origin. Each has a button over the picture,
- * for mouse, finger and keys alike.
+ * for mouse, finger and keys alike. An angle with a grip can be dragged round a circle, too; for keys
+ * it has its slider.
  */
-import { alongSphere, turned } from "./drag.js";
+import { alongFloor, alongSphere, turned } from "./drag.js";
 
 const HINT = "Drag a ring to move its point";
+const DEGREES = 180 / Math.PI;
 const STEP = Math.PI / 90;
 const STEPS = { Shift: 5, Alt: 0.1 };
 const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
@@ -25,7 +27,19 @@ export function addHandles(scene, live, specs, now, change) {
     .map(([name, spec]) => ({ name, spec, handles: [] }));
 
   const hint = scene.querySelector(".scene-hint");
-  if (groups.length && hint) hint.textContent = HINT;
+  const grips = Object.entries(specs)
+    .filter(([, { grip }]) => grip)
+    .map(([name, { grip, step }]) => {
+      const at = () => [Math.cos(now()[name] / DEGREES), Math.sin(now()[name] / DEGREES), 0];
+      const point = () => scaled(at(), grip);
+      const put = ([x, y]) => change({ [name]: step * Math.round((Math.atan2(y, x) * DEGREES) / step) });
+      const handle = createHandle(layer);
+      handle.tabIndex = -1;
+      handle.setAttribute("aria-hidden", "true");
+      drag(handle, layer, live, point, put, alongFloor);
+      return () => place(handle, live, point(), true);
+    });
+  if ((groups.length || grips.length) && hint) hint.textContent = HINT;
 
   /** The points of an input as a list, also if it is only one. */
   const listed = (value) => (Array.isArray(value[0]) ? value : [value]);
@@ -33,12 +47,11 @@ export function addHandles(scene, live, specs, now, change) {
     for (const { name, spec, handles } of groups) {
       listed(now()[name]).forEach((point, i) => place(handles[i], live, scaled(point, spec.reach)));
     }
+    for (const placeGrip of grips) placeGrip();
   };
 
   const make = ({ name, spec, handles }, i) => {
-    const handle = document.createElement("button");
-    handle.type = "button";
-    handle.className = "scene-handle";
+    const handle = createHandle(layer);
     handle.dataset.handle = Array.isArray(spec.names) ? `${name}-${i}` : name;
     handle.setAttribute("aria-roledescription", "point");
     const point = () => scaled(listed(now()[name])[i], spec.reach);
@@ -48,7 +61,7 @@ export function addHandles(scene, live, specs, now, change) {
       const all = Array.isArray(old[0]) ? old.with(i, value) : value;
       change({ [name]: all }, spoken && label(spec, i, value));
     };
-    drag(handle, layer, live, point, put);
+    drag(handle, layer, live, point, put, alongSphere);
     handle.addEventListener("keydown", (event) => {
       const arrow = ARROWS[event.key];
       if (!arrow || event.ctrlKey || event.metaKey) return;
@@ -57,7 +70,6 @@ export function addHandles(scene, live, specs, now, change) {
       const size = (event.shiftKey ? STEPS.Shift : 1) * (event.altKey ? STEPS.Alt : 1);
       put(turned(point(), live.axes(), arrow, STEP * size), true);
     });
-    layer.append(handle);
     handles[i] = handle;
   };
 
@@ -76,6 +88,14 @@ export function addHandles(scene, live, specs, now, change) {
   return { update };
 }
 
+function createHandle(layer) {
+  const handle = document.createElement("button");
+  handle.type = "button";
+  handle.className = "scene-handle";
+  layer.append(handle);
+  return handle;
+}
+
 /** Name and coordinates, as a screen reader says them. */
 function label({ names }, i, point) {
   const name = Array.isArray(names) ? names[i] : names;
@@ -86,19 +106,19 @@ function scaled(point, factor) {
   return factor === 1 ? point : point.map((x) => x * factor);
 }
 
-/** Put a handle over its point; a point on the far side cannot be caught. */
-function place(handle, live, point) {
+/** Put a handle over its point; a point on the far side of a sphere cannot be caught. */
+function place(handle, live, point, onFloor = false) {
   const { left, top, riding } = live.project(point);
   handle.style.left = `${100 * left}%`;
   handle.style.top = `${100 * top}%`;
   const eye = live.eye();
   const facing = point.reduce((sum, x, i) => sum + x * (eye[i] - x), 0);
-  handle.toggleAttribute("data-behind", facing < 0);
+  handle.toggleAttribute("data-behind", !onFloor && facing < 0);
   handle.hidden = riding;
 }
 
-/** Let a pointer drag a handle. */
-function drag(handle, layer, live, point, put) {
+/** Let a pointer drag a handle along what the line of sight meets. */
+function drag(handle, layer, live, point, put, meet) {
   let grip = null;
   const at = ({ clientX, clientY }) => {
     const { left, top, width, height } = layer.getBoundingClientRect();
@@ -118,7 +138,7 @@ function drag(handle, layer, live, point, put) {
     if (!grip) return;
     const [x, y] = at(event);
     const { eye, direction } = live.sight(x + grip.dx, y + grip.dy);
-    put(alongSphere(eye, direction, grip.radius), false);
+    put(meet(eye, direction, grip.radius), false);
   });
   for (const kind of ["pointerup", "pointercancel"]) {
     handle.addEventListener(kind, () => {

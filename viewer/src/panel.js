@@ -1,6 +1,10 @@
 /* The controls, numbers and charts below a figure, as `rotedu.figures.panel` writes them. */
 
 const ROUNDING = 1e-9;
+// Seconds for which Play stays at the end, before it starts over.
+const REST = 0.8;
+// The arrow where a curve leaves its chart: half its width, and its length.
+const ARROW = [4, 7];
 const calm = matchMedia("(prefers-reduced-motion: reduce)");
 
 /**
@@ -9,7 +13,8 @@ const calm = matchMedia("(prefers-reduced-motion: reduce)");
  * @param specs its inputs
  * @param {function} now returns the present inputs
  * @param {{change: function, reset: function, link: function}} actions
- * @returns {{show: function}} writes inputs and a frame into the panel
+ * @returns {{show: function, withhold: function}} writes inputs and a frame into the panel; puts a dash
+ *   for each number that does not hold
  */
 export function bindPanel(element, specs, now, { change, reset, link }) {
   const form = element.querySelector(".explorable-panel");
@@ -26,7 +31,7 @@ export function bindPanel(element, specs, now, { change, reset, link }) {
   form.querySelector("fieldset").disabled = false;
   form.addEventListener("submit", (event) => event.preventDefault());
 
-  const player = playing(specs, now, change);
+  const player = playing(element, specs, now, change);
   form.addEventListener("input", ({ target }) => {
     const name = target.name.replace(/-number$/, "");
     const { kind, low, high } = specs[name] ?? {};
@@ -71,10 +76,13 @@ export function bindPanel(element, specs, now, { change, reset, link }) {
       for (const [name, value] of Object.entries(outputs)) {
         const output = form.elements[name];
         output.textContent = text(value, output.dataset);
-        output.toggleAttribute("data-no", value === "no");
+        output.classList.toggle("explorable-loud", value === output.dataset.loud);
       }
       for (const [name, curves] of Object.entries(drawn)) charts.get(name).draw(curves);
       for (const { over, mark } of charts.values()) mark(values[over]);
+    },
+    withhold() {
+      for (const output of all("output")) output.textContent = output.textContent.replace(/\S+/g, "–");
     },
   };
 }
@@ -94,7 +102,7 @@ function bindChart(chart) {
     over,
     draw(curves) {
       for (const [curve, heights] of Object.entries(curves)) {
-        const pieces = Array.isArray(heights[0]) ? heights : [heights];
+        const pieces = Array.isArray(heights?.[0]) ? heights : [heights ?? []];
         lines.get(curve).setAttribute("d", path(pieces, box));
         marks.forEach((mark, i) => (mark.hidden = i >= pieces.length));
       }
@@ -115,14 +123,34 @@ function decimals(step) {
 function path(pieces, { width, height, low, high }) {
   const each = width / pieces.length;
   const paths = pieces.map((heights, i) => {
-    const points = heights.map((value, k) => {
-      const share = Math.min(1.05, Math.max(-0.05, (value - low) / (high - low)));
-      const x = (i + k / (heights.length - 1)) * each;
-      return `${x.toFixed(1)},${(height * (1 - share)).toFixed(1)}`;
+    const shares = heights.map((value) => (value - low) / (high - low));
+    const x = (k) => (i + k / (heights.length - 1)) * each;
+    const points = shares.map((share, k) => {
+      const y = height * (1 - Math.min(1.05, Math.max(-0.05, share)));
+      return `${x(k).toFixed(1)},${y.toFixed(1)}`;
     });
-    return `M${points.join(" ")}`;
+    const arrows = cutOff(shares).map(([k, edge]) => arrow(x(k), height * (1 - edge), edge));
+    return points.length ? `M${points.join(" ")}${arrows.join("")}` : "";
   });
   return paths.join("");
+}
+
+/** Where a curve is beyond its chart: the middle of each such stretch, and the edge, 1 or 0. */
+function cutOff(shares) {
+  const edges = shares.map((share) => (share > 1 ? 1 : share < 0 ? 0 : null));
+  const found = [];
+  for (let k = 0, end; k < edges.length; k = end) {
+    for (end = k + 1; edges[end] === edges[k]; ) end++;
+    if (edges[k] !== null) found.push([(k + end - 1) / 2, edges[k]]);
+  }
+  return found;
+}
+
+function arrow(x, y, edge) {
+  const [half, long] = ARROW;
+  const back = y + (edge ? long : -long);
+  const [left, right] = [x - half, x + half].map((end) => `${end.toFixed(1)},${back.toFixed(1)}`);
+  return `M${left} ${x.toFixed(1)},${y.toFixed(1)} ${right}`;
 }
 
 /** Write a number, a text or a matrix as Python does. */
@@ -148,8 +176,8 @@ function added(points) {
   return points.toSpliced(widest + 1, 0, between.map((x) => x * scale));
 }
 
-/** Move a slider from its low to its high end. */
-function playing(specs, now, change) {
+/** Move a slider from its low to its high end, again and again, while the figure is on the screen. */
+function playing(element, specs, now, change) {
   let frame = 0;
   let button;
   const stop = () => {
@@ -168,12 +196,14 @@ function playing(specs, now, change) {
     let value = now()[name] < high ? now()[name] : low;
     let last;
     const tick = (time) => {
+      const { top, bottom } = element.getBoundingClientRect();
+      if (bottom < 0 || top > innerHeight) return stop();
       const passed = last === undefined ? 0 : (time - last) / 1000;
       last = time;
-      value = Math.min(high, value + (passed * (high - low)) / plays);
-      change({ [name]: value });
-      if (value < high) frame = requestAnimationFrame(tick);
-      else stop();
+      value += (passed * (high - low)) / plays;
+      if (value > high + (REST * (high - low)) / plays) value = low;
+      change({ [name]: Math.min(high, value) });
+      frame = requestAnimationFrame(tick);
     };
     frame = requestAnimationFrame(tick);
   };

@@ -91,7 +91,7 @@ export async function show(element, file, context, { width, height, alt }) {
   };
 
   await prepare(context, scene, camera);
-  const { controls, full } = takeInHand(camera, element, canvas, pose.target);
+  const { controls, full } = takeInHand(camera, element, canvas, pose.target, pose.most);
   fit();
   const poster = element.querySelector(".scene-poster");
   if (poster) poster.after(canvas);

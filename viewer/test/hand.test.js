@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { alongSphere, turned } from "../src/drag.js";
+import { alongFloor, alongSphere, turned } from "../src/drag.js";
 import { fromText, toText } from "../src/link.js";
 import { arrow, tubes } from "../src/shapes.js";
 
@@ -26,6 +26,12 @@ test("beside the sphere a point slides along the rim", () => {
     near([Math.hypot(x, y, z)], [1]);
     near([Math.atan2(z, y)], [angle > Math.PI ? angle - 2 * Math.PI : angle]);
   }
+});
+
+test("a line of sight meets the floor, and above the horizon it points the way", () => {
+  near(alongFloor([0, 0, 2], [0.6, 0, -0.8]), [1.5, 0, 0]);
+  near(alongFloor([0, 0, -2], [0, 0.6, 0.8]), [0, 1.5, 0]);
+  near(alongFloor([0, 0, 2], [0.6, 0, 0.8]), [0.6, 0, 0.8]);
 });
 
 test("an arrow key moves a point to where it says", () => {

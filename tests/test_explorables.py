@@ -126,7 +126,7 @@ def test_a_model_computes_what_python_draws(
 def test_opposite_quaternions_have_a_refusal_of_their_own(turn: float, flip: bool) -> None:
     figure = explore(scenes.slerp_by_hand)
     inputs = figure.values | {"what": "orientations", "turn": turn, "flip": flip}
-    message = "the quaternions 1 and -1 are antipodal: no unique arc joins them"
+    message = "the quaternions 1 and −1 are antipodal: no unique arc joins them"
     refusal = {"error": "DegenerateError", "message": message}
     assert in_python(figure, inputs) == refusal
     assert ask_node("models.js", json.dumps([("slerp", inputs)]))["answers"] == [refusal]

@@ -172,6 +172,23 @@ def test_their_points_hide_no_lost_bar() -> None:
         assert abs(np.sin(angles[0]) - np.sin(angles[1])) > 0.05
 
 
+@pytest.mark.parametrize("before", [30, 60, 110])
+def test_a_control_point_jumps_where_the_gaps_differ_by_180_degrees(before: float) -> None:
+    def across(onward: float) -> dict[str, float]:
+        phi = np.radians([-before, 0, onward])
+        # The last point is dragged beside the great circle.
+        points = np.stack([np.cos(phi), np.sin(phi), [0, 0, 0.3]], axis=-1)
+        outputs = scenes.control_points_by_hand(points, one_circle=True).shown.outputs
+        return {name: output.value for name, output in outputs.items()}
+
+    earlier, later = across(before + 179.9), across(before + 180.1)
+    assert earlier["gaps_differ"] == pytest.approx(180.1)
+    assert later["gaps_differ"] == pytest.approx(179.9)
+    jump = earlier["place_of_a"] - later["place_of_a"]
+    assert abs(jump) == pytest.approx(90, abs=0.1)
+    assert earlier["to_jump"] == pytest.approx(0.1)
+
+
 def test_reversed_axis_is_that_of_5_9_as_printed() -> None:
     p = np.asarray(construction.LOOP) / np.linalg.norm(construction.LOOP, axis=1, keepdims=True)
     reflected, after = double(np.roll(p, 1, axis=0), p), np.roll(p, -1, axis=0)
@@ -218,6 +235,15 @@ def test_an_upright_camera_spins_with_its_azimuth(path: str, u: float) -> None:
     assert shown["carried along"] == 0
 
 
+@pytest.mark.parametrize("path", ["arcs", "curve"])
+def test_the_chart_of_the_spin_is_that_of_an_upright_camera(path: str) -> None:
+    spins = scenes.camera_by_hand(path=path).shown.charts["spins"].curves["spin"]
+    for k in (0, 6, 11):
+        u = (2 + k / 12) / 4
+        shown = scenes.camera_by_hand(path=path, roll="kept upright", u=u).shown
+        assert spins[2][k] == pytest.approx(shown.outputs["spin"].value, abs=1e-5)
+
+
 def test_speed_jumps_on_arcs_and_not_on_the_curve() -> None:
     speeds = scenes.camera_by_hand().shown.charts["speeds"].curves
     jumps = {
@@ -234,6 +260,7 @@ def test_curvature_in_the_chart_jumps_as_told() -> None:
     shown = scenes.closed_curve_by_hand().shown
     pieces = np.array(shown.charts["curvatures"].curves["curve"])
     jumps = abs(pieces[:, 0] - np.roll(pieces[:, -1], 1))
+    assert jumps == pytest.approx(np.array(shown.outputs["curvature_jumps"].value), abs=1e-5)
     assert jumps.max() == pytest.approx(shown.outputs["curvature_jump"].value, abs=1e-5)
     assert (jumps > 0.5).sum() == 3
 

@@ -195,10 +195,10 @@ def speed_of_nlerp(theta: float, t: NDArray[np.float64]) -> NDArray[np.float64]:
 @explorable(
     model="slerp",
     p=Handles("p"),
-    q=Handles("q"),
+    q=Handles("q (orientations: sets the axis)"),
     t=Slider(0, 1, "fraction t", plays=5),
     what=Choice("between", ["directions", "orientations"]),
-    turn=Slider(0, 360, "turn (orientations)", step=1),
+    turn=Slider(0, 360, "turn (orientations only)", step=1),
     flip=Switch("flip the sign of the end"),
 )
 def slerp_by_hand(
@@ -245,7 +245,7 @@ def slerp_by_hand(
     last = -last if flip else last
     theta = float(angle_between(first, last))
     if spoons and theta > np.pi - SAME:
-        raise DegenerateError("the quaternions 1 and -1 are antipodal: no unique arc joins them")
+        raise DegenerateError("the quaternions 1 and −1 are antipodal: no unique arc joins them")
     times = np.linspace(0, 1, 61)
 
     def tip(end: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -296,6 +296,7 @@ def slerp_by_hand(
         ("q", "$q$", beyond(end if spoons else other) if not (spoons and flip) else None, VECTOR),
         ("-q", "$-q$", beyond(end) if flip else None, VECTOR),
         ("axis", "axis", 1.2 * axis if spoons else None, AXIS),
+        ("held", "sets the axis", 1.1 * other - 0.14 * axis if spoons else None, "black"),
         ("slerp", "slerp", 0.8 * here + 0.1 * axis, RESULT),
         ("nlerp", "nlerp", 1.15 * there - 0.15 * axis, CROSS),
     ):
@@ -304,10 +305,11 @@ def slerp_by_hand(
     angle = np.degrees(theta)
     way = 2 * angle if spoons else angle
     start_weight, end_weight = weights(theta, np.array(t))
-    read_out(plotter, "angle", angle, "angle θ between the ends", 1, "°")
+    read_out(plotter, "angle", angle, "θ between the ends (quaternions: half the turn)", 1, "°")
     read_out(plotter, "way", way, "slerp turns by", 1, "°")
     read_out(plotter, "start_weight", start_weight, "weight of the start", 2)
     read_out(plotter, "end_weight", end_weight, "weight of the end", 2)
+    read_out(plotter, "weights_sum", start_weight + end_weight, "sum of the weights", 2)
     read_out(plotter, "speed", speed_of_nlerp(theta, np.array(t)), "speed of nlerp (slerp: 1)", 2)
     draw_chart(
         plotter,
@@ -326,7 +328,7 @@ def slerp_by_hand(
         over="t",
         x=(0, 1),
         y=(0, 4),
-        label="speed",
+        label="speed (cut off at 4)",
         colors={"slerp": RESULT, "nlerp": CROSS},
     )
     spoons_say = " Blue spoons show the start and the end, a green one slerp." if spoons else ""

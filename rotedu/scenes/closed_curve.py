@@ -98,6 +98,8 @@ def beside(polygon: NDArray[np.float64]) -> NDArray[np.float64]:
 
 MOST = 8
 """Number of points that `closed_curve_by_hand` can show."""
+# Control points of more points have no room for their names.
+NAMED = 5
 STEP = 3e-4
 # Of a row of points, all but the last and all but the first: the ends of the arcs between them.
 PIECES = (slice(None, -1), slice(1, None))
@@ -170,7 +172,8 @@ def closed_curve_by_hand(
     curve = closed_curve(p, 40, fraction)
     add_line(plotter, [*curve, curve[0]], RESULT, radius=0.013, name="curve")
     polygon = np.stack([b, p, a], axis=1).reshape(-1, 3)
-    add_arcs(plotter, polygon, np.roll(polygon, -1, axis=0), CROSS, name="polygon")
+    add_arcs(plotter, [*b, *p], [*p, *a], CROSS, "handles", radius=0.013)
+    add_arcs(plotter, a, control[:, 2], CROSS, "polygon")
     starts, ends = (np.concatenate([level[cut] for level in levels[1:3]]) for cut in PIECES)
     add_arcs(plotter, starts, ends, NEUTRAL, name="levels")
     for j, level in enumerate(levels[1:3], start=1):
@@ -186,7 +189,8 @@ def closed_curve_by_hand(
         point = polygon[i] if used else ORIGIN
         name = f"{letter}_{i // 3}"
         add_point(plotter, point, color, radius, name=name).visibility = used
-        add_label(plotter, places[i] if used else None, f"${name}$", color, name=name)
+        named = used and (letter == "P" or n <= NAMED)
+        add_label(plotter, places[i] if named else None, f"${name}$", color, name=name)
 
     velocity, curvature = motion(control[:, np.newaxis], t)
     speed = np.degrees(np.linalg.norm(velocity, axis=-1))
@@ -196,11 +200,12 @@ def closed_curve_by_hand(
     read_out(plotter, "curvature", curvature_here, "curvature here (great circle: 0)", 2)
     jump = np.degrees(np.linalg.norm(leaving - arriving, axis=-1)).max()
     read_out(plotter, "velocity_jump", jump, "largest jump of velocity", 1, "°/s")
-    jump = abs(curvature[:, 0] - np.roll(curvature[:, -1], 1)).max()
-    read_out(plotter, "curvature_jump", jump, "largest jump of curvature", 2)
+    jumps = abs(curvature[:, 0] - np.roll(curvature[:, -1], 1))
+    read_out(plotter, "curvature_jump", jumps.max(), "largest jump of curvature", 2)
+    read_out(plotter, "curvature_jumps", jumps, "jumps of curvature at P₀, P₁, …", 2)
     for name, values, top, text in (
         ("speeds", speed, (0.0, 150.0), "speed, degrees a second"),
-        ("curvatures", curvature, (-8.0, 8.0), "curvature, positive to the left"),
+        ("curvatures", curvature, (-6.0, 6.0), "curvature, positive to the left (cut off at ±6)"),
     ):
         draw_chart(
             plotter,
@@ -223,12 +228,17 @@ def closed_curve_by_hand(
 
 
 def add_arcs(
-    plotter: pyvista.Plotter, starts: ArrayLike, ends: ArrayLike, color: str, name: str
+    plotter: pyvista.Plotter,
+    starts: ArrayLike,
+    ends: ArrayLike,
+    color: str,
+    name: str,
+    radius: float = 0.006,
 ) -> None:
     """Add arcs of the unit sphere from each of some points to another, as one part."""
     t = np.linspace(0, 1, 13)
     pairs = zip(np.asarray(starts), np.asarray(ends), strict=True)
-    add_lines(plotter, [slerp(p, q, t) for p, q in pairs], color, radius=0.006, name=name)
+    add_lines(plotter, [slerp(p, q, t) for p, q in pairs], color, radius, name)
 
 
 # Far apart, so that the arcs of the different levels are easy to distinguish.
@@ -350,9 +360,11 @@ def camera_by_hand(
         plotter, turning((1, 0, 0), (0, 0, 1), 2 * np.pi), NEUTRAL, radius=0.005, name="horizon"
     )
     for k in range(HORIZONS):
-        azimuth = 2 * np.pi * k / HORIZONS
+        # Halfway between two meridians.
+        azimuth = 2 * np.pi * (k + 1 / 4) / HORIZONS
         place = 0.98 * np.array([np.cos(azimuth), np.sin(azimuth), 0.06])
         add_label(plotter, place if ride else None, "horizon", name=f"horizon {k}")
+    add_label(plotter, (0.06, 0, 0.98) if ride else None, "straight up")
     for name, color in (("arcs", CROSS), ("curve", RESULT)):
         way = [*ways[name], p[0]]
         add_line(plotter, way, color, 0.014, name=name).visibility = name == path
@@ -362,7 +374,8 @@ def camera_by_hand(
     away = p - p.mean(axis=0)
     away -= np.sum(away * p, axis=1, keepdims=True) * p
     away /= np.maximum(np.linalg.norm(away, axis=1, keepdims=True), STEP)
-    places = 1.12 * p + 0.19 * (away + np.cross(p, away))
+    # Seen from the centre, they are close by.
+    places = p + 0.08 * away if ride else 1.12 * p + 0.19 * (away + np.cross(p, away))
     for name, target, place in zip(CAMERA_SEES, p, places, strict=True):
         add_point(plotter, target, VECTOR, 0.036, name=name)
         add_label(plotter, place, name, VECTOR)
@@ -386,25 +399,25 @@ def camera_by_hand(
         actor.visibility = not ride
     add_label(plotter, None if ride else top + 0.36 * up, "up", AXIS)
 
-    spin = 0.0
-    if roll == "kept upright":
-        before, later = (upright(de_casteljau(legs[leg], within + x)) for x in (-STEP, STEP))
-        spin = float((later - before) @ np.cross(ahead, vertical)) / (2 * STEP)
     t = np.linspace(0, 1, LEG // 2 + 1)
     velocities = {
         "arcs": motion(arcs[:, np.newaxis], t)[0],
         "curve": motion(curves[:, np.newaxis], t)[0],
     }
     velocity = velocities[path]
+    velocity_here = motion(legs[leg], within)[0]
+    spin = spin_of_upright(ahead, velocity_here) if roll == "kept upright" else 0
+    spins = spin_of_upright(de_casteljau(legs[:, np.newaxis], t), velocity)
     arriving, leaving = np.roll(velocity[:, -1], 1, axis=0), velocity[:, 0]
-    speed = np.linalg.norm(motion(legs[leg], within)[0])
+    speed = np.linalg.norm(velocity_here)
     across = np.linalg.norm(np.cross(arriving, leaving), axis=1)
     bends = np.arctan2(across, np.sum(arriving * leaving, axis=1))
     rolled = np.arctan2(np.cross(vertical, up) @ ahead, vertical @ up)
     read_out(plotter, "rolled", np.degrees(rolled), "turned against upright", 0, "°")
     read_out(plotter, "spin", np.degrees(spin), "spin about line of sight", 0, "°/s")
     read_out(plotter, "speed", np.degrees(speed), "speed", 0, "°/s")
-    read_out(plotter, "bends", np.degrees(bends), f"bends at {', '.join(CAMERA_SEES)}", 0, "°")
+    named = zip(CAMERA_SEES, np.degrees(bends), strict=True)
+    read_out(plotter, "bends", ", ".join(f"{name} {bend:.0f}°" for name, bend in named), "bends")
     draw_chart(
         plotter,
         "speeds",
@@ -414,6 +427,17 @@ def camera_by_hand(
         y=(0, 150),
         label="speed, degrees a second",
         colors={"arcs": CROSS, "curve": RESULT, "marks": VECTOR},
+        marks=CAMERA_SEES,
+    )
+    draw_chart(
+        plotter,
+        "spins",
+        {"spin": np.degrees(spins)},
+        over="u",
+        x=(0, 1),
+        y=(-600, 600),
+        label="spin of an upright camera, °/s",
+        colors={"spin": AXIS, "marks": VECTOR},
         marks=CAMERA_SEES,
     )
     describe(
@@ -438,6 +462,15 @@ def picture(ahead: NDArray[np.float64], up: NDArray[np.float64]) -> list[NDArray
 def upright(ahead: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return the upward direction of the picture of an upright camera."""
     return np.cross(ahead, arc_axis([0, 0, 1], ahead))
+
+
+def spin_of_upright(
+    ahead: NDArray[np.float64], velocity: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """Return how fast an upright camera turns about its line of sight: by its turn about W."""
+    (x, y, z), (dx, dy, _) = np.moveaxis(ahead, -1, 0), np.moveaxis(velocity, -1, 0)
+    spin: NDArray[np.float64] = z * (x * dy - y * dx) / np.maximum(x**2 + y**2, STEP**2)
+    return spin
 
 
 def carried(up: NDArray[np.float64], way: ArrayLike) -> NDArray[np.float64]:

@@ -22,6 +22,7 @@ from rotedu.scenes.parts import (
     add_point,
     add_sphere,
     new_scene,
+    turning,
 )
 
 # The points of figures 3 to 7 are 60 degrees apart, then 90. So no bisected angle equals the angle
@@ -266,6 +267,8 @@ STEPS = (
 )
 # Lengths of vectors and angles in radians that look equal.
 SAME = 1e-6
+# Two points of the equator and one ahead of them, off the poles: it has a nearest point there.
+AHEAD = (*NEIGHBOURS[:2], (-0.3, 0.3 / 3**0.5, 0.94))
 # From a point to its label.
 NEAR, FAR = 0.17, 0.36
 
@@ -276,12 +279,14 @@ NEAR, FAR = 0.17, 0.36
     step=Slider(0, 4, "steps taken", step=1, stride=1, plays=8),
     printed_axis=Switch("(5-9) as printed (step 2)"),
     printed_double=Switch("(5-13) as printed (step 4)"),
+    one_circle=Switch("keep Pᵢ₊₁ on the great circle of the others"),
 )
 def control_points_by_hand(
-    points: ArrayLike = NEIGHBOURS,
+    points: ArrayLike = AHEAD,
     step: float = 4,
     printed_axis: bool = False,
     printed_double: bool = False,
+    one_circle: bool = False,
 ) -> pyvista.Plotter:
     """Draw the four steps to the control points, with either misprint, and test the result.
 
@@ -295,13 +300,17 @@ def control_points_by_hand(
         Whether the second step turns about the axis of (5-9) as printed.
     printed_double : bool
         Whether the fourth step takes (5-13) as printed.
+    one_circle : bool
+        Whether P_{i+1} moves to the nearest point of the great circle through the other two.
 
     Returns
     -------
     pyvista.Plotter
         The scene.
     """
-    before, here, after = np.asarray(points, float) / np.linalg.norm(points, axis=1, keepdims=True)
+    before, here, held = np.asarray(points, float) / np.linalg.norm(points, axis=1, keepdims=True)
+    axis = arc_axis(before, here) if one_circle else np.eye(3)[2]
+    after = np.cross(arc_axis(axis, held), axis) if one_circle else held
     share = np.clip(step - np.arange(4), 0, 1)[:, np.newaxis] * np.linspace(0, 1, 25)
     reflected = slerp(before, here, 2)
     # About the reversed axis, half of the angle turns away from the next point.
@@ -312,7 +321,10 @@ def control_points_by_hand(
     b = slerp(*doubled, 2)
 
     plotter = new_scene(eye=(3.2, 3.8, 2.9), target=(0, 0, 0.06))
-    add_sphere(plotter)
+    add_sphere(plotter, opacity=0.3)
+    circle = turning(before, axis, 2 * np.pi, 96)
+    add_line(plotter, circle, NEUTRAL, radius=0.004, name="circle").visibility = one_circle
+    add_point(plotter, held, VECTOR, 0.018, name="held").visibility = one_circle
     add_arcs(plotter, [before, here], [here, after], VECTOR, name="given")
     for name, point, others in (
         (BEFORE, before, [here]),
@@ -361,10 +373,12 @@ def control_points_by_hand(
     for name, made, label, error in tests:
         read_out(plotter, name, bool(error < SAME) if step >= made else "–", label)
     read_out(plotter, "to_jump", 180 - np.degrees(span), "Pᵢ₊₁ to the grey point", 0, "°")
-    read_out(plotter, "gap_before", np.degrees(angle_between(before, here)), "gap before", 0, "°")
-    read_out(plotter, "gap_after", gap_after, "gap after (back: −)", 0, "°")
+    gap_before = np.degrees(angle_between(before, here))
+    read_out(plotter, "gap_before", gap_before, "gap before", 0, "°")
+    read_out(plotter, "gap_after", gap_after, "gap after (Pᵢ₊₁ behind Pᵢ: −)", 0, "°")
+    read_out(plotter, "gaps_differ", gap_before - gap_after, "gap before − gap after", 0, "°")
     read_out(
-        plotter, "place_of_a", place_of_a if step >= 3 else "–", "aᵢ after Pᵢ (back: −)", 0, "°"
+        plotter, "place_of_a", place_of_a if step >= 3 else "–", "aᵢ after Pᵢ (behind: −)", 0, "°"
     )
     describe(
         plotter,

@@ -100,14 +100,15 @@ def carried_around_by_hand(
     plotter.add_mesh(
         sector, color=AXIS, opacity=0.6, lighting=False, pickable=False, name=name
     ).visibility = t == 1
-    place = start + 2 * rim[len(rim) // 2]
+    # Beyond the tips of both arrows, and outside the sphere when they are seen edge on.
+    place = 1.12 * start + 2.6 * rim[len(rim) // 2]
     add_label(plotter, place if t == 1 else None, "twist", AXIS)
     for letter, point, others in zip("ABC", p, p.sum(axis=0) - p, strict=True):
         outwards = 2 * point - others
         place = point + 0.18 * outwards / np.linalg.norm(outwards)
         add_point(plotter, point, NEUTRAL, radius=0.03, name=letter)
         add_label(plotter, place, f"${letter}$", name=letter)
-    read_out(plotter, "twist", np.degrees(twist), "twist on arrival", 1, "°")
+    read_out(plotter, "twist", np.degrees(twist), "twist, once round", 1, "°")
     read_out(plotter, "area", np.degrees(area), "area inside (whole sphere: 720°)", 1, "°")
     describe(
         plotter,

@@ -46,7 +46,7 @@ export function slerp({ p, q, what, turn, flip, t }) {
   const last = flip ? unflipped.map((x) => -x) : unflipped;
   const theta = angleBetween(first, last);
   if (spoons && theta > Math.PI - SAME) {
-    throw new DegenerateError("the quaternions 1 and -1 are antipodal: no unique arc joins them");
+    throw new DegenerateError("the quaternions 1 and −1 are antipodal: no unique arc joins them");
   }
   const times = spread(SAMPLES);
 
@@ -95,6 +95,7 @@ export function slerp({ p, q, what, turn, flip, t }) {
       q: spoons && flip ? null : beyond(spoons ? end : q),
       "-q": flip ? beyond(end) : null,
       axis: spoons ? axis.map((x) => 1.2 * x) : null,
+      held: spoons ? beside(q, 1.1, -0.14) : null,
       slerp: beside(here, 0.8, 0.1),
       nlerp: beside(there, 1.15, -0.15),
     },
@@ -103,6 +104,7 @@ export function slerp({ p, q, what, turn, flip, t }) {
       way: DEGREES * theta * (spoons ? 2 : 1),
       start_weight: startWeight,
       end_weight: endWeight,
+      weights_sum: startWeight + endWeight,
       speed: speedOfNlerp(theta, t),
     },
     charts: {

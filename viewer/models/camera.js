@@ -63,42 +63,50 @@ export function camera({ targets, path, roll, ride, u }) {
   }
   const labels = { up: ride ? null : combine(1, top, 0.36, up) };
   for (let k = 0; k < HORIZONS; k++) {
-    const azimuth = (2 * Math.PI * k) / HORIZONS;
+    const azimuth = (2 * Math.PI * (k + 1 / 4)) / HORIZONS;
     const place = [Math.cos(azimuth), Math.sin(azimuth), 0.06].map((x) => 0.98 * x);
     labels[`horizon ${k}`] = ride ? place : null;
   }
+  labels["straight up"] = ride ? [0.06, 0, 0.98] : null;
   const middle = p.reduce((sum, q) => combine(1, sum, 1 / p.length, q), ORIGIN);
   SEEN.forEach((name, i) => {
     parts[name] = { at: p[i] };
-    labels[name] = outside(p[i], middle);
+    labels[name] = outside(p[i], middle, ride);
   });
 
-  let spin = 0;
-  if (roll === "kept upright") {
-    const [before, later] = [-STEP, STEP].map((x) => upright(deCasteljau(legs[leg], within + x)));
-    spin = dot(combine(1, later, -1, before), cross(ahead, vertical)) / (2 * STEP);
-  }
   const times = spread(LEG / 2 + 1);
   const velocities = (way) => way.map((leg) => times.map((x) => motion(leg, x).velocity));
   const speeds = (rows) => rows.map((row) => row.map((v) => DEGREES * length(v)));
   const driven = { arcs: velocities(arcs), curve: velocities(curves) };
+  const velocityHere = motion(legs[leg], within).velocity;
+  const spins = driven[path].map((row, i) =>
+    row.map((v, k) => DEGREES * spinOfUpright(deCasteljau(legs[i], times[k]), v)),
+  );
   const bends = driven[path].map((row, i) => angle(driven[path].at(i - 1).at(-1), row[0]));
   return {
     parts,
     labels,
     outputs: {
       rolled: DEGREES * Math.atan2(dot(cross(vertical, up), ahead), dot(vertical, up)),
-      spin: DEGREES * spin,
-      speed: DEGREES * length(motion(legs[leg], within).velocity),
-      bends: bends.map((bend) => DEGREES * bend),
+      spin: roll === "kept upright" ? DEGREES * spinOfUpright(ahead, velocityHere) : 0,
+      speed: DEGREES * length(velocityHere),
+      bends: SEEN.map((name, i) => `${name} ${(DEGREES * bends[i]).toFixed(0)}°`).join(", "),
     },
-    charts: { speeds: { arcs: speeds(driven.arcs), curve: speeds(driven.curve) } },
+    charts: {
+      speeds: { arcs: speeds(driven.arcs), curve: speeds(driven.curve) },
+      spins: { spin: spins },
+    },
     view: ride ? { eye: ORIGIN, target: ahead, up, angle: ANGLE } : null,
   };
 }
 
 /** The upward direction of the picture of an upright camera. */
 const upright = (ahead) => cross(ahead, arcAxis([0, 0, 1], ahead));
+
+/** How fast an upright camera turns about its line of sight. */
+function spinOfUpright([x, y, z], [dx, dy]) {
+  return (z * (x * dy - y * dx)) / Math.max(x ** 2 + y ** 2, STEP ** 2);
+}
 
 /** Carry a direction along a path on the sphere: two half turns make up the rotation of an arc. */
 function carried(up, way) {
@@ -117,10 +125,11 @@ function picture(ahead, up) {
 /** The angle between two velocities; one that is zero makes none. */
 const angle = (v, w) => Math.atan2(length(cross(v, w)), dot(v, w));
 
-/** The place of a label: near the sphere, away from the middle of the targets and to one side. */
-function outside(point, middle) {
+/** The place of a label: away from the middle of the targets, for a rider close by. */
+function outside(point, middle, ride) {
   const chord = combine(1, point, -1, middle);
   const tangent = combine(1, chord, -dot(chord, point), point);
   const away = tangent.map((x) => x / Math.max(length(tangent), STEP));
+  if (ride) return combine(1, point, 0.08, away);
   return combine(1.12, point, 0.19, combine(1, away, 1, cross(point, away)));
 }

@@ -12,6 +12,7 @@ import {
 import { DEGREES, ORIGIN, arcs, motion, spread } from "./common.js";
 
 const MOST = 8;
+const NAMED = 5;
 const SAMPLES = 25;
 
 /** `closed_curve_by_hand` */
@@ -26,11 +27,11 @@ export function closedCurve({ points, u, fraction }) {
   const curve = curveThrough(p, 40, fraction);
 
   const polygon = p.flatMap((point, i) => [b[i], point, a[i]]);
-  const after = polygon.map((_, i) => polygon[(i + 1) % polygon.length]);
   const [, first, second, [here]] = levels;
   const parts = {
     curve: { paths: [[...curve, curve[0]]] },
-    polygon: { paths: arcs(polygon, after) },
+    handles: { paths: arcs([...b, ...p], [...p, ...a]) },
+    polygon: { paths: arcs(a, control.map((four) => four[2])) },
     levels: { paths: arcs([first[0], first[1], second[0]], [first[1], first[2], second[1]]) },
     "Q 1 1": { at: first[0] },
     "Q 1 2": { at: first[1] },
@@ -45,7 +46,7 @@ export function closedCurve({ points, u, fraction }) {
     const name = `${"bPa"[i % 3]}_${Math.floor(i / 3)}`;
     const point = polygon[i];
     parts[name] = point ? { at: point, hidden: false } : { hidden: true };
-    labels[name] = point ? beside(polygon, i, middle) : null;
+    labels[name] = point && (i % 3 === 1 || n <= NAMED) ? beside(polygon, i, middle) : null;
   }
 
   const t = spread(SAMPLES);
@@ -62,6 +63,7 @@ export function closedCurve({ points, u, fraction }) {
       curvature: now.curvature,
       velocity_jump: DEGREES * Math.max(...jumps),
       curvature_jump: Math.max(...bends),
+      curvature_jumps: bends,
     },
     charts: {
       speeds: { curve: motions.map((row) => row.map(({ velocity }) => DEGREES * length(velocity))) },

@@ -1,6 +1,6 @@
 /* Models of `rotedu.scenes.control_points`. */
-import { angleBetween, combine, cross, dot, slerp, unit } from "../src/sphere.js";
-import { DEGREES, ORIGIN, arcs, spread } from "./common.js";
+import { angleBetween, arcAxis, combine, cross, dot, slerp, unit } from "../src/sphere.js";
+import { DEGREES, ORIGIN, arcs, spread, turning } from "./common.js";
 
 const SAME = 1e-6;
 const NEAR = 0.17;
@@ -18,8 +18,10 @@ const STEPS = [
 const SAMPLES = spread(25);
 
 /** `control_points_by_hand` */
-export function controlPoints({ points, step, printed_axis, printed_double }) {
-  const [before, here, after] = points.map(unit);
+export function controlPoints({ points, step, printed_axis, printed_double, one_circle }) {
+  const [before, here, held] = points.map(unit);
+  const axis = one_circle && arcAxis(before, here);
+  const after = one_circle ? cross(arcAxis(axis, held), axis) : held;
   const path = (k, [p, q], from, to) => {
     const share = Math.min(1, Math.max(0, step - k));
     return SAMPLES.map((t) => slerp(p, q, from + share * t * (to - from)));
@@ -34,6 +36,10 @@ export function controlPoints({ points, step, printed_axis, printed_double }) {
   const opposite = combine(-1, reflected, 0, ORIGIN);
 
   const parts = {
+    circle: one_circle
+      ? { paths: [turning(before, axis, 2 * Math.PI, 96)], hidden: false }
+      : { hidden: true },
+    held: { at: held, hidden: !one_circle },
     given: { paths: arcs([before, here], [here, after]) },
     "$P_{i-1}$": { at: before },
     "$P_i$": { at: here },
@@ -62,6 +68,7 @@ export function controlPoints({ points, step, printed_axis, printed_double }) {
     labels[name] = hidden ? null : beside(at, others, distance);
   });
 
+  const gapBefore = DEGREES * angleBetween(before, here);
   const forward = combine(1, reflected, -1, before);
   const along = (q) => DEGREES * angleBetween(here, q) * (dot(q, forward) < 0 ? -1 : 1);
   const [near, far] = [a, b].map((q) => angleBetween(here, q));
@@ -78,8 +85,9 @@ export function controlPoints({ points, step, printed_axis, printed_double }) {
       equally_far: lamp(4, Math.abs(near - far)),
       no_corner: lamp(4, -dot(turnsIn, cross(here, a))),
       midway: lamp(2, Math.max(...halves.map((x) => Math.abs(x - span / 2)))),
-      gap_before: DEGREES * angleBetween(before, here),
+      gap_before: gapBefore,
       gap_after: along(after),
+      gaps_differ: gapBefore - along(after),
       place_of_a: step < 3 ? "–" : along(a),
       to_jump: 180 - DEGREES * span,
     },

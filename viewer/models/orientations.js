@@ -50,7 +50,7 @@ export function carriedAround({ corners, t }) {
     const size = k ? SIZE : 1.4 * SIZE;
     parts[`station ${k}`] = { ...arrow(carried(k / STATIONS), size), hidden: k > t * STATIONS };
   }
-  const labels = { twist: t === 1 ? combine(1, start, 2, rim[24]) : null };
+  const labels = { twist: t === 1 ? combine(1.12, start, 2.6, rim[24]) : null };
   p.forEach((point, i) => {
     const others = combine(1, p[(i + 1) % 3], 1, p[(i + 2) % 3]);
     parts["ABC"[i]] = { at: point };

@@ -4,7 +4,6 @@ import json
 import sys
 from dataclasses import replace
 from pathlib import Path
-from statistics import median
 
 import class_load
 import pytest
@@ -49,8 +48,6 @@ def test_thirty_students_at_once(within: float, installed: Path) -> None:
     run = class_load.hold_class(installed, students=30, browsers=3, within=within)
     print(table([run]))
     assert run.failures == []
-    # Two processors that do nothing else take about this long.
-    assert median(run.first_figure) < 60
 
 
 @pytest.fixture(scope="module")

@@ -26,7 +26,9 @@ from rotedu.orientations import nearest_rotation
 ROOT = Path(__file__).parents[1]
 AXE = ROOT / "node_modules" / "axe-core" / "axe.min.js"
 CHAPTERS = sorted((ROOT / "book").glob("0*.ipynb"))
-QUESTION = re.compile(r"^::::\{admonition\} [^\n]+\n:class: question[^\n]*\n(.*?)^::::$", re.M | re.S)
+QUESTION = re.compile(
+    r"^::::\{admonition\} [^\n]+\n:class: question[^\n]*\n(.*?)^::::$", re.M | re.S
+)
 CHOICE = re.compile(r"^:::\{dropdown\} ([^\n]+)\n(.*?)^:::$", re.M | re.S)
 VERDICT = re.compile(r"(Yes|No|Half true)\b")
 

@@ -31,7 +31,7 @@ from rotedu.control_points import (
 from rotedu.cost import OperationCount, count
 from rotedu.edition.notebook import source
 from rotedu.errors import DegenerateError
-from rotedu.general_rotation import perspective
+from rotedu.general_rotation import euler_angles, perspective
 from rotedu.ordinary_rotation import rotate, rotation_matrix
 from rotedu.orientations import closed_rotation_curve, nearest_rotation, slerp_rotations
 from rotedu.quaternions import Quaternion
@@ -68,6 +68,12 @@ class TestShapes:
         for i in np.ndindex(expected[:-1]):
             for f, found in zip([slerp, slerp_by_rotation], results, strict=True):
                 close(found[i], f(p[i], q[i], t[i]), 1e-15)
+
+    def test_rotations_in_a_grid(self) -> None:
+        grid = np.broadcast_to(rotation_matrix(E3, 0.5), (2, 5, 3, 3))
+        u, v, w = euler_angles(grid)
+        assert u.shape == (2, 5)
+        close([u, v, w], np.multiply.outer([0, 0, 0.5], np.ones((2, 5))))
 
     def test_sequences_and_integers(self) -> None:
         close(slerp((1, 0, 0), np.array([0, 5, 0]), 1), E2, 1e-15)
@@ -300,6 +306,22 @@ class TestRefusals:
             slerp_rotations(np.eye(3), -np.eye(3), 0)
         with pytest.raises(ValueError, match=r"^rotations must be a rotation: .* at index \(1,\)$"):
             closed_rotation_curve([np.eye(3), 2 * np.eye(3), np.eye(3)])
+
+    def test_the_first_that_is_no_rotation_is_named(self) -> None:
+        with pytest.raises(ValueError, match=r" differs by 3.0e\+00 at index \(1,\)$"):
+            closed_rotation_curve([np.eye(3), 2 * np.eye(3), 3 * np.eye(3)])
+
+    def test_a_pose_that_moves_the_origin_is_named(self) -> None:
+        poses = np.stack([np.eye(4)] * 3)
+        poses[2, 0, 3] = 5
+        with pytest.raises(ValueError, match=r" differ by 5.0e\+00 at index \(2,\)$"):
+            euler_angles(poses)
+
+    def test_a_wrong_call_is_an_error_of_python(self) -> None:
+        with pytest.raises(TypeError, match=r"^rotate\(\) missing 1 required"):
+            rotate(E1, E2)
+        with pytest.raises(TypeError, match=r"^rotate\(\) got multiple values"):
+            rotate(E1, E2, 1, angle=2)
 
     @pytest.mark.parametrize("samples", [0, -1, 2.0, 2.5, "2", None, [2]])
     def test_samples(self, samples: Any) -> None:

@@ -42,6 +42,6 @@ def test_each_computes_something_or_leads_to_the_chapter_that_does() -> None:
 
 
 def test_a_box_in_the_colour_of_errata_links_to_one() -> None:
-    boxes = re.findall(r"^:class: erratum$(.*?)^:::$", "\n".join(pages().values()), re.M | re.S)
+    boxes = re.findall(r"^:class: erratum (.*?)^:::$", "\n".join(pages().values()), re.M | re.S)
     assert len(boxes) > 10
     assert all("](#erratum-e" in box for box in boxes)

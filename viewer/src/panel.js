@@ -2,7 +2,7 @@
 
 const ROUNDING = 1e-9;
 // Seconds for which Play stays at the end, before it starts over.
-const REST = 0.8;
+const REST = 2;
 // The arrow where a curve leaves its chart: half its width, and its length.
 const ARROW = [4, 7];
 const calm = matchMedia("(prefers-reduced-motion: reduce)");

@@ -311,6 +311,19 @@ class TestRefusals:
         with pytest.raises(ValueError, match=r" differs by 3.0e\+00 at index \(1,\)$"):
             closed_rotation_curve([np.eye(3), 2 * np.eye(3), 3 * np.eye(3)])
 
+        rounded = np.diag([1 - 1e-9, 1, 1])
+        with pytest.raises(ValueError, match=r" it reflects at index \(1,\)$"):
+            closed_rotation_curve([rounded, -np.eye(3), np.eye(3)])
+
+    def test_the_first_that_is_not_finite_is_named(self) -> None:
+        with pytest.raises(ValueError, match=r" got nan at index \(1,\)$"):
+            slerp([0, np.nan, np.inf], E1, 0)
+
+    def test_a_pair_in_a_stack_of_curves_is_named(self) -> None:
+        pair = r"^Double\(points\[0, 3\], points\[0, 0\]\) and points\[0, 1\] are antipodal"
+        with pytest.raises(DegenerateError, match=pair):
+            closed_curve(np.stack([[E1, E2, E3, E2]] * 2), 3)
+
     def test_a_pose_that_moves_the_origin_is_named(self) -> None:
         poses = np.stack([np.eye(4)] * 3)
         poses[2, 0, 3] = 5

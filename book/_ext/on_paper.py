@@ -307,8 +307,11 @@ class UnfoldForPaper(SphinxPostTransform):
 class PostersAsJPEG(ImageConverter):
     """Converts posters to a format that a PDF stores as it is and every EPUB reader knows."""
 
-    builders = ON_PAPER
     conversion_rules: ClassVar[list[tuple[str, str]]] = [("image/webp", "image/jpeg")]
+
+    def match(self, node: nodes.image) -> bool:
+        """Leave the lighter pictures of the website alone."""
+        return self.app.builder.name in ON_PAPER and super().match(node)
 
     def is_available(self) -> bool:
         """Say yes: Pillow is there."""

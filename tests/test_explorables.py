@@ -132,6 +132,20 @@ def test_opposite_quaternions_have_a_refusal_of_their_own(turn: float, flip: boo
     assert ask_node("models.js", json.dumps([("slerp", inputs)]))["answers"] == [refusal]
 
 
+def test_a_ring_stays_on_the_point_that_it_holds() -> None:
+    """A model may correct inputs: it shows the corrected ones as it shows the given ones."""
+    figure = explore(scenes.control_points_by_hand)
+    figure.points = [[1, 0, 0], [0, 1, 0], [0.2, -0.5, 0.8]]
+    inputs = figure.values | {"one_circle": True}
+    [answer] = ask_node("models.js", json.dumps([("controlPoints", inputs)]))["answers"]
+    corrected = answer["frame"]["inputs"]
+    np.testing.assert_allclose(corrected["points"][2], [0.2 / 0.29**0.5, -0.5 / 0.29**0.5, 0])
+    frames = [in_python(figure, given) for given in (inputs, inputs | corrected)]
+    assert not (found := disagreement(*frames, "corrected")), found
+    [free] = ask_node("models.js", json.dumps([("controlPoints", figure.values)]))["answers"]
+    assert free["frame"]["inputs"] == {}
+
+
 @pytest.mark.parametrize("name", BY_HAND)
 def test_a_figure_says_what_it_takes(name: str) -> None:
     figure = explore(BY_HAND[name])

@@ -179,6 +179,9 @@ def test_a_figure_lives_in_a_notebook(run: Open) -> None:
     assert page.locator(".jp-Dialog").count() == 0
     assert page.locator(".jp-Cell.jp-mod-active").inner_text() == active
     assert difference(before, live_picture(scene)) < 0.1
+    page.evaluate("jupyterapp.shell.currentWidget.context.model.dirty = true")
+    page.keyboard.press("Control+s")
+    page.wait_for_function("() => !jupyterapp.shell.currentWidget.context.model.dirty")
 
     light = scene.evaluate(INK)
     wear(page, "Dark")

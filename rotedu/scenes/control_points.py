@@ -267,8 +267,9 @@ STEPS = (
 )
 # Lengths of vectors and angles in radians that look equal.
 SAME = 1e-6
-# Two points of the equator and one ahead of them, off the poles: it has a nearest point there.
-AHEAD = (*NEIGHBOURS[:2], (-0.3, 0.3 / 3**0.5, 0.94))
+# Two points of the equator and one 90 degrees after them, off the poles: its nearest point of the
+# equator is half way from P_{i-1} to the place where a_i jumps.
+AHEAD = (*NEIGHBOURS[:2], (0.3, -0.3 / 3**0.5, 0.94))
 # From a point to its label.
 NEAR, FAR = 0.17, 0.36
 
@@ -320,11 +321,10 @@ def control_points_by_hand(
     doubled = (here, a) if printed_double else (a, here)
     b = slerp(*doubled, 2)
 
-    plotter = new_scene(eye=(3.2, 3.8, 2.9), target=(0, 0, 0.06))
+    plotter = new_scene(eye=(4.6, 1.6, 3.0), target=(0, 0, 0.06))
     add_sphere(plotter, opacity=0.3)
     circle = turning(before, axis, 2 * np.pi, 96)
     add_line(plotter, circle, NEUTRAL, radius=0.004, name="circle").visibility = one_circle
-    add_point(plotter, held, VECTOR, 0.018, name="held").visibility = one_circle
     add_arcs(plotter, [before, here], [here, after], VECTOR, name="given")
     for name, point, others in (
         (BEFORE, before, [here]),
@@ -335,7 +335,8 @@ def control_points_by_hand(
         add_label(plotter, beside(point, others), PLAIN[name], VECTOR, name.strip("$"))
     add_arcs(plotter, [reflected], [after], CROSS, name="halved")
     plotter.actors["halved"].visibility = step > 1
-    add_point(plotter, -reflected, NEUTRAL, 0.024, name="opposite").visibility = step >= 1
+    add_point(plotter, -reflected, NEUTRAL, 0.03, name="opposite")
+    add_label(plotter, beside(-reflected, [after]), "−P̄ᵢ₋₁", "black", "opposite")
 
     # With (5-13) as printed, b_i comes to the second auxiliary point and its name.
     last = FAR if printed_double else NEAR
@@ -372,7 +373,7 @@ def control_points_by_hand(
     read_out(plotter, "now", STEPS[ceil(step)], "step")
     for name, made, label, error in tests:
         read_out(plotter, name, bool(error < SAME) if step >= made else "–", label)
-    read_out(plotter, "to_jump", 180 - np.degrees(span), "Pᵢ₊₁ to the grey point", 0, "°")
+    read_out(plotter, "to_jump", 180 - np.degrees(span), "Pᵢ₊₁ to −P̄ᵢ₋₁", 0, "°")
     gap_before = np.degrees(angle_between(before, here))
     read_out(plotter, "gap_before", gap_before, "gap before", 0, "°")
     read_out(plotter, "gap_after", gap_after, "gap after (Pᵢ₊₁ behind Pᵢ: −)", 0, "°")

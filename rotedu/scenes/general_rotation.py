@@ -239,10 +239,11 @@ NO_WAY = "no unique path: start and end are half a turn apart"
     u=Slider(-180, 180, "final u, about U″", step=1),
     v=Slider(-180, 180, "final v, about V′", step=1),
     w=Slider(-180, 180, "final w, about W", step=1),
+    tip=Slider(-10, 10, "then tip it sideways by", step=1),
     t=Slider(0, 1, "part of the way, t", plays=6),
 )
 def euler_angles_by_hand(
-    u: float = 90, v: float = 90, w: float = 90, t: float = 1
+    u: float = 90, v: float = 90, w: float = 90, tip: float = 0, t: float = 1
 ) -> pyvista.Plotter:
     """Draw three ways to turn to a pose, and the gimbals of its Euler angles.
 
@@ -250,6 +251,8 @@ def euler_angles_by_hand(
     ----------
     u, v, w : float
         Angles of the pose about U, V and W in degrees. Where `v` is 90 or -90, the gimbals lock.
+    tip : float
+        Degrees by which the pose is then tipped about the axis that is perpendicular to W and V'.
     t : float
         Part of the way from the start to the pose, from 0 to 1.
 
@@ -258,7 +261,12 @@ def euler_angles_by_hand(
     pyvista.Plotter
         The scene.
     """
-    angles = np.array([u, v, w], float)
+    set_by_hand = np.array([u, v, w], float)
+    untipped = pose(set_by_hand)
+    sideways = pose([0, 0, w])[:, 0]
+    tipped = rotation_matrix(sideways, np.deg2rad(tip)) @ untipped
+    # What was not tipped keeps its angles, also where others lead to the same pose.
+    angles = nearest_angles(tipped, set_by_hand) if tip else set_by_hand
     now = t * angles
     back = np.array([0.48, -0.74, 0.47])
     right = np.cross((0, 0, 1), back)
@@ -295,15 +303,13 @@ def euler_angles_by_hand(
 
     nearby = pose(now + np.array([(1, 0, 0), (-1, 0, 0), (0, 0, 1)]))
     apart = degrees_between(nearby[:2], nearby[2]).min()
-    read_out(plotter, "apart", apart, "1° of u and 1° of w, up to sense, differ by", 2, "°")
+    read_out(plotter, "rings", angles, "the rings end at u, v, w", 1, "°")
+    farthest = abs(angles - set_by_hand).max()
+    read_out(plotter, "ring_change", farthest, "the tip turns a ring by up to", 1, "°")
+    change = abs(tipped - untipped).max()
+    read_out(plotter, "entry_change", change, "and an entry of the matrix by up to", 3)
     read_out(plotter, "matrix", here[0], "matrix of the three angles")
-    sideways = pose([0, 0, now[2]])[:, 0]
-    swung = rotation_matrix(sideways, np.deg2rad(1)) @ here[0]
-    change = angle_change(now, swung)
-    label = "to tip the spoon 1° sideways, sliders must turn by"
-    read_out(plotter, "angle_change", change, label, 1, "°")
-    label = "… and entries of the matrix change by at most"
-    read_out(plotter, "entry_change", abs(swung - here[0]).max(), label, 4)
+    read_out(plotter, "apart", apart, "1° of u and 1° of w, up to sense, differ by", 2, "°")
     path = pose(np.multiply.outer(t * steps, angles))
     turned = degrees_between(path[:-1], path[1:]).sum()
     read_out(plotter, "by_angles", turned, "turned by three angles", 0, "°")
@@ -373,11 +379,12 @@ def degrees_between(before: NDArray[np.float64], after: NDArray[np.float64]) -> 
     return np.asarray(np.degrees(axis_angle(before.mT @ after)[1]))
 
 
-def angle_change(angles: NDArray[np.float64], matrix: NDArray[np.float64]) -> float:
-    """Return the largest change from Euler angles to the nearest ones of a matrix, in degrees."""
+def nearest_angles(matrix: NDArray[np.float64], angles: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the Euler angles of a matrix that are nearest to given ones, in degrees."""
     u, v, w = np.degrees(euler_angles(matrix))
     triples = np.array([(u, v, w), (u + 180, 180 - v, w + 180)])
-    return float(abs((triples - angles + 180) % 360 - 180).max(axis=1).min())
+    changes = (triples - angles + 180) % 360 - 180
+    return np.asarray(angles + changes[abs(changes).max(axis=1).argmin()])
 
 
 def add_moved(

@@ -39,18 +39,18 @@ export function controlPoints({ points, step, printed_axis, printed_double, one_
     circle: one_circle
       ? { paths: [turning(before, axis, 2 * Math.PI, 96)], hidden: false }
       : { hidden: true },
-    held: { at: held, hidden: !one_circle },
     given: { paths: arcs([before, here], [here, after]) },
     "$P_{i-1}$": { at: before },
     "$P_i$": { at: here },
     "$P_{i+1}$": { at: after },
     halved: { paths: arcs([reflected], [after]), hidden: step <= 1 },
-    opposite: { at: opposite, hidden: step < 1 },
+    opposite: { at: opposite },
   };
   const labels = {
     "P_{i-1}": beside(before, [here]),
     P_i: beside(here, [before, after]),
     "P_{i+1}": beside(after, [here, reflected]),
+    opposite: beside(opposite, [after]),
   };
   // With (5-13) as printed, b_i comes to the second auxiliary point and its name.
   const last = printed_double ? FAR : NEAR;
@@ -77,6 +77,8 @@ export function controlPoints({ points, step, printed_axis, printed_double, one_
   const turnsIn = cross(b, here);
   const lamp = (made, error) => (step < made ? "–" : error < SAME ? "yes" : "no");
   return {
+    // The ring stays on the point that it holds.
+    inputs: one_circle ? { points: [before, here, after] } : {},
     parts,
     labels,
     outputs: {

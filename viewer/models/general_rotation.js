@@ -68,13 +68,17 @@ function degreesBetween(before, after) {
   return 2 * DEGREES * Math.asin(length(change) / Math.sqrt(8));
 }
 
-/** The largest change from Euler angles to the nearest ones of a matrix, in degrees. */
-function angleChange(angles, matrix) {
+/** The Euler angles of a matrix that are nearest to given ones, in degrees. */
+function nearestAngles(matrix, angles) {
   const [u, v, w] = anglesOf(matrix).map((angle) => DEGREES * angle);
-  const change = (triple) =>
-    Math.max(...triple.map((angle, i) => Math.abs(remainder(angle - angles[i]))));
-  return Math.min(change([u, v, w]), change([u + 180, 180 - v, w + 180]));
+  const [one, other] = [[u, v, w], [u + 180, 180 - v, w + 180]].map((triple) =>
+    triple.map((angle, i) => remainder(angle - angles[i])),
+  );
+  const nearest = largest(one) <= largest(other) ? one : other;
+  return combine(1, angles, 1, nearest);
 }
+
+const largest = (changes) => Math.max(...changes.map(Math.abs));
 
 /** The same angle between -180 and 180 degrees. */
 const remainder = (angle) => angle - 360 * Math.round(angle / 360);
@@ -110,8 +114,13 @@ function gimbals(angles, place) {
 }
 
 /** `euler_angles_by_hand` */
-export function eulerAngles({ u, v, w, t }) {
-  const angles = [u, v, w];
+export function eulerAngles({ u, v, w, tip, t }) {
+  const set = [u, v, w];
+  const untipped = pose(set);
+  const sideways = column(pose([0, 0, w]), 0);
+  const tipped = product(rotationMatrix(sideways, tip / DEGREES), untipped);
+  // What was not tipped keeps its angles, also where others lead to the same pose.
+  const angles = tip ? nearestAngles(tipped, set) : set;
   const now = scaled(t, angles);
   const { ways, angle } = threeWays(angles);
   const steps = spread(33);
@@ -132,9 +141,7 @@ export function eulerAngles({ u, v, w, t }) {
     pose(combine(1, now, 1, change)),
   );
   const apart = Math.min(degreesBetween(moreU, moreW), degreesBetween(lessU, moreW));
-  const sideways = column(pose([0, 0, now[2]]), 0);
-  const swung = product(rotationMatrix(sideways, 1 / DEGREES), here);
-  const changes = swung.flatMap((row, i) => row.map((x, j) => Math.abs(x - here[i][j])));
+  const change = tipped.flatMap((row, i) => combine(1, row, -1, untipped[i]));
   const path = steps.map((x) => ways[0](t * x));
   const turned = path.slice(1).map((turn, i) => degreesBetween(path[i], turn));
   const speeds = ways.map(
@@ -145,8 +152,9 @@ export function eulerAngles({ u, v, w, t }) {
     labels,
     outputs: {
       apart,
-      angle_change: angleChange(now, swung),
-      entry_change: Math.max(...changes),
+      rings: angles,
+      ring_change: largest(combine(1, angles, -1, set)),
+      entry_change: largest(change),
       by_angles: turned.reduce((sum, x) => sum + x),
       by_slerp: angle === null ? NO_WAY : t * angle,
       matrix: here,

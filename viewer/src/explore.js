@@ -1,7 +1,7 @@
 /*
  * Lets the hand change a figure: reads its inputs, computes a frame, shows it everywhere.
  * The names in the page are those of the inputs and outputs; `dataset.values` of the figure holds
- * all of their values after each frame.
+ * all of their values after each frame. A model may correct inputs: a frame's `inputs` take their place.
  */
 import { addHandles } from "./handles.js";
 import { fromText, toText } from "./link.js";
@@ -50,6 +50,7 @@ export function explore(element, live, data, models, python) {
   const show = (frame) => {
     refused = "";
     write("");
+    inputs = { ...inputs, ...frame.inputs };
     live.apply(frame);
     tell(frame);
   };

@@ -9,12 +9,15 @@ const SAME = 1e-6;
  * Project a point.
  * @param {ArrayLike<number>} matrix projection times view, by columns
  * @param {number[]} point
- * @returns {{left: number, top: number, inFront: boolean}} fractions of the picture's size
+ * @returns {{left: number, top: number, inside: boolean}} fractions of the picture's size, and
+ *   whether the picture shows the point
  */
 export function project(matrix, [x, y, z]) {
   const row = (i) => matrix[i] * x + matrix[i + 4] * y + matrix[i + 8] * z + matrix[i + 12];
   const w = row(3);
-  return { left: (1 + row(0) / w) / 2, top: (1 - row(1) / w) / 2, inFront: w > 0 };
+  const [left, top] = [(1 + row(0) / w) / 2, (1 - row(1) / w) / 2];
+  const inside = w > 0 && Math.max(Math.abs(left - 0.5), Math.abs(top - 0.5)) <= 0.5;
+  return { left, top, inside };
 }
 
 /**

@@ -189,9 +189,9 @@ function placeLabels(labels, camera, surfaces) {
       label.toggleAttribute("data-behind", true);
       continue;
     }
-    const { left, top, inFront } = project(matrix, position);
+    const { left, top, inside } = project(matrix, position);
     label.style.setProperty("--x", `${100 * left}%`);
     label.style.setProperty("--y", `${100 * top}%`);
-    label.toggleAttribute("data-behind", !inFront || isHidden(surfaces, eye, position));
+    label.toggleAttribute("data-behind", !inside || isHidden(surfaces, eye, position));
   }
 }

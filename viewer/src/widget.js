@@ -30,8 +30,6 @@ export function render({ model, el }) {
     {
       class: "scene",
       "data-state": "loading",
-      // Else JupyterLab takes the keys before the canvas: twice 0 would restart the kernel.
-      "data-lm-suppress-shortcuts": "true",
       style: `aspect-ratio: ${made.width} / ${made.height}`,
     },
     ...labels.map(createLabel),
@@ -40,6 +38,11 @@ export function render({ model, el }) {
   const data = model.get("explorable");
   const figure = data.name ? createExplorable(scene, data) : scene;
   el.replaceChildren(figure);
+  // Else JupyterLab takes all keys before the figure: twice 0 would restart the kernel. Those with
+  // Control or Command it may have, to save the notebook. Only the window hears of a key before it.
+  const share = ({ ctrlKey, metaKey }) =>
+    el.toggleAttribute("data-lm-suppress-shortcuts", !ctrlKey && !metaKey);
+  addEventListener("keydown", share, true);
 
   const goLive = async () => {
     try {
@@ -86,6 +89,7 @@ export function render({ model, el }) {
   );
   observer.observe(scene);
   return async () => {
+    removeEventListener("keydown", share, true);
     observer.disconnect();
     (await shown)?.remove();
   };
@@ -98,11 +102,7 @@ function idle() {
 
 /** Put a scene and its panel into one box. */
 function createExplorable(scene, { name, panel }) {
-  const figure = element(
-    "div",
-    { class: "explorable", "data-name": name, "data-lm-suppress-shortcuts": "true" },
-    scene,
-  );
+  const figure = element("div", { class: "explorable", "data-name": name }, scene);
   figure.insertAdjacentHTML("beforeend", panel);
   // Another page has the address of this state.
   figure.querySelector("[data-action=link]").remove();

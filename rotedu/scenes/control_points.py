@@ -321,7 +321,7 @@ def control_points_by_hand(
     doubled = (here, a) if printed_double else (a, here)
     b = slerp(*doubled, 2)
 
-    plotter = new_scene(eye=(4.6, 1.6, 3.0), target=(0, 0, 0.06))
+    plotter = new_scene(eye=(4.77, 0.9, 3.0), target=(0, 0, 0.06))
     add_sphere(plotter, opacity=0.3)
     circle = turning(before, axis, 2 * np.pi, 96)
     add_line(plotter, circle, NEUTRAL, radius=0.004, name="circle").visibility = one_circle

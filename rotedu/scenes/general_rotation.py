@@ -303,11 +303,12 @@ def euler_angles_by_hand(
 
     nearby = pose(now + np.array([(1, 0, 0), (-1, 0, 0), (0, 0, 1)]))
     apart = degrees_between(nearby[:2], nearby[2]).min()
-    read_out(plotter, "rings", angles, "the rings end at u, v, w", 1, "°")
     farthest = abs(angles - set_by_hand).max()
     read_out(plotter, "ring_change", farthest, "the tip turns a ring by up to", 1, "°")
     change = abs(tipped - untipped).max()
-    read_out(plotter, "entry_change", change, "and an entry of the matrix by up to", 3)
+    label = "it changes an entry of the matrix by up to"
+    read_out(plotter, "entry_change", change, label, 3)
+    read_out(plotter, "rings", angles, "the rings end at u, v, w", 1, "°")
     read_out(plotter, "matrix", here[0], "matrix of the three angles")
     read_out(plotter, "apart", apart, "1° of u and 1° of w, up to sense, differ by", 2, "°")
     path = pose(np.multiply.outer(t * steps, angles))

@@ -108,6 +108,9 @@ def test_a_form_answers_the_keyboard(form: Any) -> None:
         ("90", "Not yet. How large is the angle of this triangle at the pole?"),
         ("0.7", "Not yet. Is this an angle in radians? For more, check again."),
         ("-320", f"Right. {EXERCISES['5.19'].because}"),
+        ("40,0", "Write a point, not a comma: 0.5."),
+        ("\u2212120/3", f"Right. {EXERCISES['5.19'].because}"),
+        ("40/", f"Expected {EXERCISES['5.19'].expects}."),
     ):
         field.press("ControlOrMeta+a")
         field.press("Delete")
@@ -116,6 +119,13 @@ def test_a_form_answers_the_keyboard(form: Any) -> None:
         assert status.text_content() == said
     assert form.page.get_by_label("angle °").count() == 1
     assert form.page.url.endswith("05-orientations.html")
+
+
+@pytest.mark.parametrize("form", ["5.1"], indirect=True)
+def test_a_form_wants_every_field(form: Any) -> None:
+    form.locator("input").first.fill("0.5")
+    form.get_by_role("button").click()
+    assert form.get_by_role("status").text_content() == "Fill in every field."
 
 
 @pytest.mark.parametrize("form", ["5.1"], indirect=True)

@@ -18,10 +18,18 @@ const judge = (given, parts) => {
   }
 };
 
+// Read a number or a fraction, also with the minus sign of the page.
+const read = (text) => {
+  const [top, ...bottom] = text.replaceAll("\u2212", "-").split("/");
+  return [top, ...bottom].every((part) => part.trim()) && bottom.length < 2
+    ? Number(top) / Number(bottom[0] ?? 1)
+    : NaN;
+};
+
 const addForm = (place) => {
   const { number, fields, expects, because, parts } = JSON.parse(place.dataset.asked);
   const label = ([name, unit]) =>
-    `<label>${name} <span><input type="number" step="any"> ${unit}</span></label>`;
+    `<label>${name} <span><input autocomplete="off"> ${unit}</span></label>`;
   place.innerHTML = `<form novalidate>
     <fieldset>
       <legend>Check your answer to ${number} here</legend>
@@ -36,9 +44,15 @@ const addForm = (place) => {
   let hinted;
 
   const verdict = () => {
-    if (inputs.some(({ validity }) => validity.badInput)) return [false, `Expected ${expects}.`];
-    if (inputs.some(({ value }) => !value)) return [null, "Not answered yet."];
-    const hint = judge(inputs.map(({ valueAsNumber }) => valueAsNumber), parts);
+    const texts = inputs.map(({ value }) => value.trim());
+    if (!texts.some(Boolean)) return [null, "Not answered yet."];
+    if (!texts.every(Boolean)) return [null, "Fill in every field."];
+    if (texts.some((text) => text.includes(","))) {
+      return [null, "Write a point, not a comma: 0.5."];
+    }
+    const numbers = texts.map(read);
+    if (!numbers.every(Number.isFinite)) return [null, `Expected ${expects}.`];
+    const hint = judge(numbers, parts);
     if (!hint) return [true, `Right. ${because}`];
     const [first, second] = hint;
     const again = hinted === first;

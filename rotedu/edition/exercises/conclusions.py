@@ -133,7 +133,7 @@ def two_laws_of_growth() -> Iterator[Numbers]:
             "How many times as long is the second chain?",
             "One of the errors grows in proportion to that number, the other like its root.",
         ),
-        within=0.02 * first,
+        within=0.06 * first,
     )
 
 

@@ -199,7 +199,7 @@ def as_printed(n: Any, angle: float) -> Any:
     "3.5",
     fields={"largest entry": ""},
     expects="a number",
-    because="It is three times the error of the axis, and the formula gives no warning.",
+    because="It is more than three times the error of the axis, and the formula gives no warning.",
 )
 def axis_too_long() -> Iterator[Numbers]:
     """Yield the residual, then other residuals."""
@@ -238,7 +238,8 @@ def axis_too_long() -> Iterator[Numbers]:
         ),
         otherwise=Wrong(
             "The largest entry has another size.",
-            "Take absolute values before you take the largest entry.",
+            "Let M be `as_printed(too_long, np.pi / 2)`. Take the largest of the absolute values of"
+            " MᵀM − I.",
         ),
         within=6e-5,
     )

@@ -139,7 +139,9 @@ class TestWhatTheAnswersSay:
             assert abs(axis @ start) < 1e-12
             trip = rotation_matrix(axis, angle_between(start, end)) @ trip
         rolled = f"rolled by {degrees(axis_angle(trip)[1]):.0f}°"
-        assert answers("05-orientations").count(rolled) == 2
+        asked = text_of(ROOT / "book" / "05-orientations.ipynb")
+        assert asked.count(rolled) >= 2
+        assert rolled in answers("05-orientations")
 
     def test_worn_spoons(self) -> None:
         matrix, quaternion = (

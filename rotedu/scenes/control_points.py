@@ -272,6 +272,8 @@ SAME = 1e-6
 AHEAD = (*NEIGHBOURS[:2], (0.3, -0.3 / 3**0.5, 0.94))
 # From a point to its label.
 NEAR, FAR = 0.17, 0.36
+# What lies behind the sphere is named within the glass.
+INWARD = -0.2
 
 
 @explorable(
@@ -321,7 +323,7 @@ def control_points_by_hand(
     doubled = (here, a) if printed_double else (a, here)
     b = slerp(*doubled, 2)
 
-    plotter = new_scene(eye=(4.77, 0.9, 3.0), target=(0, 0, 0.06))
+    plotter = new_scene(eye=(4.86, -0.2, 3.0), target=(0, 0, 0.06))
     add_sphere(plotter, opacity=0.3)
     circle = turning(before, axis, 2 * np.pi, 96)
     add_line(plotter, circle, NEUTRAL, radius=0.004, name="circle").visibility = one_circle
@@ -336,14 +338,14 @@ def control_points_by_hand(
     add_arcs(plotter, [reflected], [after], CROSS, name="halved")
     plotter.actors["halved"].visibility = step > 1
     add_point(plotter, -reflected, NEUTRAL, 0.03, name="opposite")
-    add_label(plotter, beside(-reflected, [after]), "−P̄ᵢ₋₁", "black", "opposite")
+    add_label(plotter, beside(-reflected, (), INWARD), "−P̄ᵢ₋₁", "black", "opposite")
 
     # With (5-13) as printed, b_i comes to the second auxiliary point and its name.
     last = FAR if printed_double else NEAR
     b_wrong = printed_axis or printed_double
     aiming = slerp(reflected, after, half * share[1])
     ways = (
-        (REFLECTED, slerp(before, here, 1 + share[0]), CROSS, False, [here, after], NEAR),
+        (REFLECTED, slerp(before, here, 1 + share[0]), CROSS, False, (), INWARD),
         (MIDDLE, aiming, CROSS, printed_axis, [here, reflected], NEAR),
         (A, slerp(middle, here, share[2] / 2), RESULT, printed_axis, [here, after], NEAR),
         (B, slerp(*doubled, 2 * share[3]), RESULT, b_wrong, [here, reflected], last),
@@ -368,16 +370,16 @@ def control_points_by_hand(
         ("midway", 2, "P̄ᵢ halfway from P̄ᵢ₋₁ to Pᵢ₊₁", abs(halves - span / 2).max()),
         ("on_circle", 4, "bᵢ, Pᵢ, aᵢ on a great circle", abs(turns_in @ a)),
         ("equally_far", 4, "aᵢ, bᵢ equally far from Pᵢ", abs(near - far)),
-        ("no_corner", 4, "no corner at Pᵢ", -(turns_in @ turns_out)),
+        ("no_corner", 4, "straight on at Pᵢ", -(turns_in @ turns_out)),
     )
     read_out(plotter, "now", STEPS[ceil(step)], "step")
     for name, made, label, error in tests:
         read_out(plotter, name, bool(error < SAME) if step >= made else "–", label)
     read_out(plotter, "to_jump", 180 - np.degrees(span), "Pᵢ₊₁ to −P̄ᵢ₋₁", 0, "°")
     gap_before = np.degrees(angle_between(before, here))
-    read_out(plotter, "gap_before", gap_before, "gap before", 0, "°")
-    read_out(plotter, "gap_after", gap_after, "gap after (Pᵢ₊₁ behind Pᵢ: −)", 0, "°")
-    read_out(plotter, "gaps_differ", gap_before - gap_after, "gap before − gap after", 0, "°")
+    read_out(plotter, "gap_before", gap_before, "gap Pᵢ₋₁ to Pᵢ", 0, "°")
+    read_out(plotter, "gap_after", gap_after, "gap Pᵢ to Pᵢ₊₁ (behind: −)", 0, "°")
+    read_out(plotter, "gaps_differ", gap_before - gap_after, "first gap − second gap", 0, "°")
     read_out(
         plotter, "place_of_a", place_of_a if step >= 3 else "–", "aᵢ after Pᵢ (behind: −)", 0, "°"
     )
@@ -395,7 +397,7 @@ def control_points_by_hand(
 def beside(point: NDArray[np.float64], others: ArrayLike, distance: float = NEAR) -> ArrayLike:
     """Return the place of a label: next to a point of the sphere, away from others."""
     # The sum is never zero: all of its terms have a part that points outwards.
-    away = 0.3 * point + np.sum(point - np.asarray(others), axis=0)
+    away = 0.3 * point + np.sum(point - np.reshape(others, (-1, 3)), axis=0)
     return np.asarray(point + distance * away / np.linalg.norm(away))
 
 

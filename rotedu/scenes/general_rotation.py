@@ -239,11 +239,11 @@ NO_WAY = "no unique path: start and end are half a turn apart"
     u=Slider(-180, 180, "final u, about U″", step=1),
     v=Slider(-180, 180, "final v, about V′", step=1),
     w=Slider(-180, 180, "final w, about W", step=1),
-    tip=Slider(-10, 10, "then tip it sideways by", step=1),
+    tilt=Slider(-10, 10, "then tilt it sideways by", step=1),
     t=Slider(0, 1, "part of the way, t", plays=6),
 )
 def euler_angles_by_hand(
-    u: float = 90, v: float = 90, w: float = 90, tip: float = 0, t: float = 1
+    u: float = 90, v: float = 90, w: float = 90, tilt: float = 0, t: float = 1
 ) -> pyvista.Plotter:
     """Draw three ways to turn to a pose, and the gimbals of its Euler angles.
 
@@ -251,8 +251,8 @@ def euler_angles_by_hand(
     ----------
     u, v, w : float
         Angles of the pose about U, V and W in degrees. Where `v` is 90 or -90, the gimbals lock.
-    tip : float
-        Degrees by which the pose is then tipped about the axis that is perpendicular to W and V'.
+    tilt : float
+        Degrees by which the pose is then tilted about the axis that is perpendicular to W and V'.
     t : float
         Part of the way from the start to the pose, from 0 to 1.
 
@@ -262,11 +262,11 @@ def euler_angles_by_hand(
         The scene.
     """
     set_by_hand = np.array([u, v, w], float)
-    untipped = pose(set_by_hand)
+    level = pose(set_by_hand)
     sideways = pose([0, 0, w])[:, 0]
-    tipped = rotation_matrix(sideways, np.deg2rad(tip)) @ untipped
-    # What was not tipped keeps its angles, also where others lead to the same pose.
-    angles = nearest_angles(tipped, set_by_hand) if tip else set_by_hand
+    tilted = rotation_matrix(sideways, np.deg2rad(tilt)) @ level
+    # What was not tilted keeps its angles, also where others lead to the same pose.
+    angles = nearest_angles(tilted, set_by_hand) if tilt else set_by_hand
     now = t * angles
     back = np.array([0.48, -0.74, 0.47])
     right = np.cross((0, 0, 1), back)
@@ -301,21 +301,22 @@ def euler_angles_by_hand(
         add_label(plotter, place - far * up, text, color)
     add_gimbals(plotter, now, places[0], right, back)
 
-    nearby = pose(now + np.array([(1, 0, 0), (-1, 0, 0), (0, 0, 1)]))
-    apart = degrees_between(nearby[:2], nearby[2]).min()
     farthest = abs(angles - set_by_hand).max()
-    read_out(plotter, "ring_change", farthest, "the tip turns a ring by up to", 1, "°")
-    change = abs(tipped - untipped).max()
+    read_out(plotter, "ring_change", farthest, "the tilt turns a ring by up to", 1, "°")
+    change = abs(tilted - level).max()
     label = "it changes an entry of the matrix by up to"
     read_out(plotter, "entry_change", change, label, 3)
     read_out(plotter, "rings", angles, "the rings end at u, v, w", 1, "°")
     read_out(plotter, "matrix", here[0], "matrix of the three angles")
-    read_out(plotter, "apart", apart, "1° of u and 1° of w, up to sense, differ by", 2, "°")
     path = pose(np.multiply.outer(t * steps, angles))
     turned = degrees_between(path[:-1], path[1:]).sum()
     read_out(plotter, "by_angles", turned, "turned by three angles", 0, "°")
     by_slerp = degrees_between(np.eye(3), here[1]) if unique else NO_WAY
-    read_out(plotter, "by_slerp", by_slerp, "by slerp", 0, "°")
+    read_out(plotter, "by_slerp", by_slerp, "turned by slerp", 0, "°")
+    nearby = pose(now + np.array([(1, 0, 0), (-1, 0, 0), (0, 0, 1)]))
+    apart = degrees_between(nearby[:2], nearby[2]).min()
+    label = "poses after 1° of u and after ±1° of w differ by"
+    read_out(plotter, "apart", apart, label, 2, "°")
     before, after = (three_ways(angles, steps + h) for h in (-STEP, STEP))
     speeds = [degrees_between(p, q) / (2 * STEP) for p, q in zip(before, after, strict=True)]
     draw_chart(

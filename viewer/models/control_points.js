@@ -5,6 +5,7 @@ import { DEGREES, ORIGIN, arcs, spread, turning } from "./common.js";
 const SAME = 1e-6;
 const NEAR = 0.17;
 const FAR = 0.36;
+const INWARD = -0.2;
 const CROSS = rgb("b65f92");
 const RESULT = rgb("009e73");
 const WRONG = rgb("cc002a");
@@ -50,13 +51,13 @@ export function controlPoints({ points, step, printed_axis, printed_double, one_
     "P_{i-1}": beside(before, [here]),
     P_i: beside(here, [before, after]),
     "P_{i+1}": beside(after, [here, reflected]),
-    opposite: beside(opposite, [after]),
+    opposite: beside(opposite, [], INWARD),
   };
   // With (5-13) as printed, b_i comes to the second auxiliary point and its name.
   const last = printed_double ? FAR : NEAR;
   const bWrong = printed_axis || printed_double;
   const ways = [
-    ["\\bar P_{i-1}", path(0, [before, here], 1, 2), CROSS, false, [here, after], NEAR],
+    ["\\bar P_{i-1}", path(0, [before, here], 1, 2), CROSS, false, [], INWARD],
     ["\\bar P_i", path(1, [reflected, after], 0, half), CROSS, printed_axis, [here, reflected], NEAR],
     ["a_i", path(2, [middle, here], 0, 0.5), RESULT, printed_axis, [here, after], NEAR],
     ["b_i", path(3, doubled, 0, 2), RESULT, bWrong, [here, reflected], last],

@@ -114,13 +114,13 @@ function gimbals(angles, place) {
 }
 
 /** `euler_angles_by_hand` */
-export function eulerAngles({ u, v, w, tip, t }) {
+export function eulerAngles({ u, v, w, tilt, t }) {
   const set = [u, v, w];
-  const untipped = pose(set);
+  const level = pose(set);
   const sideways = column(pose([0, 0, w]), 0);
-  const tipped = product(rotationMatrix(sideways, tip / DEGREES), untipped);
-  // What was not tipped keeps its angles, also where others lead to the same pose.
-  const angles = tip ? nearestAngles(tipped, set) : set;
+  const tilted = product(rotationMatrix(sideways, tilt / DEGREES), level);
+  // What was not tilted keeps its angles, also where others lead to the same pose.
+  const angles = tilt ? nearestAngles(tilted, set) : set;
   const now = scaled(t, angles);
   const { ways, angle } = threeWays(angles);
   const steps = spread(33);
@@ -141,7 +141,7 @@ export function eulerAngles({ u, v, w, tip, t }) {
     pose(combine(1, now, 1, change)),
   );
   const apart = Math.min(degreesBetween(moreU, moreW), degreesBetween(lessU, moreW));
-  const change = tipped.flatMap((row, i) => combine(1, row, -1, untipped[i]));
+  const change = tilted.flatMap((row, i) => combine(1, row, -1, level[i]));
   const path = steps.map((x) => ways[0](t * x));
   const turned = path.slice(1).map((turn, i) => degreesBetween(path[i], turn));
   const speeds = ways.map(

@@ -328,13 +328,13 @@ def control_points_by_hand(
     circle = turning(before, axis, 2 * np.pi, 96)
     add_line(plotter, circle, NEUTRAL, radius=0.004, name="circle").visibility = one_circle
     add_arcs(plotter, [before, here], [here, after], VECTOR, name="given")
-    for name, point, others in (
+    for name, point, joined in (
         (BEFORE, before, [here]),
         (HERE, here, [before, after]),
         (AFTER, after, [here, reflected]),
     ):
         add_point(plotter, point, VECTOR, 0.036, name=name)
-        add_label(plotter, beside(point, others), PLAIN[name], VECTOR, name.strip("$"))
+        add_label(plotter, beside(point, joined), PLAIN[name], VECTOR, name.strip("$"))
     add_arcs(plotter, [reflected], [after], CROSS, name="halved")
     plotter.actors["halved"].visibility = step > 1
     add_point(plotter, -reflected, NEUTRAL, 0.03, name="opposite")

@@ -304,8 +304,7 @@ def euler_angles_by_hand(
     farthest = abs(angles - set_by_hand).max()
     read_out(plotter, "ring_change", farthest, "the tilt turns a ring by up to", 1, "°")
     change = abs(tilted - level).max()
-    label = "it changes an entry of the matrix by up to"
-    read_out(plotter, "entry_change", change, label, 3)
+    read_out(plotter, "entry_change", change, "it changes a matrix entry by up to", 3)
     read_out(plotter, "rings", angles, "the rings end at u, v, w", 1, "°")
     read_out(plotter, "matrix", here[0], "matrix of the three angles")
     path = pose(np.multiply.outer(t * steps, angles))
@@ -315,8 +314,7 @@ def euler_angles_by_hand(
     read_out(plotter, "by_slerp", by_slerp, "turned by slerp", 0, "°")
     nearby = pose(now + np.array([(1, 0, 0), (-1, 0, 0), (0, 0, 1)]))
     apart = degrees_between(nearby[:2], nearby[2]).min()
-    label = "poses after 1° of u and after ±1° of w differ by"
-    read_out(plotter, "apart", apart, label, 2, "°")
+    read_out(plotter, "apart", apart, "1° of u and ±1° of w differ by", 2, "°")
     before, after = (three_ways(angles, steps + h) for h in (-STEP, STEP))
     speeds = [degrees_between(p, q) / (2 * STEP) for p, q in zip(before, after, strict=True)]
     draw_chart(

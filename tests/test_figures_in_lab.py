@@ -354,6 +354,7 @@ def test_a_saved_notebook_shows_its_figures(run: Open, folder: Path) -> None:
     assert page.locator(PICTURES_OF_FIGURES).first.is_hidden()
 
     wear(page, "Light")
+    page.wait_for_timeout(500)
     # The figure may begin between two pixels, and then the screenshot has one more.
     shot = image(live.screenshot())[: seen.shape[0], : seen.shape[1]]
     assert np.abs(seen - shot).mean() < 1

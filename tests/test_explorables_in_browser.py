@@ -112,11 +112,16 @@ def center(handle: Any) -> tuple[float, float]:
 
 
 def handles(figure: Any) -> list[Any]:
-    return figure.locator("[data-handle]:not([hidden]):not([data-behind])").all()
+    """The handles that can be caught. Each keeps its place here when a drag hides another."""
+    seen = figure.locator("[data-handle]:not([hidden]):not([data-behind])").all()
+    names = [handle.get_attribute("data-handle") for handle in seen]
+    return [figure.locator(f'[data-handle="{name}"]') for name in names]
 
 
 def in_sight(figure: Any) -> None:
-    figure.locator(".scene").evaluate("element => element.scrollIntoView({block: 'center'})")
+    figure.locator(".scene").evaluate(
+        "element => element.scrollIntoView({block: 'center', behavior: 'instant'})"
+    )
     settle(figure.page)
 
 
@@ -158,8 +163,8 @@ def test_a_figure_moves_and_tells_true_numbers(name: str, open_figure: Callable[
 def test_each_handle_by_mouse_and_keys(name: str, open_figure: Callable[..., Any]) -> None:
     figure = live(open_figure(name))
     page = figure.page
-    for which in [h.get_attribute("data-handle") for h in handles(figure)]:
-        handle = figure.locator(f'[data-handle="{which}"]')
+    for handle in handles(figure):
+        which = handle.get_attribute("data-handle")
         in_sight(figure)
         before = check(name, figure)
         x, y = center(handle)

@@ -75,7 +75,10 @@ if find_spec("rotedu") is None:
 """
 FOR_THE_TEACHER = """\
 Solutions are folded below their exercises: click the bar that stands for the code, then the bar \
-that stands for the output. The students' notebook has none of them.\
+that stands for the output. The students' notebook has none of them.
+
+A solution that has run shows its output. In front of a class, do not run all cells: select the \
+heading *Exercises* and choose *Run All Above Selected Cell*.\
 """
 EXERCISES = "\n\n| Exercise | Kind | Minutes |\n| --- | --- | --- |\n"
 

@@ -12,21 +12,21 @@ NOT_THE_THIRD = [*PAIRS[:2], ([0, 1, 0], -90), PAIRS[3]]
 U, V, W = np.eye(3)
 
 
-def plain_mean() -> np.ndarray:
-    """Average the measurements of Exercise 2.6, made here with Hamilton's product anew."""
+def tracked() -> np.ndarray:
+    """The measurements of Exercise 2.6, made here with Hamilton's product anew."""
     tracker = np.random.default_rng(4)
     axes = tracker.normal(size=(1000, 3))
     axes /= np.linalg.norm(axes, axis=1, keepdims=True)
     half = tracker.normal(scale=np.deg2rad(8), size=1000) / 2
     w1, v1 = np.cos(half), np.sin(half)[:, None] * axes
-    w2, v2 = np.cos(np.deg2rad(50)), np.sin(np.deg2rad(50)) * np.array([1, 2, 2]) / 3
+    w2, v2 = np.cos(np.deg2rad(50)), np.sin(np.deg2rad(50)) * np.array([1, -2, 2]) / 3
     vectors = w1[:, None] * v2 + w2 * v1 + np.cross(v1, v2)
     measured = np.column_stack([w1 * w2 - v1 @ v2, vectors])
-    return (measured * tracker.choice([-1, 1], size=(1000, 1))).mean(axis=0)
+    return measured * tracker.choice([-1, 1], size=(1000, 1))
 
 
 U4 = np.array([1, 0, 0, 0])
-TRUTH = np.array([np.cos(np.deg2rad(50)), *(np.sin(np.deg2rad(50)) * np.array([1, 2, 2]) / 3)])
+TRUTH = np.array([np.cos(np.deg2rad(50)), *(np.sin(np.deg2rad(50)) * np.array([1, -2, 2]) / 3)])
 
 WRONG: dict[str, list[tuple[Any, str]]] = {
     "2.1": [
@@ -66,7 +66,8 @@ WRONG: dict[str, list[tuple[Any, str]]] = {
         ((40, U, -V, "first"), "judgement"),
     ],
     "2.6": [
-        (plain_mean(), "signs"),
+        (tracked().mean(axis=0), "random signs"),
+        (abs(tracked()).mean(axis=0), "Absolute values"),
         (TRUTH * [1, -1, -1, -1], "inverse"),
         (TRUTH + 0.02 * U4, "close"),
         ([0, 0, 0, 0], "zeros"),

@@ -251,7 +251,7 @@ def average_of_orientations(answer: Any) -> Wrong | None:
             "Four zeros are not a rotation.", "Did the signs cancel? Look at two of your terms."
         )
     tracker = np.random.default_rng(4)
-    truth = Quaternion.from_axis_angle([1, 2, 2], np.deg2rad(100))
+    truth = Quaternion.from_axis_angle([1, -2, 2], np.deg2rad(100))
     noise = Quaternion.from_axis_angle(
         tracker.normal(size=(1000, 3)), tracker.normal(scale=np.deg2rad(8), size=1000)
     )
@@ -273,6 +273,12 @@ def average_of_orientations(answer: Any) -> Wrong | None:
         return Wrong(
             "The random signs spoil this mean.",
             "How long is the mean before you divide by its length, and what makes it so short?",
+        )
+    sizes = abs(measured).mean(axis=0)
+    if degrees_off(Quaternion(sizes[0], sizes[1:])) < 1:
+        return Wrong(
+            "Absolute values also lose the signs that belong to the rotation.",
+            "A quaternion has one sign to choose, for all four numbers together.",
         )
     if degrees_off(truth) < 8:
         return Wrong(

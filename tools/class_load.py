@@ -568,7 +568,7 @@ def limit(run: Run) -> str:
     """Say what a faster class would need more of."""
     if run.free_share < 0.1:
         return "memory"
-    return "processors" if run.busy_share > 0.9 else "neither processors nor memory"
+    return "processors" if run.busy_share > 0.9 else "the pace of the starts"
 
 
 def table(runs: list[Run]) -> str:

@@ -302,6 +302,16 @@ def test_the_hand_and_python_move_the_same_figure(run: Open) -> None:
     assert figure.locator("input[type=range][name=u]").input_value() == "0.75"
     assert "expected 0.2 to 0.5, got 2" in page.evaluate(EXECUTE, "curve.fraction = 2")
 
+    # JupyterLab would go to the next cell, and delete this one.
+    figure.locator("input[type=range][name=u]").focus()
+    for key in ("End", "ArrowLeft", "d", "d"):
+        page.keyboard.press(key)
+    assert values(figure)["u"] == pytest.approx(0.995)
+    handle.focus()
+    page.keyboard.press("d")
+    page.keyboard.press("d")
+    assert figure.count() == 1
+
 
 @pytest.mark.slow
 def test_without_a_model_each_frame_comes_from_python(run: Open) -> None:

@@ -38,10 +38,13 @@ export function render({ model, el }) {
   const data = model.get("explorable");
   const figure = data.name ? createExplorable(scene, data) : scene;
   el.replaceChildren(figure);
-  // Else JupyterLab takes all keys before the figure: twice 0 would restart the kernel. Those with
-  // Control or Command it may have, to save the notebook. Only the window hears of a key before it.
-  const share = ({ ctrlKey, metaKey }) =>
-    el.toggleAttribute("data-lm-suppress-shortcuts", !ctrlKey && !metaKey);
+  // Else JupyterLab takes the keys of the figure: twice D would delete its cell. It asks the element
+  // with the focus first, and only the window hears of a key before it. Keys with Control or Command
+  // it may have, to save the notebook.
+  const share = ({ target, ctrlKey, metaKey }) => {
+    if (!el.contains(target)) return;
+    target.toggleAttribute("data-lm-suppress-shortcuts", !ctrlKey && !metaKey);
+  };
   addEventListener("keydown", share, true);
 
   const goLive = async () => {

@@ -286,6 +286,6 @@ def average_of_orientations(answer: Any) -> Wrong | None:
             "Make use of all the measurements, each with a sign that fits the others.",
         )
     return Wrong(
-        "Your average is far from every measurement.",
+        "Your average is far from the truth: a single measurement may be as good.",
         "Which expression in q is the same for q and -q, and can be added up?",
     )

@@ -24,7 +24,7 @@ def test_busy_share_ends_with_the_last_first_figure() -> None:
     [
         (0.99, 0.5, "processors"),
         (0.99, 0.05, "memory"),
-        (0.5, 0.5, "neither processors nor memory"),
+        (0.5, 0.5, "the pace of the starts"),
     ],
 )
 def test_what_limits(busy: float, free: float, named: str) -> None:

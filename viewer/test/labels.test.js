@@ -26,12 +26,12 @@ test("labels are where three's camera sees their points", () => {
   const matrix = camera.projectionMatrix.clone().multiply(camera.matrixWorldInverse).elements;
   for (const point of [[0, 0, 0.1], [1, 0.5, -0.3], [-2, 1, 1]]) {
     const seen = new Vector3(...point).project(camera);
-    const { left, top, inFront } = project(matrix, point);
+    const { left, top, inside } = project(matrix, point);
     assert.ok(Math.abs(left - (1 + seen.x) / 2) < 1e-9);
     assert.ok(Math.abs(top - (1 - seen.y) / 2) < 1e-9);
-    assert.ok(inFront);
+    assert.ok(inside);
   }
-  assert.ok(!project(matrix, [8, -4, 4]).inFront);
+  assert.ok(!project(matrix, [8, -4, 4]).inside);
 });
 
 describe("crossings", () => {

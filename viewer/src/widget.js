@@ -18,6 +18,15 @@ let queue = Promise.resolve();
 
 document.head.append(element("style", {}, styles));
 
+// Else JupyterLab takes the keys of a figure: twice D would delete its cell. It asks the element with
+// the focus first, and only the window hears of a key before it. Keys with Control or Command it may
+// have, to save the notebook.
+const share = ({ target, ctrlKey, metaKey }) => {
+  if (!target.closest(".scene-in-notebook")) return;
+  target.toggleAttribute("data-lm-suppress-shortcuts", !ctrlKey && !metaKey);
+};
+addEventListener("keydown", share, true);
+
 /**
  * Show the figure of a model while it is near the screen, as anywidget asks for it.
  * @param {{model, el: HTMLElement}} view
@@ -38,14 +47,6 @@ export function render({ model, el }) {
   const data = model.get("explorable");
   const figure = data.name ? createExplorable(scene, data) : scene;
   el.replaceChildren(figure);
-  // Else JupyterLab takes the keys of the figure: twice D would delete its cell. It asks the element
-  // with the focus first, and only the window hears of a key before it. Keys with Control or Command
-  // it may have, to save the notebook.
-  const share = ({ target, ctrlKey, metaKey }) => {
-    if (!el.contains(target)) return;
-    target.toggleAttribute("data-lm-suppress-shortcuts", !ctrlKey && !metaKey);
-  };
-  addEventListener("keydown", share, true);
 
   const goLive = async () => {
     try {
@@ -92,7 +93,6 @@ export function render({ model, el }) {
   );
   observer.observe(scene);
   return async () => {
-    removeEventListener("keydown", share, true);
     observer.disconnect();
     (await shown)?.remove();
   };

@@ -138,6 +138,10 @@ def test_an_unknown_number_is_refused() -> None:
         check("9.9", 1)
 
 
+def test_the_letters_of_a_word_are_no_parts() -> None:
+    assert "the number of parts is 1" in check("3.3", "transpose", hint=2).text
+
+
 def test_a_number_is_refused_twice() -> None:
     with pytest.raises(ValueError, match=r"3\.1 has two checks"):
         exercise("3.1", expects="nothing")(lambda _: None)

@@ -33,6 +33,7 @@ WRONG: dict[str, list[tuple[Any, str]]] = {
         ((524_592, 67.2), "radians"),
         ((8319, 67.2), "west"),
         ((14_463, 67.2), "changed places"),
+        ((67.2, 9156), "the latitude"),
         ((9000, 67.2), "length 1"),
         ((9156, 50), "on the way"),
         ((9156, np.radians(67.2)), "in radians"),

@@ -21,12 +21,14 @@ WRONG: dict[str, list[tuple[Any, str]]] = {
         ((9e-6, 3e-6), "wrong way round"),
         ((1e-6, 9e-6), "completely"),
         ((81e-6, 9e-6), "more slowly"),
+        ((3, 9), "the factors"),
         ((2.7e-2, 2.7e-2), "How many times"),
     ],
     "6.3": [
         (2, "quite enough"),
         (4, "already cheaper"),
         (6, "one joint fewer"),
+        (2.41, "whole number"),
     ],
     "6.4": [
         ((*60 * MINUTES, DAYS), "in seconds"),

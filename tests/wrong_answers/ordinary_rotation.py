@@ -51,6 +51,7 @@ WRONG: dict[str, list[tuple[Any, str]]] = {
         (0.001, "error of the axis"),
         (0, "scaled"),
         (np.abs(BENT - QUARTER).max(), "right one"),
+        (np.abs(BENT - np.eye(3)).max(), "with the identity"),
         (0.5, "another size"),
     ],
     "3.6": [

@@ -8,6 +8,7 @@ DIAGONAL = np.ones(3)
 PAIRS = [([0, 0, 1], 180), ([1, 0, 0], 360), ([0, 1, 0], 90), (DIAGONAL, 120)]
 HALVED = [(axis, angle / 2) for axis, angle in PAIRS]
 RADIANS = [(axis, np.deg2rad(angle)) for axis, angle in PAIRS]
+NO_AXIS = [PAIRS[0], ([0, 0, 0], 0), *PAIRS[2:]]
 NOT_THE_THIRD = [*PAIRS[:2], ([0, 1, 0], -90), PAIRS[3]]
 U, V, W = np.eye(3)
 
@@ -47,6 +48,7 @@ WRONG: dict[str, list[tuple[Any, str]]] = {
     "2.3": [
         ((HALVED, V), "half"),
         ((RADIANS, V), "radians"),
+        ((NO_AXIS, V), "zero vector"),
         ((NOT_THE_THIRD, V), "third"),
         ((PAIRS, W), "wrong way round"),
         ((PAIRS, U), "elsewhere"),

@@ -172,6 +172,10 @@ def great_circle_flight() -> Iterator[Numbers]:
                 "The first of the two numbers says how far north a place is.",
             ),
         ),
+        (
+            np.rad2deg(northernmost),
+            Wrong("Is this the latitude?", "The length in km comes first."),
+        ),
         otherwise=Wrong(
             "The length is not right yet. Do your two points have length 1?",
             "Turn degrees into radians, then latitude and longitude into a vector. The third"

@@ -129,6 +129,13 @@ def two_laws_of_growth() -> Iterator[Numbers]:
                 "You squared what you should have done the reverse with.",
             ),
         ),
+        (
+            [root, longer],
+            Wrong(
+                "These are the factors by which the errors grow.",
+                "How large is the error that they multiply?",
+            ),
+        ),
         otherwise=Wrong(
             "How many times as long is the second chain?",
             "One of the errors grows in proportion to that number, the other like its root.",
@@ -171,7 +178,7 @@ def joints_of_an_arm() -> Iterator[Numbers]:
             ),
         ),
         otherwise=Wrong(
-            "Compare the totals for your number of joints, and for one joint fewer.",
+            "Compare the totals for a whole number of joints and for one joint fewer.",
             "The points cost the same on both sides. What does each product save, and what does"
             " the conversion cost?",
         ),

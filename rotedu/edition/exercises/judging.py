@@ -312,7 +312,8 @@ def as_number(answer: Any) -> float:
 
 def as_parts(answer: Any, number: int) -> tuple[Any, ...]:
     """Return the parts of an answer, such as an axis and an angle."""
-    parts = tuple(answer)
+    # The letters of a word are no parts.
+    parts = (answer,) if isinstance(answer, str) else tuple(answer)
     if len(parts) != number:
         raise ValueError(f"the number of parts is {len(parts)}.")
     return parts

@@ -223,6 +223,13 @@ def axis_too_long() -> Iterator[Numbers]:
             ),
         ),
         (
+            np.abs(bent - np.eye(3)).max(),
+            Wrong(
+                "This compares the matrix with the identity, but it turns by 90°.",
+                "Multiply the matrix by its transpose first.",
+            ),
+        ),
+        (
             0.001,
             Wrong(
                 "This is the error of the axis.",

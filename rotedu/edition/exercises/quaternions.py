@@ -129,6 +129,11 @@ def axis_and_angle_at_sight(answer: Any) -> Wrong | None:
         for axis, degrees in (as_parts(pair, 2) for pair in as_parts(pairs, 4))
     ]
     end = as_array(image, (3,))
+    if not all(axis.any() for axis, _ in given):
+        return Wrong(
+            "One of your axes is the zero vector.",
+            "If nothing turns, every axis is right. Choose one.",
+        )
 
     def right(factor: float) -> list[bool]:
         turned = [(axis, np.deg2rad(factor * degrees)) for axis, degrees in given]

@@ -240,6 +240,17 @@ def test_type_is_large_and_nothing_sticks_out(browser: Any, site: str, width: in
     page.close()
 
 
+def test_the_late_button_does_not_move_the_page(browser: Any, site: str) -> None:
+    page = browser.new_page()
+    page.goto(f"{site}/book/03-ordinary-rotation.html")
+    height = "document.querySelector('.page-head').offsetHeight"
+    assert page.get_by_role("button", name="Present").count() == 1
+    with_button = page.evaluate(height)
+    page.evaluate("document.querySelector('.page-head button').remove()")
+    assert page.evaluate(height) == with_button
+    page.close()
+
+
 def test_only_chapters_with_scripts_offer_to_present(browser: Any, site: str, book: Path) -> None:
     for name in CHAPTERS:
         soup = BeautifulSoup((book / "book" / f"{name}.html").read_text("utf-8"), "html.parser")

@@ -102,6 +102,12 @@ def test_the_folder_is_in_teaching_order_and_holds_nothing_else(reader: list[Pat
     ]
 
 
+def test_students_read_how_to_begin_below_the_title(folder: Path) -> None:
+    for file in (folder / "student").iterdir():
+        assert TITLE.match(cells(file)[1].source)
+        assert "**Run All Cells**" in cells(file)[2].source
+
+
 def test_two_runs_write_the_same_bytes(folder: Path, tmp_path: Path) -> None:
     write = f"import sys; sys.path.append({str(ROOT / 'tools')!r}); import class_notebooks as c; "
     write += f"c.Classroom().write(c.Path({str(tmp_path)!r}))"

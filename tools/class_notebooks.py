@@ -73,6 +73,9 @@ from importlib.util import find_spec
 if find_spec("rotedu") is None:
     raise ModuleNotFoundError("Please install rotedu. Your teacher knows where it is.")\
 """
+FOR_THE_STUDENT = """\
+*Begin with **Run**, **Run All Cells**. Figures and exercises need the cells above them.*\
+"""
 FOR_THE_TEACHER = """\
 Solutions are folded below their exercises: click the bar that stands for the code, then the bar \
 that stands for the output. The students' notebook has none of them.
@@ -296,9 +299,9 @@ class Classroom:
     def notebook(self, page: str, reader: Reader) -> NotebookNode:
         """Return a page as a notebook for a reader."""
         cells = list(self.cells(page, reader))
-        if reader == "teacher":
-            # Below the title.
-            cells.insert(2, notes(self.notebooks[page]))
+        begin = new_markdown_cell(FOR_THE_STUDENT, id="begin")
+        # Below the title.
+        cells.insert(2, notes(self.notebooks[page]) if reader == "teacher" else begin)
         return nbformat.v4.new_notebook(cells=cells, metadata=self.notebooks[page].metadata)
 
     def write(self, folder: Path, readers: Iterable[Reader] = ("student", "teacher")) -> None:

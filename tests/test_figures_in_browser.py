@@ -301,17 +301,18 @@ def loaded(page: Any) -> list[str]:
     return [name.rpartition("/")[2] for name in names]
 
 
-@pytest.mark.parametrize("turned", ["some", pytest.param("all", marks=pytest.mark.slow)])
-def test_every_scene_of_the_book_lives(book: Path, site: str, open_page: Open, turned: str) -> None:
+@pytest.mark.parametrize("which", ["few", pytest.param("all", marks=pytest.mark.slow)])
+def test_scenes_of_the_book_live(book: Path, site: str, open_page: Open, which: str) -> None:
     """Each scene shows its labels, looks like its poster, turns and comes back, in one context.
 
-    By default the test looks at the first scene of each page and turns those of three pages;
-    ``make test-slow`` looks at all scenes and turns them.
+    The few are the first scenes of three pages; ``make test-slow`` takes all scenes of all pages.
     """
-    turning = ("index", "03-ordinary-rotation", "05-closed-curve")
+    few = ("index", "03-ordinary-rotation", "05-closed-curve")
     files = {file.relative_to(book).as_posix(): file for file in sorted(book.rglob("*.html"))}
     names = [name for name, file in files.items() if 'class="scene"' in file.read_text("utf-8")]
     assert len(names) >= 10
+    if which == "few":
+        names = [name for name in names if Path(name).stem in few]
     for name in names:
         page = open_page(f"{site}/{name}", CONTEXTS, device_scale_factor=2)
         # Use the poster's own size, because scaling would blur its edges.
@@ -319,15 +320,13 @@ def test_every_scene_of_the_book_lives(book: Path, site: str, open_page: Open, t
             content=".scene { width: 45rem !important; max-width: none !important; }"
         )
         scenes = page.locator(".scene").all()
-        for i, scene in enumerate(scenes if turned == "all" else scenes[:1]):
+        for i, scene in enumerate(scenes if which == "all" else scenes[:1]):
             where = f"{name}, scene {i}"
             at_rest = scene.evaluate(LABELS)
             space = scene.evaluate(SPACE)
             bring_live(scene)
             assert scene.evaluate(SPACE) == space, where
             assert_labels_stay(scene, at_rest)
-            if turned == "some" and Path(name).stem not in turning:
-                continue
             first = compare_with_poster(scene, where)
             drag(scene, 70, 25)
             after = live_picture(scene)
@@ -359,6 +358,7 @@ def test_all_looks_are_those_of_the_poster(strict_site: str, open_page: Open) ->
         compare_with_poster(bring_live(scene), f"scene {i}")
 
 
+@pytest.mark.slow
 def test_many_scenes_share_one_context(strict_site: str, open_page: Open) -> None:
     """The policy of this site forbids inline scripts and eval; a breach causes a complaint."""
     page = open_page(f"{strict_site}/many.html", CONTEXTS)

@@ -351,6 +351,7 @@ def saved_pictures(page: Any, folder: Path, name: str, count: int) -> list[np.nd
     return list(map(image, found))
 
 
+@pytest.mark.slow
 def test_a_saved_notebook_shows_its_figures(run: Open, folder: Path) -> None:
     far = "from IPython.display import HTML\nHTML('<div style=\"height: 3000px\"></div>')"
     unseen = "explore(scenes.closed_curve_by_hand)"

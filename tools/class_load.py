@@ -42,26 +42,12 @@ NOTEBOOK = "03-ordinary-rotation.ipynb"
 VIEW = "application/vnd.jupyter.widget-view+json"
 # In seconds. A student who waits longer has failed.
 PATIENCE = 300
-# Seconds of a processor for a student's server and kernel.
-WORK = 7
 
+# The configuration of the page, then what this machine needs.
+FROM_THE_PAGE = re.compile(r"^```python\n(.+?)^```", re.DOTALL | re.MULTILINE)
 CONFIGURATION = """\
-import asyncio
-import time
-
-next_start = 0
-
-
-async def wait_for_turn(spawner):
-    global next_start
-    start = max(next_start, time.monotonic())
-    next_start = start + {pace}
-    await asyncio.sleep(start - time.monotonic())
-    spawner.port = 20_000 + spawner.user.id
-
-
-c.Spawner.pre_spawn_hook = wait_for_turn
-c.Authenticator.allow_all = True
+{from_the_page}
+PROCESSORS = {processors}
 c.ConfigurableHTTPProxy.api_url = "http://127.0.0.1:{proxy_port}"
 c.ConfigurableHTTPProxy.command = [{node!r}, {proxy!r}]
 c.JupyterHub.authenticator_class = "dummy"
@@ -70,9 +56,6 @@ c.JupyterHub.hub_port = {hub_port}
 c.JupyterHub.spawner_class = "simple"
 c.SimpleLocalProcessSpawner.home_dir_template = {homes!r}
 c.Spawner.args = {options!r}
-c.Spawner.environment = {{"OPENBLAS_NUM_THREADS": "1"}}
-c.Spawner.http_timeout = {patience}
-c.Spawner.start_timeout = {patience}
 """
 # The second one is for the browsers: it gives them the commands of JupyterLab's menus.
 OPTIONS = ["--allow-root", "--LabApp.expose_app_in_browser=True"]
@@ -158,6 +141,8 @@ def hub(folder: Path, students: list[str]) -> Iterator[tuple[str, psutil.Process
     port = free_port()
     proxy = folder / "node_modules" / "configurable-http-proxy" / "bin" / "configurable-http-proxy"
     settings = CONFIGURATION.format(
+        from_the_page=FROM_THE_PAGE.search(PAGE.read_text("utf-8"))[1],
+        processors=psutil.cpu_count() or 1,
         port=port,
         hub_port=free_port(),
         proxy_port=free_port(),
@@ -165,8 +150,6 @@ def hub(folder: Path, students: list[str]) -> Iterator[tuple[str, psutil.Process
         proxy=str(proxy),
         homes=f"{homes}/{{username}}",
         options=OPTIONS,
-        pace=WORK / (psutil.cpu_count() or 1),
-        patience=PATIENCE,
     )
     (folder / "jupyterhub_config.py").write_text(settings, "utf-8")
     (folder / "jupyterhub.sqlite").unlink(missing_ok=True)

@@ -23,6 +23,7 @@ from rotedu.figures import (
 )
 from rotedu.scenes.arcs import CAMERA_SEES, CAMERA_TARGETS, camera
 from rotedu.scenes.parts import (
+    JUST_INSIDE,
     ORIGIN,
     add_arc,
     add_arrow,
@@ -353,7 +354,7 @@ def camera_by_hand(
     plotter = new_scene(eye=(5.1, -0.3, 2.3), target=(0, 0, 0.02))
     add_sphere(plotter)
     ground = pyvista.Sphere(start_phi=90, theta_resolution=48, phi_resolution=16)
-    ground.points /= np.linalg.norm(ground.points, axis=1, keepdims=True)
+    ground.points *= JUST_INSIDE / np.linalg.norm(ground.points, axis=1, keepdims=True)
     plotter.add_mesh(ground, color=NEUTRAL, opacity=0.35, smooth_shading=True, pickable=False)
     add_lines(plotter, GRID, NEUTRAL, radius=0.002, name="grid")
     add_line(

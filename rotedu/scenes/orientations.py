@@ -15,6 +15,7 @@ from rotedu.ordinary_rotation import rotation_matrix, transform
 from rotedu.orientations import closed_rotation_curve, slerp_rotations
 from rotedu.quaternions import Quaternion
 from rotedu.scenes.parts import (
+    JUST_INSIDE,
     ORIGIN,
     add_arrow,
     add_label,
@@ -121,10 +122,10 @@ def carried_around_by_hand(
 
 
 def spherical_triangle(corners: NDArray[np.float64], steps: int = 12) -> pyvista.PolyData:
-    """Fill a triangle of the unit sphere with arcs from its first corner to the opposite side."""
+    """Fill a triangle along the unit sphere, by arcs from its first corner to the opposite side."""
     p, q, r = corners
     s = np.linspace(0, 1, steps + 1)
-    points = slerp(p, slerp(q, r, s)[:, np.newaxis], s)
+    points = JUST_INSIDE * slerp(p, slerp(q, r, s)[:, np.newaxis], s)
     i = np.arange(len(s) ** 2).reshape(len(s), -1)
     squares = np.stack([i[:-1, :-1], i[1:, :-1], i[1:, 1:], i[:-1, 1:]], axis=-1).reshape(-1, 4)
     return triangle_mesh(

@@ -13,6 +13,8 @@ from rotedu.ordinary_rotation import rotate
 
 SIZE = (720, 480)
 ORIGIN = np.zeros(3)
+JUST_INSIDE = 0.99
+"""Radius of a surface along the unit sphere: two surfaces in one place would show stripes."""
 
 
 def new_scene(eye: ArrayLike, target: ArrayLike, view_angle: float = 24.0) -> pyvista.Plotter:

@@ -14,6 +14,7 @@ import { DEGREES, spread, turning } from "./common.js";
 
 const STATIONS = 9;
 const SIZE = 0.33;
+const JUST_INSIDE = 0.99;
 
 /** `carried_around_by_hand` */
 export function carriedAround({ corners, t }) {
@@ -64,6 +65,6 @@ function triangle([p, q, r]) {
   const s = spread(13);
   return s.flatMap((u) => {
     const opposite = slerp(q, r, u);
-    return s.map((v) => slerp(p, opposite, v));
+    return s.map((v) => slerp(p, opposite, v).map((x) => JUST_INSIDE * x));
   });
 }

@@ -6,6 +6,7 @@ import hashlib
 import re
 import time
 from collections.abc import Iterator
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 from urllib.parse import unquote, urlsplit
@@ -135,19 +136,32 @@ def test_equations_carry_the_numbers_of_the_paper(pages: dict[str, BeautifulSoup
     assert {"(3-1)", "(3-2)", "(3-3)"} <= set(numbers.values())
 
 
-def test_a_browser_finds_everything_here(
-    browser: Any, site: str, pages: dict[str, BeautifulSoup]
-) -> None:
-    """No request fails or goes elsewhere, no script complains, no page scrolls sideways."""
-    complaints = []
+@dataclass
+class Visit:
+    """What a browser finds on a page."""
+
+    complaints: list[str]
+    """Requests that fail or go elsewhere, errors of scripts, pictures that do not load."""
+    too_wide: dict[int, int]
+    """By how many pixels the page is wider than the window, by its width."""
+    reachable: list[str]
+    """On a phone, what scrolls sideways and can have the focus."""
+    unreachable: list[str]
+
+
+@pytest.fixture(scope="module")
+def visits(browser: Any, site: str, pages: dict[str, BeautifulSoup]) -> dict[str, Visit]:
+    """Open every page once, wide and narrow, with all its folded texts."""
     context = browser.new_context()
     page = context.new_page()
+    complaints: list[str] = []
     page.on("request", lambda r: r.url.startswith((site, "data:")) or complaints.append(r.url))
     page.on("response", lambda r: r.status < 400 or complaints.append(f"{r.status} {r.url}"))
     page.on("pageerror", lambda error: complaints.append(str(error)))
-    page.goto(f"{site}/index.html")
-    page.wait_for_url("**/book/index.html")
+    found = {}
+    # The root only leads to the front page.
     for name in pages.keys() - {"index.html"}:
+        complaints.clear()
         page.goto(f"{site}/{name}")
         missing = page.evaluate(
             """async () => {
@@ -158,14 +172,46 @@ def test_a_browser_finds_everything_here(
                 return seen.filter((image) => !image.naturalWidth).map((image) => image.src);
             }"""
         )
-        complaints += missing
+        too_wide = {}
         for width in (1440, 390):
             page.set_viewport_size({"width": width, "height": 900})
-            sideways = page.evaluate("document.documentElement.scrollWidth - innerWidth")
-            if sideways > 0:
-                complaints.append(f"{name} is {sideways} pixels too wide on {width}")
+            too_wide[width] = page.evaluate("document.documentElement.scrollWidth - innerWidth")
+        page.evaluate("for (const box of document.querySelectorAll('details')) box.open = true")
+        page.evaluate("new Promise(done => requestAnimationFrame(() => setTimeout(done)))")
+        unreachable, reachable = page.evaluate(
+            """() => {
+                const boxes = [...document.querySelectorAll("article *")].filter((box) =>
+                    box.scrollWidth > box.clientWidth && box.clientWidth > 0
+                    && /auto|scroll/.test(getComputedStyle(box).overflowX));
+                return [-1, 0].map((index) => boxes.filter(({ tabIndex }) => tabIndex === index)
+                    .map(({ localName, className }) => `${localName}.${className}`));
+            }"""
+        )
+        found[name] = Visit([*complaints, *missing], too_wide, reachable, unreachable)
     context.close()
-    assert complaints == []
+    return found
+
+
+def test_a_browser_finds_everything_here(visits: dict[str, Visit]) -> None:
+    assert {name: visit.complaints for name, visit in visits.items() if visit.complaints} == {}
+
+
+def test_no_page_scrolls_sideways(visits: dict[str, Visit]) -> None:
+    wide = {name: v.too_wide for name, v in visits.items() if max(v.too_wide.values()) > 0}
+    assert wide == {}
+
+
+def test_what_scrolls_sideways_can_be_reached_with_the_keyboard(visits: dict[str, Visit]) -> None:
+    assert {name: visit.unreachable for name, visit in visits.items() if visit.unreachable} == {}
+    seen = {box for visit in visits.values() for box in visit.reachable}
+    assert {"pre.", "span.katex-display", "div.chart docutils container"} <= seen
+
+
+def test_the_root_leads_to_the_front_page(browser: Any, site: str) -> None:
+    page = browser.new_page()
+    page.goto(f"{site}/index.html")
+    page.wait_for_url("**/book/index.html")
+    page.close()
 
 
 def test_pages_can_be_read_from_the_file_system(browser: Any, book: Path) -> None:
@@ -267,31 +313,6 @@ def test_a_strict_host_can_serve_the_book(
         assert page.evaluate("document.body.dataset.theme") == "auto"
     page.close()
     assert complaints == []
-
-
-def test_what_scrolls_sideways_can_be_reached_with_the_keyboard(
-    browser: Any, site: str, pages: dict[str, BeautifulSoup]
-) -> None:
-    page = browser.new_page(viewport={"width": 390, "height": 900})
-    seen = set()
-    # Meanwhile, the root only redirects readers.
-    for name in pages.keys() - {"index.html"}:
-        page.goto(f"{site}/{name}")
-        page.evaluate("for (const box of document.querySelectorAll('details')) box.open = true")
-        page.evaluate("new Promise(done => requestAnimationFrame(() => setTimeout(done)))")
-        unreachable, reachable = page.evaluate(
-            """() => {
-                const boxes = [...document.querySelectorAll("article *")].filter((box) =>
-                    box.scrollWidth > box.clientWidth && box.clientWidth > 0
-                    && /auto|scroll/.test(getComputedStyle(box).overflowX));
-                return [-1, 0].map((index) => boxes.filter(({ tabIndex }) => tabIndex === index)
-                    .map(({ localName, className }) => `${localName}.${className}`));
-            }"""
-        )
-        assert unreachable == [], name
-        seen |= set(reachable)
-    page.close()
-    assert {"pre.", "span.katex-display", "div.chart docutils container"} <= seen
 
 
 def test_pages_offer_their_notebooks(book: Path, pages: dict[str, BeautifulSoup]) -> None:

@@ -495,8 +495,6 @@ def test_without_a_server_a_figure_says_how_to_move_it(
 def test_axe_finds_nothing_in_the_middle_of_a_drag(
     name: str, open_figure: Callable[..., Any]
 ) -> None:
-    if not AXE.exists():
-        pytest.skip("axe is not installed: make audit does it")
     figure = live(open_figure(name))
     in_sight(figure)
     found = handles(figure)

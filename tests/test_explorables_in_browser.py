@@ -390,6 +390,23 @@ def test_the_status_line_forgets(open_figure: Callable[..., Any]) -> None:
     assert line.inner_text() == ""
 
 
+def test_the_status_line_says_where_the_point_came_to_lie(
+    open_figure: Callable[..., Any],
+) -> None:
+    figure = live(open_figure("control_points_by_hand"))
+    figure.locator("input[name=one_circle]").check()
+    handle = figure.locator('[data-handle="points-2"]')
+    before = handle.get_attribute("aria-label")
+    handle.focus()
+    for _ in range(4):
+        figure.page.keyboard.press("Shift+ArrowRight")
+        figure.page.keyboard.press("Shift+ArrowUp")
+    label = handle.get_attribute("aria-label")
+    assert label != before
+    figure.page.wait_for_timeout(700)
+    assert figure.locator(".explorable-status").inner_text() == label
+
+
 def test_a_link_brings_the_state_back(open_figure: Callable[..., Any]) -> None:
     name = "closed_curve_by_hand"
     figure = live(open_figure(name))

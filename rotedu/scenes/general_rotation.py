@@ -309,12 +309,12 @@ def euler_angles_by_hand(
     read_out(plotter, "matrix", here[0], "matrix of the three angles")
     path = pose(np.multiply.outer(t * steps, angles))
     turned = degrees_between(path[:-1], path[1:]).sum()
-    read_out(plotter, "by_angles", turned, "turned by three angles", 0, "°")
+    read_out(plotter, "by_angles", turned, "three angles turn the spoon through", 0, "°")
     by_slerp = degrees_between(np.eye(3), here[1]) if unique else NO_WAY
-    read_out(plotter, "by_slerp", by_slerp, "turned by slerp", 0, "°")
+    read_out(plotter, "by_slerp", by_slerp, "slerp turns it through", 0, "°")
     nearby = pose(now + np.array([(1, 0, 0), (-1, 0, 0), (0, 0, 1)]))
     apart = degrees_between(nearby[:2], nearby[2]).min()
-    read_out(plotter, "apart", apart, "1° of u and ±1° of w differ by", 2, "°")
+    read_out(plotter, "apart", apart, "1° of w replaces 1° of u to within", 2, "°")
     before, after = (three_ways(angles, steps + h) for h in (-STEP, STEP))
     speeds = [degrees_between(p, q) / (2 * STEP) for p, q in zip(before, after, strict=True)]
     draw_chart(

@@ -39,9 +39,10 @@ export function explore(element, live, data, models, python) {
     clearTimeout(timer);
     status.textContent = text;
   };
+  /** Once the hand rests, say how things stand then: a model may have corrected an input. */
   const say = (text) => {
     clearTimeout(timer);
-    timer = setTimeout(write, QUIET, text);
+    timer = setTimeout(() => write(text()), QUIET);
   };
   const tell = (frame) => {
     panel.show(inputs, frame);
@@ -96,7 +97,7 @@ export function explore(element, live, data, models, python) {
     update();
   };
   /** What the hand does, unlike what Python sets, is told to Python. */
-  const change = (changes, spoken = "") => {
+  const change = (changes, spoken) => {
     makeRoom();
     set(changes);
     python?.tell(inputs);
@@ -105,7 +106,7 @@ export function explore(element, live, data, models, python) {
   const reset = () => {
     change(data.start);
     live.reset();
-    say("Reset");
+    say(() => "Reset");
   };
   const link = () => {
     makeRoom();

@@ -16,7 +16,8 @@ const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowD
  * @param live what `show` has returned
  * @param specs all inputs of the figure, of any kind
  * @param {function} now returns the present inputs
- * @param {function} change takes changed inputs and a text for those who cannot see them
+ * @param {function} change takes changed inputs and a function that says for those who cannot see
+ *   them what has come of it
  */
 export function addHandles(scene, live, specs, now, change) {
   const layer = document.createElement("div");
@@ -59,7 +60,7 @@ export function addHandles(scene, live, specs, now, change) {
       const old = now()[name];
       const value = scaled(moved, 1 / spec.reach);
       const all = Array.isArray(old[0]) ? old.with(i, value) : value;
-      change({ [name]: all }, spoken && label(spec, i, value));
+      change({ [name]: all }, spoken && (() => label(spec, i, listed(now()[name])[i])));
     };
     drag(handle, layer, live, point, put, alongSphere);
     handle.addEventListener("keydown", (event) => {

@@ -47,8 +47,8 @@ export function bindPanel(element, specs, now, { change, reset, link }) {
     if (action !== "play") player.stop();
     if (action === "play") player.toggle(target, input);
     else if (action === "step") player.step(input);
-    else if (action === "add") change({ [input]: added(points) }, "Point added");
-    else if (action === "remove") change({ [input]: points.slice(0, -1) }, "Point removed");
+    else if (action === "add") change({ [input]: added(points) }, () => "Point added");
+    else if (action === "remove") change({ [input]: points.slice(0, -1) }, () => "Point removed");
     else if (action === "reset") reset();
     else if (action === "link") link();
   });

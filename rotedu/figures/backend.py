@@ -232,13 +232,10 @@ def take_poster(plotter: pyvista.Plotter) -> bytes:
         window_size=(width * scale, height * scale),
         return_img=True,
     )
-    blocks = (height * POSTER_SCALE, POSTER_SAMPLES, width * POSTER_SCALE, POSTER_SAMPLES, 4)
-    picture = np.reshape(np.asarray(samples), blocks).mean(axis=(1, 3))
-    colors, alpha = picture[..., :3], picture[..., 3:]
-    colors = np.divide(255 * colors, alpha, out=np.zeros_like(colors), where=alpha > 0)
-    picture = np.dstack([colors.clip(0, 255), alpha]).round().astype(np.uint8)
+    # VTK has multiplied the colours by their alpha, which is what "RGBa" means.
+    picture = Image.frombytes("RGBa", (width * scale, height * scale), np.asarray(samples).tobytes())
     file = io.BytesIO()
-    Image.fromarray(picture).save(file, "PNG")
+    picture.reduce(POSTER_SAMPLES).convert("RGBA").save(file, "PNG")
     return file.getvalue()
 
 

@@ -226,14 +226,11 @@ def take_poster(plotter: pyvista.Plotter) -> bytes:
     plotter.renderer.set_background("black")
     plotter.render()
     width, height = plotter.window_size
+    size = width * scale, height * scale
     # Enlarge the window, not the scale: VTK would draw tiles and cut points at their borders.
-    samples = plotter.screenshot(
-        transparent_background=True,
-        window_size=(width * scale, height * scale),
-        return_img=True,
-    )
+    samples = plotter.screenshot(transparent_background=True, window_size=size, return_img=True)
     # VTK has multiplied the colours by their alpha, which is what "RGBa" means.
-    picture = Image.frombytes("RGBa", (width * scale, height * scale), np.asarray(samples).tobytes())
+    picture = Image.frombytes("RGBa", size, np.asarray(samples).tobytes())
     file = io.BytesIO()
     picture.reduce(POSTER_SAMPLES).convert("RGBA").save(file, "PNG")
     return file.getvalue()

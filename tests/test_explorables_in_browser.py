@@ -4,10 +4,12 @@ After each touch the figure tells the values of its inputs and outputs. Python c
 again from the inputs.
 """
 
+import gzip
 import json
 import random
 import re
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -133,8 +135,14 @@ def turn(figure: Any, selector: str, keys: tuple[str, ...]) -> None:
 
 
 @pytest.mark.parametrize("name", BY_HAND)
-def test_a_figure_stands_on_a_page(name: str, pages: dict[str, str]) -> None:
-    assert name in pages
+def test_a_figure_stands_on_a_page_and_loads_little(
+    name: str, pages: dict[str, str], book: Path
+) -> None:
+    page = book / pages[name]
+    element = rf'data-explore="([^"]+)" data-name="{name.replace("_", "-")}"'
+    file = re.search(element, page.read_text("utf-8"))
+    assert file
+    assert len(gzip.compress((page.parent / file[1]).read_bytes(), 9)) < 60_000
 
 
 @pytest.mark.parametrize("name", BY_HAND)

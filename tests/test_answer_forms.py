@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from bs4 import BeautifulSoup
+from html_pages import parse
 from wrong_answers import WRONG
 
 from rotedu.cost import OperationCount
@@ -31,8 +31,7 @@ def pages(book: Path) -> dict[str, str]:
     """The page of each exercise with a form."""
     found = {}
     for file in sorted((book / "book").glob("0*.html")):
-        page = BeautifulSoup(file.read_text("utf-8"), "html.parser")
-        for place in page.select(".answer-form"):
+        for place in parse(file).select(".answer-form"):
             starter = place.find_previous_sibling("div", class_="cell").get_text()
             [number] = [n for n in NUMERIC if f'check("{n}", answer)' in starter]
             found[number] = f"book/{file.name}"

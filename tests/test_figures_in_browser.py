@@ -1,6 +1,7 @@
 """Scenes in a real browser: the book's own, and a small book of demanding ones."""
 
 import base64
+import contextlib
 import functools
 import io
 import os
@@ -121,17 +122,10 @@ def notebook_of(figures: list[BookFigure]) -> nbformat.NotebookNode:
     return nbformat.v4.new_notebook(cells=cells, metadata=metadata)
 
 
-@pytest.fixture(scope="module")
-def small_book(book: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Build pages with one and with many demanding scenes, in the same way as the book."""
-    source = tmp_path_factory.mktemp("small")
+def build(source: Path, **pages: list[Any]) -> Path:
+    """Write pages with figures and build them in the same way as the book."""
     (source / "conf.py").write_text(CONFIGURATION)
-    figure, looks = book_figure(demanding_scene()), book_figure(scene_of_all_looks())
-    for name, figures in {
-        "one": [figure],
-        "both": [figure, looks],
-        "many": MANY * [figure],
-    }.items():
+    for name, figures in pages.items():
         nbformat.write(notebook_of(figures), source / f"{name}.ipynb")
     icon = f"html_favicon={ROOT}/book/_static/favicon.svg"
     command = [sys.executable, "-m", "sphinx", "-W", "-D", icon, source, source / "html"]
@@ -142,13 +136,26 @@ def small_book(book: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture(scope="module")
-def strict_site(small_book: Path) -> Iterator[str]:
-    """Serve the small book."""
-    handler = functools.partial(Strict, directory=small_book)
+def small_book(book: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A page with one demanding scene, and one with another beside it."""
+    figure, looks = book_figure(demanding_scene()), book_figure(scene_of_all_looks())
+    return build(tmp_path_factory.mktemp("small"), one=[figure], both=[figure, looks])
+
+
+@contextlib.contextmanager
+def strict_server(folder: Path) -> Iterator[str]:
+    """Serve a small book with a policy that forbids inline scripts and eval."""
+    handler = functools.partial(Strict, directory=folder)
     with ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
         threading.Thread(target=server.serve_forever, daemon=True).start()
         yield f"http://127.0.0.1:{server.server_port}"
         server.shutdown()
+
+
+@pytest.fixture(scope="module")
+def strict_site(small_book: Path) -> Iterator[str]:
+    with strict_server(small_book) as site:
+        yield site
 
 
 @pytest.fixture
@@ -359,16 +366,17 @@ def test_all_looks_are_those_of_the_poster(strict_site: str, open_page: Open) ->
 
 
 @pytest.mark.slow
-def test_many_scenes_share_one_context(strict_site: str, open_page: Open) -> None:
-    """The policy of this site forbids inline scripts and eval; a breach causes a complaint."""
-    page = open_page(f"{strict_site}/many.html", CONTEXTS)
-    scenes = page.locator(".scene").all()
-    assert len(scenes) == MANY
-    for scene in scenes:
-        bring_live(scene)
-    assert lost_contexts(page) == [False]
-    assert difference(live_picture(scenes[0]), live_picture(scenes[-1])) < 0.01
-    assert sum(name.startswith("viewer-") for name in loaded(page)) == 1
+def test_many_scenes_share_one_context(book: Path, tmp_path: Path, open_page: Open) -> None:
+    many = MANY * [book_figure(demanding_scene())]
+    with strict_server(build(tmp_path, one=many)) as site:
+        page = open_page(f"{site}/one.html", CONTEXTS)
+        scenes = page.locator(".scene").all()
+        assert len(scenes) == MANY
+        for scene in scenes:
+            bring_live(scene)
+        assert lost_contexts(page) == [False]
+        assert difference(live_picture(scenes[0]), live_picture(scenes[-1])) < 0.01
+        assert sum(name.startswith("viewer-") for name in loaded(page)) == 1
 
 
 def test_nothing_heavy_comes_before_a_reader(one: Open) -> None:

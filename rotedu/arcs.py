@@ -162,8 +162,8 @@ def slerp(p: Unit, q: Unit, t: Number) -> Vector:
     half = np.arctan2(across, along)
     refuse_antipodal(2 * half)
     h = np.tan((t - 1 / 2) * half)
-    square = h * h
-    cos, sin = (1 - square) / (1 + square), 2 * h / (1 + square)
+    one_plus_cos = 2 / (1 + h * h)
+    cos, sin = one_plus_cos - 1, one_plus_cos * h
     return cos / along * middle + sin / np.where(across == 0, 1, across) * chord
 
 

@@ -156,7 +156,7 @@ def slerp(p: Unit, q: Unit, t: Number) -> Vector:
     rotedu.errors.DegenerateError: p and q are antipodal: no unique arc joins them
     """
     chord, middle = q - p, p + q
-    # Near pi the middle is short; this keeps it at right angles to the chord in spite of rounding.
+    # Near pi rounding tilts the short middle; put it back at a right angle.
     middle = middle - dot(middle, chord) / 4 * chord
     across, along = length(chord), length(middle)
     half = np.arctan2(across, along)

@@ -271,7 +271,7 @@ const theta = (p, q) => 2 * Math.atan2(length(combine(1, q, -1, p)), length(comb
 function arc(p, q, t) {
   const chord = combine(1, q, -1, p);
   const sum = combine(1, p, 1, q);
-  // Near pi the middle is short; this keeps it at right angles to the chord in spite of rounding.
+  // Near pi rounding tilts the short middle; put it back at a right angle.
   const middle = combine(1, sum, -dot(sum, chord) / 4, chord);
   const across = length(chord);
   const along = length(middle);

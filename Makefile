@@ -64,7 +64,7 @@ $(READY): requirements.txt pyproject.toml tools/set_up.py
 	@$(PYTHON) tools/set_up.py
 	@touch $@
 
-$(VIEWER): $(READY) package-lock.json $(wildcard viewer/*.* viewer/src/*.js viewer/models/*.js)
+$(VIEWER): $(READY) package-lock.json $(wildcard viewer/*.* viewer/src/*.js rotedu/scenes/*.js)
 	@$(BIN)/python tools/bundle.py
 
 .venv/browser: $(READY)

@@ -2,12 +2,13 @@
  * node build.js <folder> bundles the viewer for pages into <folder>/scene/:
  *   loader.js        a classic script on every page with scenes, which also runs from files
  *   viewer-HASH.js   a module that is fetched when the first scene goes live
- *   explorables-HASH.js   another one, for pages with figures that answer the hand
+ *   explorables-HASH.js   another one, for pages with figures that answer the hand: what moves
+ *                         them, and the models of the scenes
  *   scene.css        the styles of both
  *
  * node build.js --notebook <folder> bundles it for notebooks into <folder>/:
  *   figure-loader.js   a module that travels with every figure
- *   figure.js          a module that the loader fetches once, with styles and fonts in it
+ *   figure.js          a module that the loader fetches once, with styles, fonts and models in it
  *   licences.txt       the licences of what is in it
  */
 import { createHash } from "node:crypto";
@@ -23,7 +24,7 @@ async function forPages(folder) {
   await mkdir(folder, { recursive: true });
   const { metafile } = await build({
     ...common,
-    entryPoints: [join(here, "src/viewer.js"), join(here, "src/explorables.js")],
+    entryPoints: [join(here, "src/viewer.js"), join(here, "explorables.js")],
     entryNames: "[name]-[hash]",
     outdir: folder,
     format: "esm",
@@ -52,7 +53,7 @@ async function forNotebooks(folder) {
   const module = (entry, outfile, define) =>
     build({ ...common, entryPoints: [join(here, entry)], outfile, format: "esm", define });
   const figure = join(folder, "figure.js");
-  await module("src/widget.js", figure, { STYLES: JSON.stringify(styles.outputFiles[0].text) });
+  await module("notebook.js", figure, { STYLES: JSON.stringify(styles.outputFiles[0].text) });
   const digest = createHash("sha256").update(await readFile(figure)).digest("hex");
   await module("src/widget-loader.js", join(folder, "figure-loader.js"), {
     DIGEST: JSON.stringify(digest.slice(0, 16)),

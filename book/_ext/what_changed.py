@@ -20,6 +20,7 @@ FRAME = (
     "book/_paper/**/*",
     "book/_static/**/*",
     "viewer/**/*",
+    "rotedu/scenes/*.js",
     # Every page links to it.
     "book/glossary.md",
 )
@@ -37,7 +38,9 @@ def digest(files: Iterable[Path]) -> str:
 
 def note(app: Sphinx, config: Config) -> None:
     """Set both digests, and point MyST-NB to the cache for this state of the package."""
-    config.package_digest = digest([*ROOT.glob("rotedu/**/*"), ROOT / "requirements.txt"])
+    # No notebook runs the models of scenes.
+    package = (file for file in ROOT.glob("rotedu/**/*") if file.suffix != ".js")
+    config.package_digest = digest([*package, ROOT / "requirements.txt"])
     config.frame_digest = digest(file for part in FRAME for file in ROOT.glob(part))
     caches = Path(app.doctreedir).parent / ".jupyter_cache"
     config.nb_execution_cache_path = str(caches / config.package_digest)

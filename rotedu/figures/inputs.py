@@ -31,8 +31,8 @@ class Slider:
         Seconds that the button *Play* takes from `low` to `high`, where it starts over; 0 means no
         buttons.
     grip : float
-        The number is also an angle in degrees from the U axis to the V axis: a handle on the circle
-        of this radius about the W axis can be dragged; 0 means no handle.
+        The number is also an angle in degrees from the x axis of the scene to its y axis: a handle
+        on the circle of this radius about the z axis can be dragged; 0 means no handle.
     """
 
     low: float

@@ -1,4 +1,5 @@
-/* The geometry of the camera. */
+/* The geometry of the camera: what it sees of a scene, and which way is right and up. */
+import { Vector3 } from "three";
 
 const DEGREES = 180 / Math.PI;
 // How far a turned scene may reach: labels need some room at the border.
@@ -87,4 +88,16 @@ export function reach(points, axes, distance, half) {
 export function widened(angle, now, atRest) {
   const half = Math.tan(angle / 2 / DEGREES);
   return 2 * DEGREES * Math.atan(half * Math.max(1, now / Math.max(ROOM, atRest)));
+}
+
+/**
+ * Turn a point about the origin to the right or up, as the camera sees it.
+ * @param {number[]} point
+ * @param {number[][]} axes of the camera: right, up, back
+ * @param {number[]} arrow steps to the right and up, one of them 0
+ * @param {number} angle of a step
+ */
+export function turned(point, [right, up], [x, y], angle) {
+  const axis = new Vector3(...up).multiplyScalar(x).addScaledVector(new Vector3(...right), -y);
+  return new Vector3(...point).applyAxisAngle(axis, angle).toArray();
 }

@@ -3,7 +3,7 @@
  * for mouse, finger and keys alike. An angle with a grip can be dragged round a circle, too; for keys
  * it has its slider.
  */
-import { alongFloor, alongSphere, turned } from "./drag.js";
+import { alongPlane, alongSphere } from "./drag.js";
 
 const HINT = "Drag a ring to move its point";
 const DEGREES = 180 / Math.PI;
@@ -37,7 +37,7 @@ export function addHandles(scene, live, specs, now, change) {
       const handle = createHandle(layer);
       handle.tabIndex = -1;
       handle.setAttribute("aria-hidden", "true");
-      drag(handle, layer, live, point, put, alongFloor);
+      drag(handle, layer, live, point, put, alongPlane);
       return () => place(handle, live, point(), true);
     });
   if ((groups.length || grips.length) && hint) hint.textContent = HINT;
@@ -69,7 +69,7 @@ export function addHandles(scene, live, specs, now, change) {
       event.preventDefault();
       event.stopPropagation();
       const size = (event.shiftKey ? STEPS.Shift : 1) * (event.altKey ? STEPS.Alt : 1);
-      put(turned(point(), live.axes(), arrow, STEP * size), true);
+      put(live.turned(point(), arrow, STEP * size), true);
     });
     handles[i] = handle;
   };
@@ -108,13 +108,13 @@ function scaled(point, factor) {
 }
 
 /** Put a handle over its point; a point on the far side of a sphere cannot be caught. */
-function place(handle, live, point, onFloor = false) {
+function place(handle, live, point, onPlane = false) {
   const { left, top, riding } = live.project(point);
   handle.style.left = `${100 * left}%`;
   handle.style.top = `${100 * top}%`;
   const eye = live.eye();
   const facing = point.reduce((sum, x, i) => sum + x * (eye[i] - x), 0);
-  handle.toggleAttribute("data-behind", !onFloor && facing < 0);
+  handle.toggleAttribute("data-behind", !onPlane && facing < 0);
   handle.hidden = riding;
 }
 

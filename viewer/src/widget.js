@@ -1,7 +1,6 @@
 /* A figure in a notebook: the scene of a widget, drawn by the viewer of the pages. */
 /* global STYLES */
 import katex from "katex";
-import * as models from "../models/index.js";
 import { explore } from "./explore.js";
 import { openWebGL, status } from "./page.js";
 import { takePicture } from "./picture.js";
@@ -28,11 +27,12 @@ const share = ({ target, ctrlKey, metaKey }) => {
 addEventListener("keydown", share, true);
 
 /**
- * Show the figure of a model while it is near the screen, as anywidget asks for it.
- * @param {{model, el: HTMLElement}} view
+ * Show the figure of a model while it is near the screen.
+ * @param {{model, el: HTMLElement}} view as anywidget gives it
+ * @param {Object<string, function>} models what computes frames, by name
  * @returns a function that removes the figure
  */
-export function render({ model, el }) {
+export function render({ model, el }, models) {
   const { labels, ...made } = model.get("scene");
   const scene = element(
     "div",

@@ -3,7 +3,7 @@
  * from stdin, writes the names of all exports and an answer to each call.
  */
 import { text } from "node:stream/consumers";
-import * as sphere from "../src/sphere.js";
+import * as sphere from "../../rotedu/scenes/sphere.js";
 
 function answer([name, args]) {
   try {

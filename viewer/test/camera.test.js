@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { clipping, fieldOfView, outermost, reach, widened } from "../src/camera.js";
+import { clipping, fieldOfView, outermost, reach, turned, widened } from "../src/camera.js";
 
 const close = (a, b) => assert.ok(Math.abs(a - b) < 1e-9, `${a} is not ${b}`);
 
@@ -65,4 +65,12 @@ test("the view stays as it is while the scene fits, and widens by as much as it 
   close(widened(30, 1.2, 1.2), 30);
   const tan = (angle) => Math.tan((angle * Math.PI) / 360);
   close(tan(widened(30, 2.4, 1.2)), 2 * tan(30));
+});
+
+test("an arrow key moves a point to where it says", () => {
+  const axes = [[0, 1, 0], [0, 0, 1], [1, 0, 0]];
+  const near = (mine, wanted) => mine.forEach((x, i) => close(x, wanted[i]));
+  near(turned([1, 0, 0], axes, [1, 0], 0.1), [Math.cos(0.1), Math.sin(0.1), 0]);
+  near(turned([1, 0, 0], axes, [0, 1], 0.1), [Math.cos(0.1), 0, Math.sin(0.1)]);
+  near(turned([0, 2, 0], axes, [0, -1], 0.1), [0, 2, 0]);
 });

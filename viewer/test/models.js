@@ -3,7 +3,7 @@
  * the names of all models and a frame, or the refusal, for each pair.
  */
 import { text } from "node:stream/consumers";
-import * as models from "../models/index.js";
+import * as models from "../../rotedu/scenes/models.js";
 
 function answer([name, inputs]) {
   try {

@@ -1,4 +1,5 @@
 /* Models of `rotedu.scenes.orientations`. */
+import { DEGREES, spread, turning } from "./parts.js";
 import {
   angleBetween,
   arcAxis,
@@ -9,8 +10,7 @@ import {
   slerp,
   transform,
   unit,
-} from "../src/sphere.js";
-import { DEGREES, spread, turning } from "./common.js";
+} from "./sphere.js";
 
 const STATIONS = 9;
 const SIZE = 0.33;

@@ -1,10 +1,8 @@
 /* What the models share. */
-import { combine, cross, deCasteljau, dot, length, rotate, slerp, transpose } from "../src/sphere.js";
+import { rotate, slerp, transpose } from "./sphere.js";
 
 export const DEGREES = 180 / Math.PI;
 export const ORIGIN = [0, 0, 0];
-
-const STEP = 3e-4;
 
 /** Numbers evenly spread from 0 to 1, both included. */
 export function spread(count) {
@@ -30,13 +28,4 @@ export function turning(point, axis, angle, steps) {
 /** The sixteen numbers, by columns, that turn a part by a 3x3 matrix about the origin. */
 export function placing(matrix) {
   return columns(transpose(matrix));
-}
-
-/** Velocity and geodesic curvature: `rotedu.scenes.closed_curve.motion`. */
-export function motion(control, u) {
-  const [before, here, after] = [-STEP, 0, STEP].map((x) => deCasteljau(control, u + x));
-  const velocity = combine(1 / (2 * STEP), after, -1 / (2 * STEP), before);
-  const acceleration = here.map((x, i) => (after[i] - 2 * x + before[i]) / STEP ** 2);
-  const speed = Math.max(length(velocity), STEP);
-  return { velocity, curvature: dot(cross(here, velocity), acceleration) / speed ** 3 };
 }

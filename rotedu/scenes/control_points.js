@@ -1,6 +1,6 @@
 /* Models of `rotedu.scenes.control_points`. */
-import { angleBetween, arcAxis, combine, cross, dot, slerp, unit } from "../src/sphere.js";
-import { DEGREES, ORIGIN, arcs, spread, turning } from "./common.js";
+import { DEGREES, ORIGIN, arcs, spread, turning } from "./parts.js";
+import { angleBetween, arcAxis, combine, cross, dot, slerp, unit } from "./sphere.js";
 
 const SAME = 1e-6;
 const NEAR = 0.17;

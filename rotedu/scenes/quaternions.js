@@ -1,6 +1,6 @@
 /* Models of `rotedu.scenes.quaternions`. */
-import { combine, quaternionProduct, rotate, rotationMatrix, transpose } from "../src/sphere.js";
-import { DEGREES, ORIGIN, columns, spread } from "./common.js";
+import { DEGREES, ORIGIN, columns, spread } from "./parts.js";
+import { combine, quaternionProduct, rotate, rotationMatrix, transpose } from "./sphere.js";
 
 const W = [0, 0, 1];
 const SMALLEST_ARC = 8;

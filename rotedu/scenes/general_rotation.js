@@ -1,4 +1,5 @@
 /* Models of `rotedu.scenes.general_rotation`. */
+import { DEGREES, spread } from "./parts.js";
 import {
   DegenerateError,
   axisAngle,
@@ -15,8 +16,7 @@ import {
   slerpRotations,
   transpose,
   unit,
-} from "../src/sphere.js";
-import { DEGREES, spread } from "./common.js";
+} from "./sphere.js";
 
 const SPOON = 0.8;
 const STEP = 1e-4;

@@ -1,4 +1,5 @@
 /* Models of `rotedu.scenes.arcs`. */
+import { DEGREES, ORIGIN, placing, spread } from "./parts.js";
 import {
   DegenerateError,
   angleBetween,
@@ -15,8 +16,7 @@ import {
   slerp as alongArc,
   transpose,
   unit,
-} from "../src/sphere.js";
-import { DEGREES, ORIGIN, placing, spread } from "./common.js";
+} from "./sphere.js";
 
 const TINY = 1e-9;
 const SAME = 1e-6;

@@ -1,6 +1,6 @@
 /* Models of `rotedu.scenes.ordinary_rotation`. */
-import { combine, cross, dot, length, rotate, rotationMatrix, unit } from "../src/sphere.js";
-import { DEGREES, ORIGIN, turning } from "./common.js";
+import { DEGREES, ORIGIN, turning } from "./parts.js";
+import { combine, cross, dot, length, rotate, rotationMatrix, unit } from "./sphere.js";
 
 const HAIR = 1e-6;
 

@@ -96,7 +96,7 @@ def rotations(name: str, matrices: Array) -> Array:
     # Eight decimals of float64 are enough.
     allowed = 2 * np.sqrt(np.finfo(matrices.dtype).eps)
     with np.errstate(over="ignore", invalid="ignore"):
-        square = matrices.mT @ matrices
+        square = matrices.swapaxes(-1, -2) @ matrices
         error = np.abs(square - np.eye(3)).max(axis=(-2, -1), initial=0)
     skewed = ~(error <= allowed)
     if skewed.any():

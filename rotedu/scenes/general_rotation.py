@@ -376,7 +376,7 @@ def three_ways(angles: NDArray[np.float64], t: ArrayLike) -> list[NDArray[np.flo
 
 def degrees_between(before: NDArray[np.float64], after: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return the angles by which some orientations are turned to others."""
-    return np.asarray(np.degrees(axis_angle(before.mT @ after)[1]))
+    return np.asarray(np.degrees(axis_angle(before.swapaxes(-1, -2) @ after)[1]))
 
 
 def nearest_angles(matrix: NDArray[np.float64], angles: NDArray[np.float64]) -> NDArray[np.float64]:

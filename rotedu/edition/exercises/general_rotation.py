@@ -208,7 +208,7 @@ def angles_of_a_matrix(answer: Any) -> Wrong | None:
             "The second triple gives another matrix.",
             "Your second angle lies between -90° and 90°. Does its cosine have the right sign?",
         )
-    transposed = zip(matrix_from_euler_angles(*found.T), targets.mT, strict=True)
+    transposed = zip(matrix_from_euler_angles(*found.T), targets.swapaxes(1, 2), strict=True)
     if all(close(matrix, target, 1e-12) for matrix, target in transposed):
         return Wrong(
             "Your angles belong to the transposed matrices.",

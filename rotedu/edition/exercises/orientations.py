@@ -354,9 +354,9 @@ def flight(start: Array, end: Array) -> tuple[float, float, float]:
     """Return the largest roll in degrees, the angle turned over the least, and its unevenness."""
     moments = np.linspace(0, 1, 1001)
     free = slerp_rotations(standing(start), standing(end), moments)
-    tilt = standing(free[:, :, 2]).mT @ free
+    tilt = standing(free[:, :, 2]).swapaxes(1, 2) @ free
     roll = np.rad2deg(np.arctan2(tilt[:, 1, 0], tilt[:, 0, 0]))
     upright = standing(slerp(start, end, moments))
-    _, small = axis_angle(upright[:-1].mT @ upright[1:])
+    _, small = axis_angle(upright[:-1].swapaxes(1, 2) @ upright[1:])
     _, least = axis_angle(standing(start).T @ standing(end))
     return np.abs(roll).max(), small.sum() / least, small.max() / small.min()

@@ -3,7 +3,8 @@
 cosmic-ray makes the edits: another sign, operator or number, a reversed condition, a missing
 decorator. Each edit goes into a copy of the package, and the tests of its module run until one
 fails. ``python tools/mutate.py`` takes every module; name modules to take only those. It lists the
-edits that no test notices, and returns 1 unless tools/equivalent.toml gives a reason for each.
+edits that no test notices, and returns 1 unless tools/equivalent.toml expects and explains as many
+of the same operator in the same function.
 """
 
 import os
@@ -12,17 +13,20 @@ import shutil
 import sys
 import tempfile
 import tomllib
+from collections import defaultdict
 from collections.abc import Iterator
 from concurrent.futures import ProcessPoolExecutor
 from difflib import unified_diff
 from importlib import import_module
-from itertools import count, repeat
+from itertools import repeat
 from multiprocessing import get_context
 from pathlib import Path
 from time import monotonic
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import pytest
+from cosmic_ray.ast import ast_nodes, get_ast
+from cosmic_ray.ast.ast_query import ASTQuery
 from cosmic_ray.mutating import mutate_code
 from cosmic_ray.plugins import get_operator, operator_names
 from hypothesis import Phase, settings
@@ -49,6 +53,9 @@ class Edit(NamedTuple):
     """One edit of a module."""
 
     module: str
+    function: str
+    """The innermost function or class, or ``<module>``."""
+    operator: str
     line: int
     before: str
     after: str
@@ -58,16 +65,18 @@ class Edit(NamedTuple):
 def edits(module: str) -> Iterator[Edit]:
     """Yield every edit of a module."""
     source = (ROOT / "rotedu" / f"{module}.py").read_text("utf-8")
-    for operator in filter(OPERATORS.fullmatch, operator_names()):
-        for occurrence in count():
-            code = mutate_code(source, get_operator(operator)(), occurrence)
-            if code is None:
-                break
+    for name in filter(OPERATORS.fullmatch, operator_names()):
+        operator = get_operator(name)()
+        nodes = [n for n in ast_nodes(get_ast(source)) for _ in operator.mutation_positions(n)]
+        for occurrence, node in enumerate(nodes):
+            function = ASTQuery(node).get_definition_name() or "<module>"
+            code = mutate_code(source, operator, occurrence)
             place, *changed = list(unified_diff(source.split("\n"), code.split("\n"), n=0))[2:]
             before, after = (
                 "\n".join(line[1:].strip() for line in changed if line[0] == sign) for sign in "-+"
             )
-            yield Edit(module, int(re.findall(r"\d+", place)[0]), before, after, code)
+            line = int(re.findall(r"\d+", place)[0])
+            yield Edit(module, function, name.removeprefix("core/"), line, before, after, code)
 
 
 def tests_of(module: str) -> list[str]:
@@ -142,31 +151,41 @@ def check(module: str, pool: ProcessPoolExecutor) -> list[Edit]:
     return unnoticed
 
 
-def report(place: str, before: str, after: str) -> None:
-    """Print an edit."""
-    print(place, *(f"- {line}" for line in before.split("\n")), sep="\n")
-    print(*(f"+ {line}" for line in after.split("\n")), "", sep="\n", flush=True)
+def report(module: str, unnoticed: list[Edit], known: dict[str, Any]) -> bool:
+    """Print the edits whose number differs from what is known; tell whether there are any."""
+    found = defaultdict(list)
+    for edit in unnoticed:
+        found[edit.function, edit.operator].append(edit)
+    counts = {
+        (function, operator): entry["count"]
+        for function, operators in known.items()
+        for operator, entry in operators.items()
+    }
+    differ = {key for key in {*found, *counts} if len(found[key]) != counts.get(key, 0)}
+    for function, operator in sorted(differ):
+        alive, count = found[function, operator], counts.get((function, operator), 0)
+        print(f"{module}, {function}: {len(alive)} by {operator} not noticed, {count} expected")
+        if len(alive) < count:
+            print("The entry in tools/equivalent.toml is out of date.")
+        for edit in alive:
+            print(f"rotedu/{module}.py:{edit.line}")
+            print(*(f"- {line}" for line in edit.before.split("\n")), sep="\n")
+            print(*(f"+ {line}" for line in edit.after.split("\n")), "", sep="\n", flush=True)
+    return bool(differ)
 
 
 def main() -> int:
-    """Print each edit that is neither noticed nor listed; return 1 if there is one."""
+    """Print the edits that are neither noticed nor expected; return 1 if there are any."""
     known = tomllib.loads(EQUIVALENT.read_text("utf-8"))
-    found = False
     with (
         tempfile.TemporaryDirectory() as folder,
         ProcessPoolExecutor(mp_context=FORK, initializer=copy_package, initargs=(folder,)) as pool,
     ):
-        for module in sys.argv[1:] or MODULES:
-            unnoticed = check(module, pool)
-            named = {(entry["before"], entry["after"]) for entry in known.get(module, [])}
-            for edit in unnoticed:
-                if (edit.before, edit.after) not in named:
-                    report(f"rotedu/{module}.py:{edit.line}", edit.before, edit.after)
-                    found = True
-            for stale in named - {(edit.before, edit.after) for edit in unnoticed}:
-                report(f"tools/equivalent.toml: noticed, or no edit of {module}", *stale)
-                found = True
-    return int(found)
+        reported = [
+            report(module, check(module, pool), known.get(module, {}))
+            for module in sys.argv[1:] or MODULES
+        ]
+    return int(any(reported))
 
 
 if __name__ == "__main__":

@@ -215,6 +215,23 @@ def test_two_sliders_make_a_grid() -> None:
 
 
 @pytest.mark.usefixtures("few_frames")
+def test_a_grid_keeps_its_order_where_keys_are_sorted() -> None:
+    figure = explore(a_ball, v=(0, 2), u=(0, 1))
+    spec = json.loads(json.dumps(figure.spec(figure.draw()), sort_keys=True))
+    assert spec["grid"] == [["v", 3], ["u", 3]]
+    assert figure.frames()[1]["parts"]["ball"]["at"] == [0.5, 0, 0]
+
+
+def test_a_name_that_every_figure_has_is_refused() -> None:
+    def named(start: float = 0, values: float = 0, frames: float = 0) -> pyvista.Plotter:
+        return a_ball(start)
+
+    for name in ("start", "values", "frames"):
+        with pytest.raises(ValueError, match=f"^{name}: expected a name other than .*start.*, got"):
+            explore(named, **{name: (0, 1)})
+
+
+@pytest.mark.usefixtures("few_frames")
 def test_another_number_of_points_is_refused_by_name() -> None:
     def growing(u: float = 0) -> pyvista.Plotter:
         return a_ball(u, points=3 + round(u))

@@ -72,7 +72,8 @@ def explore(function: Scene, **sliders: Slider | tuple[float, float]) -> "Explor
     Raises
     ------
     ValueError
-        If there is nothing to change, or if the scenes differ in more than places and colours.
+        If there is nothing to change, if an argument has a name that every figure has, such as
+        ``start``, or if the scenes differ in more than places and colours.
 
     Examples
     --------
@@ -129,6 +130,10 @@ class Exploration:
             varying=set(),
             widgets=[],
         )
+        own = sorted(name for name in super().__dir__() if not name.startswith("_"))
+        for name in inputs:
+            if name in own:
+                raise ValueError(f"{name}: expected a name other than {', '.join(own)}, got {name}")
 
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *self.inputs]
@@ -178,7 +183,8 @@ class Exploration:
         dict
             What JSON can hold: the ``name``, the ``inputs`` and their values at the ``start``, the
             ``model``, and the ``frame`` that the model must reproduce. Without a model, ``grid``
-            gives the number of frames for each input; `frames` computes them.
+            lists each input with its number of frames; `frames` computes them, the last input
+            changing first.
         """
         recorded = shown(plotter)
         places: set[tuple[str, ...]] = {
@@ -204,7 +210,8 @@ class Exploration:
             "start": self.start,
             "model": self.model,
             "frame": only(base, places),
-            "grid": {} if self.model else dict.fromkeys(self.inputs, count),
+            # A list, because a notebook sorts the keys of its JSON.
+            "grid": [] if self.model else [[name, count] for name in self.inputs],
         }
 
     def frames(self) -> list[dict[str, Any]]:

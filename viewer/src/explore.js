@@ -183,7 +183,7 @@ function place({ low, high }, count, value) {
 
 /** The nearest inputs for which a frame is stored. */
 function stored({ inputs, grid }, values) {
-  const snapped = Object.entries(grid).map(([name, count]) => {
+  const snapped = grid.map(([name, count]) => {
     const { low, high } = inputs[name];
     return [name, low + (place(inputs[name], count, values[name]) / (count - 1)) * (high - low)];
   });
@@ -192,7 +192,7 @@ function stored({ inputs, grid }, values) {
 
 /** The frame that is stored for inputs. */
 function storedFrame({ inputs, grid, frames }, values) {
-  const index = Object.entries(grid).reduce(
+  const index = grid.reduce(
     (before, [name, count]) => before * count + place(inputs[name], count, values[name]),
     0,
   );

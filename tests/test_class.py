@@ -13,8 +13,9 @@ from typing import Any
 import nbformat
 import pytest
 import yaml
+from browser import node
 from bs4 import BeautifulSoup
-from bundle import LIBRARIES, NODE
+from bundle import LIBRARIES
 from class_notebooks import Classroom
 from html_pages import anchors
 from IPython.core.inputtransformer2 import TransformerManager
@@ -266,7 +267,7 @@ def test_katex_sets_every_formula_without_macros(reader: list[Path]) -> None:
                 for token in tokens(source)
                 if token.type.startswith("math")
             ]
-    command = [NODE, "-e", KATEX]
+    command = [node(), "-e", KATEX]
     run = subprocess.run(
         command,
         cwd=LIBRARIES.parent,

@@ -1,21 +1,18 @@
 """Scenes in a real browser: the book's own, and a small book of demanding ones."""
 
 import base64
-import contextlib
-import functools
 import io
 import os
 import subprocess
 import sys
-import threading
 from collections.abc import Callable, Iterator
-from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from typing import Any
 
 import nbformat
 import numpy as np
 import pytest
+from browser import QuietHandler, serve
 from demanding import demanding_scene, scene_of_all_looks
 from PIL import Image
 
@@ -96,16 +93,13 @@ LABELS = """(element) => [...element.querySelectorAll(".scene-label")].map((labe
 })"""
 
 
-class Strict(SimpleHTTPRequestHandler):
+class Strict(QuietHandler):
     """Serves files under a policy that allows scripts from this host alone, none inline."""
 
     def end_headers(self) -> None:
         policy = "default-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data:"
         self.send_header("Content-Security-Policy", policy)
         super().end_headers()
-
-    def log_message(self, *_: Any) -> None:
-        pass
 
 
 def notebook_of(figures: list[BookFigure]) -> nbformat.NotebookNode:
@@ -142,19 +136,9 @@ def small_book(book: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     return build(tmp_path_factory.mktemp("small"), one=[figure], both=[figure, looks])
 
 
-@contextlib.contextmanager
-def strict_server(folder: Path) -> Iterator[str]:
-    """Serve a small book with a policy that forbids inline scripts and eval."""
-    handler = functools.partial(Strict, directory=folder)
-    with ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
-        threading.Thread(target=server.serve_forever, daemon=True).start()
-        yield f"http://127.0.0.1:{server.server_port}"
-        server.shutdown()
-
-
 @pytest.fixture(scope="module")
 def strict_site(small_book: Path) -> Iterator[str]:
-    with strict_server(small_book) as site:
+    with serve(small_book, Strict) as site:
         yield site
 
 
@@ -368,7 +352,7 @@ def test_all_looks_are_those_of_the_poster(strict_site: str, open_page: Open) ->
 @pytest.mark.slow
 def test_many_scenes_share_one_context(book: Path, tmp_path: Path, open_page: Open) -> None:
     many = MANY * [book_figure(demanding_scene())]
-    with strict_server(build(tmp_path, one=many)) as site:
+    with serve(build(tmp_path, one=many), Strict) as site:
         page = open_page(f"{site}/one.html", CONTEXTS)
         scenes = page.locator(".scene").all()
         assert len(scenes) == MANY

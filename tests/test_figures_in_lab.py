@@ -4,7 +4,6 @@ import base64
 import io
 import json
 import os
-import socket
 import subprocess
 import sys
 import time
@@ -17,6 +16,7 @@ from typing import Any
 import nbformat
 import numpy as np
 import pytest
+from browser import free_port
 from PIL import Image
 from test_figures_in_browser import (
     CONTEXTS,
@@ -75,9 +75,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture(scope="module")
 def lab(folder: Path) -> Iterator[str]:
     """JupyterLab with its factory settings."""
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        port = probe.getsockname()[1]
+    port = free_port()
     options = ["--no-browser", f"--port={port}", "--IdentityProvider.token=", "--allow-root"]
     # For the tests: the commands of JupyterLab's menus.
     options.append("--LabApp.expose_app_in_browser=True")

@@ -6,7 +6,6 @@ Nothing here can reach the checkout, so any code of the package that reads it fa
 import json
 import os
 import shutil
-import socket
 import subprocess
 import sys
 import time
@@ -18,6 +17,7 @@ from pathlib import Path
 
 import nbformat
 import pytest
+from browser import free_port
 from jupyter_server.gateway.gateway_client import GatewayClient
 from nbclient import NotebookClient
 from uv import find_uv_bin
@@ -123,12 +123,6 @@ def test_a_notebook_runs_elsewhere(
 
 def get(url: str) -> str:
     return urllib.request.urlopen(url, timeout=30).read().decode()
-
-
-def free_port() -> int:
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        return int(probe.getsockname()[1])
 
 
 @pytest.fixture

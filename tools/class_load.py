@@ -30,7 +30,8 @@ import nbformat
 import psutil
 import requests
 import websocket
-from audit import CHROME_FLAGS, find_chromium
+from browser import CHROMIUM_FLAGS as CHROME_FLAGS
+from browser import installed_chromium as find_chromium
 from jupyter_server.services.kernels.connection.base import deserialize_binary_message
 from playwright.sync_api import Locator, Page, Response, sync_playwright
 

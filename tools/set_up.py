@@ -35,7 +35,6 @@ VTK finds no OpenGL library that it can draw with. Install one, then call make a
   macOS           OpenGL is part of the system: log in to a desktop session
   Windows         OpenGL is part of the graphics driver: update the driver
 """
-BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
 
 
 def say(text: str) -> None:
@@ -122,11 +121,13 @@ def make_vtk_draw() -> None:
 def find_browser() -> None:
     """Look for a browser for the tests of the built book; install one where possible."""
     say("looking for a browser for the tests of the built book")
-    if any(map(shutil.which, BROWSERS)) or apt_install("chromium"):
+    # An older Python, which gets no further than its refusal, could not read this module.
+    from browser import installed_chromium
+
+    if installed_chromium() or apt_install("chromium"):
         return
-    browsers = {"PLAYWRIGHT_BROWSERS_PATH": str(VENV / "browsers")}
-    install = [PYTHON, "-m", "playwright", "install", "chromium"]
-    if subprocess.run(install, env=os.environ | browsers, check=False).returncode != 0:
+    download = [PYTHON, ROOT / "tools" / "browser.py", "chromium"]
+    if subprocess.run(download, check=False).returncode != 0:
         say("no browser: the tests that need one will be skipped, and will say so")
 
 

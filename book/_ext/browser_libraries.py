@@ -17,7 +17,8 @@ from sphinxcontrib import katex
 from rotedu import colors
 
 sys.path.append(str(Path(__file__).parents[2] / "tools"))
-from bundle import LIBRARIES, NODE, bundle, install
+from browser import node
+from bundle import LIBRARIES, bundle, install
 
 KATEX = LIBRARIES / "katex"
 FONT = LIBRARIES / "@fontsource-variable" / "source-serif-4"
@@ -49,7 +50,7 @@ def typeset(app: Sphinx, config: Config) -> None:
     """Typeset formulas while building."""
     config.katex_css_path = "katex/katex.min.css"
     config.katex_js_path = str(KATEX / "dist" / "katex.min.js")
-    katex.NODEJS_BINARY = str(NODE)
+    katex.NODEJS_BINARY = str(node())
     katex.STARTUP_TIMEOUT = katex.RENDER_TIMEOUT = 60
     if os.name == "posix":
         katex.KaTeXServer.start_server_process = start_katex

@@ -35,7 +35,8 @@ Result = TypeVar("Result")
 # What an array of dtype object may contain.
 NO_REAL_NUMBERS = (type(None), str, bytes, complex, np.complexfloating)
 
-_checked_already: ContextVar[bool] = ContextVar("checked already", default=False)
+# The floating dtype of the arguments while a public function runs, which checks them.
+_dtype: ContextVar[np.dtype[Any] | None] = ContextVar("dtype of the arguments", default=None)
 
 
 def _as_given(name: str, array: Array) -> Array:
@@ -72,7 +73,7 @@ class Kind:
 
     def outside(self, result: Any) -> Array:
         """Move components to the last axes again."""
-        array = np.asarray(result)
+        array = kept(result)
         return array.transpose(*range(self.components, array.ndim), *range(self.components))
 
 
@@ -215,7 +216,7 @@ def checked(function: Callable[..., Result]) -> Callable[..., Result]:
 
     @wraps(function)
     def border(*args: Any, **kwargs: Any) -> Any:
-        if _checked_already.get():
+        if _dtype.get() is not None:
             return function(*args, **kwargs)
         if len(args) == len(names) and not kwargs:
             # The most frequent case. Binding would take longer than everything that follows.
@@ -228,15 +229,16 @@ def checked(function: Callable[..., Result]) -> Callable[..., Result]:
                 return function(*args, **kwargs)
             given.apply_defaults()
             values = given.arguments
-        values |= prepared({name: (values[name], kind) for name, kind in kinds.items()})
+        arrays = prepared({name: (values[name], kind) for name, kind in kinds.items()})
+        values |= arrays
         for name in counts:
             values[name] = positive_integer(name, values[name])
-        inside = _checked_already.set(True)
+        floating = (array.dtype for array in arrays.values() if array.dtype.kind != "O")
+        inside = _dtype.set(next(floating, np.dtype(np.float64)))
         try:
-            result = function(**values)
+            return outside(function(**values))
         finally:
-            _checked_already.reset(inside)
-        return outside(result)
+            _dtype.reset(inside)
 
     return border
 
@@ -257,6 +259,20 @@ def prepared(arguments: dict[str, tuple[Any, Kind]]) -> dict[str, Array]:
     if axes:
         _require_broadcasting(leading, arguments)
     return {name: kind.inside(arrays[name], axes) for name, (_, kind) in arguments.items()}
+
+
+def kept(result: Any) -> Array:
+    """Return a result as an array with the dtype of the arguments.
+
+    To NumPy 1 a single float32 times a Python number is a float64.
+    """
+    array, dtype = np.asarray(result), _dtype.get()
+    return array if dtype is None else _cast(array, dtype)
+
+
+def rounding(numbers: Array) -> float:
+    """Relative rounding error of numbers computed from the arguments; zero for objects."""
+    return 0.0 if np.asarray(numbers).dtype.kind == "O" else float(np.finfo(_dtype.get()).eps)
 
 
 def positive_integer(name: str, value: Any) -> int:

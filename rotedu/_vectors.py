@@ -68,9 +68,3 @@ def product(a: Array, b: Array) -> Array:
 def transpose(matrix: Array) -> Array:
     """Exchange rows and columns."""
     return matrix.swapaxes(0, 1)
-
-
-def rounding(numbers: Array) -> float:
-    """Relative rounding error of the numbers; zero for objects."""
-    numbers = np.asarray(numbers)
-    return 0.0 if numbers.dtype.kind == "O" else float(np.finfo(numbers.dtype).eps)

@@ -10,8 +10,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from rotedu._arguments import Number, Unit, Unit3, Vector, checked, named, place
-from rotedu._vectors import Array, cross, dot, length, rounding, unit
+from rotedu._arguments import Number, Unit, Unit3, Vector, checked, named, place, rounding
+from rotedu._vectors import Array, cross, dot, length, unit
 from rotedu.errors import DegenerateError
 from rotedu.ordinary_rotation import rotation_matrix, transform
 

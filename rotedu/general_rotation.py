@@ -25,8 +25,9 @@ from rotedu._arguments import (
     Vector3,
     checked,
     prepared,
+    rounding,
 )
-from rotedu._vectors import Array, axis_and_length, length, product, rounding
+from rotedu._vectors import Array, axis_and_length, length, product
 from rotedu.quaternions import Quaternion, joined, parts
 
 __all__ = [

@@ -15,8 +15,9 @@ from rotedu._arguments import (
     Vector3,
     checked,
     place,
+    rounding,
 )
-from rotedu._vectors import Array, axis_and_length, cross, dot, rounding, times
+from rotedu._vectors import Array, axis_and_length, cross, dot, times
 from rotedu.errors import DegenerateError
 
 __all__ = ["axis_angle", "rotate", "rotation_matrix", "sixteen_products", "transform"]

@@ -17,8 +17,9 @@ from rotedu._arguments import (
     Rotation,
     checked,
     place,
+    rounding,
 )
-from rotedu._vectors import Array, product, rounding, transpose
+from rotedu._vectors import Array, product, transpose
 from rotedu.arcs import refuse_two_ways
 from rotedu.closed_curve import sampled, warn_of_two_ways
 from rotedu.errors import DegenerateError

@@ -26,6 +26,7 @@ from rotedu._arguments import (
     Vector,
     Vector3,
     checked,
+    kept,
     place,
     prepared,
 )
@@ -35,6 +36,7 @@ from rotedu.errors import DegenerateError
 __all__ = ["Quaternion", "rotate_about_u"]
 
 Result = TypeVar("Result")
+Method = TypeVar("Method", bound=Callable[..., Array])
 
 
 def of_quaternions(
@@ -56,6 +58,16 @@ def of_quaternions(
         return operation(_of(left), _of(right))
 
     return widened
+
+
+def of_one_dtype(method: Method) -> Method:
+    """Give the result of a method the dtype of the quaternion, in NumPy 1 as well."""
+
+    @wraps(method)
+    def cast_after(self: Quaternion) -> Array:
+        return np.asarray(method(self), self.components.dtype)
+
+    return cast(Method, cast_after)
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,13 +111,13 @@ class Quaternion:
     The products of the units do not commute, and the product of all three is -1:
 
     >>> i, j, k = (Quaternion(0, unit) for unit in np.eye(3))
-    >>> i * j == k, j * i == -k, i * j * k == -1
-    (np.True_, np.True_, np.True_)
+    >>> print(i * j == k, j * i == -k, i * j * k == -1)
+    True True True
 
     Division undoes multiplication from the right, not from the left:
 
-    >>> (i * j) / j == i, (i * j) / i == j
-    (np.True_, np.False_)
+    >>> print((i * j) / j == i, (i * j) / i == j)
+    True False
     """
 
     components: Array
@@ -331,7 +343,7 @@ class Quaternion:
         """
         w, x, y, z = unit_components(self)
         axis, sine = axis_and_length(np.stack([x, y, z]))
-        return np.moveaxis(axis, 0, -1), np.asarray(2 * np.arctan2(sine, w))
+        return np.moveaxis(axis, 0, -1), np.asarray(2 * np.arctan2(sine, w), self.components.dtype)
 
     def rotate(self, points: npt.ArrayLike) -> Array:
         """Rotate points about any axis by q [0, r] q* (2-6).
@@ -418,6 +430,8 @@ class Quaternion:
         )
         return np.moveaxis(matrix, (0, 1), (-2, -1))
 
+    matrix = of_one_dtype(matrix)
+
 
 @checked
 def rotate_about_u(points: Vector3, angle: Number) -> Vector:
@@ -468,7 +482,7 @@ def parts(*quaternions: Quaternion) -> list[tuple[Array, Array]]:
 
 def joined(w: Array, v: Array) -> Quaternion:
     """Make a quaternion from its parts, components first."""
-    return _of(np.stack(np.broadcast_arrays(w, *v)))
+    return _of(kept(np.stack(np.broadcast_arrays(w, *v))))
 
 
 def refuse_zero(norm: Array) -> None:

@@ -346,7 +346,7 @@ class TestSinglePrecision:
             matrix_from_euler_angles(one, 2, 3),
             *half_angle_sums(one, 2, 3),
             *axis_angle_from_euler_angles(one, 2, 3),
-            *axis_angle_from_euler_angles(0 * one, 0, 0),
+            *axis_angle_from_euler_angles(np.float32(0), 0, 0),
             homogeneous(np.eye(3, dtype=np.float32)),
             translation(vector),
             scaling(one),

@@ -17,7 +17,7 @@ from PIL import Image
 
 from rotedu import scenes
 from rotedu.figures import backend, describe
-from rotedu.figures.backend import MIME_TYPE, POSTER_SCALE, book_figure, scene_labels
+from rotedu.figures.backend import MIME_TYPE, POSTER_SCALE, book_figure, scene_labels, take_poster
 from rotedu.figures.gltf import scene_gltf
 from rotedu.scenes import parts
 
@@ -322,6 +322,26 @@ class TestFigure:
         np.testing.assert_allclose(color, [0x00, 0x72, 0xB2], atol=2)
         # Through both sides of the ball.
         assert abs(alpha / 255 - (1 - 0.7**2)) < 0.01
+
+    def test_the_poster_leaves_the_scene_as_it_was(self) -> None:
+        def state(plotter: pyvista.Plotter) -> list[Any]:
+            renderer = plotter.renderer
+            return [
+                scene_gltf(plotter),
+                scene_labels(plotter),
+                plotter.window_size,
+                [actor.GetVisibility() for actor in plotter.actors.values()],
+                renderer.background_color,
+                renderer.GetUseDepthPeeling(),
+                plotter.camera.position,
+                plotter.camera.clipping_range,
+            ]
+
+        plotter = demanding_scene()
+        before = state(plotter)
+        poster = take_poster(plotter)
+        assert state(plotter) == before
+        assert take_poster(plotter) == poster
 
 
 class TestStillPicture:

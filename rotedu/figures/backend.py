@@ -21,7 +21,7 @@ from vtkmodules.vtkCommonCore import vtkLogger
 from vtkmodules.vtkRenderingLabel import vtkPointSetToLabelHierarchy
 
 from rotedu.figures.frames import shown
-from rotedu.figures.gltf import scene_gltf, surface_of
+from rotedu.figures.gltf import part_names, scene_gltf, surface_of
 
 MIME_TYPE = "application/vnd.pyvista.scene+json"
 POSTER_SCALE = 2
@@ -150,11 +150,9 @@ def book_figure(plotter: pyvista.Plotter, **_: object) -> BookFigure:
         )
     width, height = plotter.window_size
     labels = scene_labels(plotter)
-    plotter.render()
-    gltf = scene_gltf(plotter)
     scene = {"alt": alt, "width": width, "height": height, "labels": labels}
     close_after_cell(plotter)
-    return BookFigure(scene, take_poster(plotter), gltf)
+    return BookFigure(scene, take_poster(plotter), scene_gltf(plotter))
 
 
 def still_picture(plotter: pyvista.Plotter, **_: object) -> Image.Image:
@@ -210,30 +208,53 @@ def take_poster(plotter: pyvista.Plotter) -> bytes:
     bytes
         A PNG file, `POSTER_SCALE` times the size of the scene, transparent where nothing is drawn.
     """
-    scale = POSTER_SCALE * POSTER_SAMPLES
-    for actor in plotter.actors.values():
-        if isinstance(actor, pyvista.Actor):
-            # Widths are in pixels of the picture.
-            actor.prop.line_width *= scale
-            actor.prop.point_size *= scale
-    for _, actor in _label_actors(plotter):
-        actor.VisibilityOff()
-    # Our own samples make smooth edges; those of VTK would make lines thinner.
-    plotter.disable_anti_aliasing()
-    # Draw see-through surfaces in the order of their depth, as the viewer does.
-    plotter.renderer.enable_depth_peeling(8)  # type: ignore[no-untyped-call]
-    # VTK mixes the colour of the background into every edge. Black adds nothing to it.
-    plotter.renderer.set_background("black")
-    plotter.render()
-    width, height = plotter.window_size
-    size = width * scale, height * scale
-    # Enlarge the window, not the scale: VTK would draw tiles and cut points at their borders.
-    samples = plotter.screenshot(transparent_background=True, window_size=size, return_img=True)
+    large = enlarged(plotter, POSTER_SCALE * POSTER_SAMPLES)
+    samples = large.screenshot(transparent_background=True, return_img=True)
     # VTK has multiplied the colours by their alpha, which is what "RGBa" means.
-    picture = Image.frombytes("RGBa", size, np.asarray(samples).tobytes())
+    width, height = large.window_size
+    large.close()
+    picture = Image.frombytes("RGBa", (width, height), np.asarray(samples).tobytes())
     file = io.BytesIO()
     picture.reduce(POSTER_SAMPLES).convert("RGBA").save(file, "PNG")
     return file.getvalue()
+
+
+def enlarged(plotter: pyvista.Plotter, scale: int) -> pyvista.Plotter:
+    """Copy the parts of a scene, without its labels, into a larger one on black.
+
+    Parameters
+    ----------
+    plotter : pyvista.Plotter
+        The scene.
+    scale : int
+        How many times larger its copy is.
+
+    Returns
+    -------
+    pyvista.Plotter
+        The copy. What is done to it leaves the scene as it is.
+    """
+    # Enlarge the window, not the picture: VTK would draw tiles and cut points at their borders.
+    size = [scale * length for length in plotter.window_size]
+    copy = pyvista.Plotter(off_screen=True, window_size=size, lighting="none")
+    for light in plotter.renderer.lights:
+        copy.add_light(light)
+    for name, actor in part_names(plotter):
+        twin = actor.copy(deep=False)
+        twin.prop = actor.prop.copy()
+        # Widths are in pixels of the picture.
+        twin.prop.line_width *= scale
+        twin.prop.point_size *= scale
+        copy.add_actor(twin, name=name, reset_camera=False, render=False)
+    copy.camera = plotter.camera.copy()  # type: ignore[no-untyped-call]
+    copy.camera.clipping_range = plotter.camera.clipping_range
+    # Our own samples make smooth edges; those of VTK would make lines thinner.
+    copy.disable_anti_aliasing()
+    # Draw see-through surfaces in the order of their depth, as the viewer does.
+    copy.renderer.enable_depth_peeling(8)  # type: ignore[no-untyped-call]
+    # VTK mixes the colour of the background into every edge. Black adds nothing to it.
+    copy.renderer.set_background("black")
+    return copy
 
 
 def scene_labels(plotter: pyvista.Plotter) -> list[dict[str, Any]]:

@@ -37,6 +37,7 @@ labels behind them. A scene raises a `ValueError` if the viewer could not show i
 if it has textures, several views or lights that stay in place, for example.
 """
 
+from rotedu.figures.announce import announce_backend
 from rotedu.figures.backend import describe
 from rotedu.figures.explorable import explorable, explore
 from rotedu.figures.frames import draw_chart, limit_turning, place_part, read_out
@@ -55,3 +56,5 @@ __all__ = [
     "place_part",
     "read_out",
 ]
+
+announce_backend()

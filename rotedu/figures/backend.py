@@ -7,7 +7,6 @@ page, and the scene itself as binary glTF. ``still`` makes a picture.
 
 import base64
 import ctypes
-import importlib.util
 import io
 import os
 import sys
@@ -323,29 +322,3 @@ def _stands_behind(plotter: pyvista.Plotter, eye: np.ndarray, point: np.ndarray)
         if len(hits) >= (1 if actor.prop.opacity == 1 else 2):
             return True
     return False
-
-
-def announce_backend() -> None:
-    """Register the backend that pyvista is set to use, if it is one of ours.
-
-    Where none is set, notebooks get figures that turn, or still pictures if nobody is there to turn
-    a figure. To find a backend by name, pyvista would load all that are installed.
-    """
-    name = pyvista.global_theme.jupyter_backend
-    shell = get_ipython()
-    if name is None and hasattr(shell, "kernel"):
-        # A program that runs a notebook, such as nbconvert, says that it cannot answer questions.
-        request = shell.kernel.get_parent().get("content", {})
-        alone = request.get("allow_stdin") is False
-        name = "still" if alone or not importlib.util.find_spec("anywidget") else "widget"
-    handlers: dict[str, Any] = {"book": book_figure, "still": still_picture}
-    if name == "widget":
-        from rotedu.figures.widget import figure
-
-        handlers[name] = figure
-    if name is not None and name in handlers:
-        pyvista.register_jupyter_backend(name, handlers[name], override=True)
-        pyvista.set_jupyter_backend(name)
-
-
-announce_backend()

@@ -235,6 +235,7 @@ class Exploration:
 
     def widget(self) -> Any:
         """Make the figure for a notebook, joined to the values of the inputs."""
+        # Loaded only where it is wanted, because anywidget may be missing.
         from rotedu.figures.widget import figure
 
         plotter = self.draw(**self.start)

@@ -1,58 +1,120 @@
-"""The load test: what it computes, and, slowly, a class on a real JupyterHub."""
+"""A class of thirty on a real JupyterHub, installed and configured as *Run a class* prints it."""
 
 import json
+import os
+import re
+import shutil
+import subprocess
 import sys
-from dataclasses import replace
+import time
+from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-import class_load
 import pytest
-from class_load import PAGE, RESULTS, Run, Sample, busy_share, limit, table
+import requests
+import websocket
+from browser import free_port
+from jupyter_client.session import Session
 
-STORED = [Run(**run) for run in json.loads(RESULTS.read_text("utf-8"))]
-
-
-def test_busy_share_ends_with_the_last_first_figure() -> None:
-    samples = [
-        Sample(time=t, busy=b, free=0) for t, b in [(0, 100), (5, 102), (10, 110), (20, 130)]
-    ]
-    assert busy_share(samples, end=12, processors=2) == 10 / 10 / 2
-
-
-@pytest.mark.parametrize(
-    ("busy", "free", "named"),
-    [
-        (0.99, 0.5, "processors"),
-        (0.99, 0.05, "memory"),
-        (0.5, 0.5, "the pace of the starts"),
-    ],
-)
-def test_what_limits(busy: float, free: float, named: str) -> None:
-    assert limit(replace(STORED[0], busy_share=busy, free_share=free)) == named
+ROOT = Path(__file__).parents[1]
+NOTEBOOK = "03-ordinary-rotation.ipynb"
+STUDENTS = [f"student{number:02}" for number in range(1, 31)]
+# In seconds. A student who waits longer has failed.
+PATIENCE = 300
 
 
-def test_the_stored_runs_are_those_of_a_whole_class() -> None:
-    assert [(run.students, run.browsers, run.within) for run in STORED] == [(30, 3, 1), (30, 3, 60)]
-    assert [run.failures for run in STORED] == [[], []]
-    assert all(len(run.first_figure) == len(run.saved) == 30 for run in STORED)
+def until(done: Callable[[], bool], what: str) -> None:
+    """Ask again and again."""
+    end = time.monotonic() + PATIENCE
+    while not done():
+        if time.monotonic() > end:
+            raise TimeoutError(f"{what}: not there after {PATIENCE} seconds")
+        time.sleep(1)
 
 
-def test_the_page_quotes_the_stored_runs() -> None:
-    assert table(STORED) in PAGE.read_text("utf-8")
+@pytest.fixture
+def hub(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[str]:
+    """A hub where each student has the notebook."""
+    checkout = tmp_path / "checkout"
+    made = shutil.ignore_patterns(".*_cache", ".git", ".venv", "_build", "node_modules")
+    shutil.copytree(ROOT, checkout, ignore=made)
+    page = (checkout / "book" / "run-a-class.md").read_text("utf-8")
+    section = page.partition("(jupyterhub)=")[2].replace("/opt/class", str(tmp_path))
+    install, configuration = re.findall(r"^```(?:python)?\n(.+?)^```", section, re.M | re.S)[:2]
+    monkeypatch.delenv("PYVISTA_JUPYTER_BACKEND", raising=False)
+    monkeypatch.setenv("PATH", str(Path(sys.executable).parent), prepend=os.pathsep)
+    monkeypatch.setenv("PATH", str(tmp_path / "bin"), prepend=os.pathsep)
+    subprocess.run(["sh", "-ec", install], cwd=checkout, check=True)
+    for name in STUDENTS:
+        (tmp_path / name).mkdir()
+        shutil.copy(checkout / "class" / "student" / NOTEBOOK, tmp_path / name)
+    url = f"http://127.0.0.1:{free_port()}"
+    # Comes after what the page prints, because nobody has an account on this machine.
+    here = f"""
+PROCESSORS = {os.cpu_count()}
+c.ConfigurableHTTPProxy.api_url = "http://127.0.0.1:{free_port()}"
+c.JupyterHub.authenticator_class = "dummy"
+c.JupyterHub.bind_url = "{url}"
+c.JupyterHub.hub_port = {free_port()}
+c.JupyterHub.spawner_class = "simple"
+c.SimpleLocalProcessSpawner.home_dir_template = "{tmp_path}/{{username}}"
+c.Spawner.args.extend(["--allow-root"])
+"""
+    (tmp_path / "jupyterhub_config.py").write_text(configuration + here, "utf-8")
+    log = tmp_path / "hub.log"
+    with log.open("w") as stream:
+        hub = subprocess.Popen("jupyterhub", cwd=tmp_path, stdout=stream, stderr=stream)
+    until(lambda: "JupyterHub is now running" in log.read_text("utf-8"), f"the hub of {log}")
+    yield url
+    hub.terminate()
+    hub.wait()
+
+
+def attend(hub: str, name: str) -> None:
+    """Log in, run all of the notebook as JupyterLab does, and save it."""
+    http = requests.Session()
+    form, home = f"{hub}/hub/login", f"{hub}/user/{name}"
+    http.get(form).raise_for_status()
+    proof = {"_xsrf": http.cookies.get("_xsrf", path="/hub/")}
+    http.post(form, proof | {"username": name, "password": "any"}).raise_for_status()
+
+    def opens() -> bool:
+        # While the server starts, the hub answers: with an error, or on a page of its own.
+        answer = http.get(f"{home}/lab")
+        return answer.ok and answer.url.startswith(home)
+
+    until(opens, f"the server of {name}")
+    http.headers["X-XSRFToken"] = http.cookies.get("_xsrf", path=f"/user/{name}/")
+    notebook = http.get(f"{home}/api/contents/{NOTEBOOK}").json()
+    kernel = http.post(f"{home}/api/kernels", json={"name": "python3"}).json()["id"]
+    channels = requests.Request("GET", f"{home}/api/kernels/{kernel}/channels")
+    address = channels.url.replace("http", "ws", 1)
+    cookie = http.prepare_request(channels).headers["Cookie"]
+    socket = websocket.create_connection(address, PATIENCE, cookie=cookie, origin=hub)
+    for cell in notebook["content"]["cells"]:
+        if cell["cell_type"] == "code":
+            run(socket, cell["source"])
+    http.put(f"{home}/api/contents/{NOTEBOOK}", json=notebook).raise_for_status()
+
+
+def run(socket: websocket.WebSocket, code: str) -> None:
+    """Run a cell for a person who sees figures and could answer a question."""
+    content = {"code": code, "silent": False, "allow_stdin": True}
+    request = Session().msg("execute_request", content) | {"channel": "shell"}
+    socket.send(json.dumps(request, default=str))
+    for data in iter(socket.recv, None):
+        # What comes in bytes is a figure.
+        reply = {} if isinstance(data, bytes) else json.loads(data)
+        own = reply.get("parent_header", {}).get("msg_id") == request["msg_id"]
+        if own and reply["msg_type"] == "execute_reply":
+            assert reply["content"]["status"] == "ok", reply["content"]
+            return
 
 
 @pytest.mark.slow
 @pytest.mark.skipif(sys.platform != "linux", reason="tried on Linux alone")
-@pytest.mark.parametrize("within", [1, 60])
-def test_thirty_students_at_once(within: float, installed: Path) -> None:
-    run = class_load.hold_class(installed, students=30, browsers=3, within=within)
-    print(table([run]))
-    assert run.failures == []
-
-
-@pytest.fixture(scope="module")
-def installed(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A hub and what the notebooks need."""
-    folder = tmp_path_factory.mktemp("class")
-    class_load.prepare(folder)
-    return folder
+def test_nobody_fails_in_a_class_that_logs_in_at_once(hub: str) -> None:
+    with ThreadPoolExecutor(len(STUDENTS)) as pool:
+        visits = [pool.submit(attend, hub, name) for name in STUDENTS]
+    assert [error for visit in visits if (error := visit.exception())] == []

@@ -1,7 +1,7 @@
 """What the paper claims, and whether it is so.
 
-This is the one source of the tables of claims. The evidence is not kept here. It stands on the page
-that a claim links to, and the list in Chapter 6 adds a reason in a few words.
+This is the one source of the tables of claims. The evidence is not kept here. The page that a claim
+links to names it beside the verdict, and the list in Chapter 6 adds a reason in a few words.
 """
 
 from collections import Counter
@@ -9,9 +9,9 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Literal
 
-from rotedu.edition.notebook import Table
+from rotedu.edition.notebook import Table, linked
 
-__all__ = ["CLAIMS", "VERDICTS", "Claim", "claim_table", "verdict_table"]
+__all__ = ["CLAIMS", "VERDICTS", "Claim", "claim_table", "evidence_table", "verdict_table"]
 
 Verdict = Literal[
     "holds",
@@ -133,8 +133,8 @@ CLAIMS = (
     ),
     Claim(
         7,
-        "A rotation matrix, translation, scaling, shearing, reflection and projection make"
-        " one matrix, and each point is multiplied once",
+        "Rotation, translation, scaling, shearing, reflection and projection make one matrix,"
+        " and each point is multiplied once",
         ("1", "3", "6"),
         "holds",
         "04-general-rotation",
@@ -236,14 +236,14 @@ CLAIMS = (
     ),
     Claim(
         21,
-        "It is $C^2$, or at least $G^2$, that is, its curvature is continuous",
+        "It is $C^2$, or at least of continuous curvature, $G^2$",
         ("not claimed",),
         "does not hold",
         "05-closed-curve",
     ),
     Claim(
         22,
-        "It stays on the sphere and passes through the given points",
+        "The closed curve stays on the sphere and passes through the given points",
         ("5",),
         "holds",
         "05-closed-curve",
@@ -312,7 +312,7 @@ CLAIMS = (
     ),
     Claim(
         31,
-        "They are not easy to find in a matrix (reported as a reason for quaternions)",
+        "Axis and angle are not easy to find in a matrix (reported as a reason for quaternions)",
         ("1",),
         "holds under a condition",
         "03-ordinary-rotation",
@@ -588,6 +588,34 @@ def claim_table(
                 [str(claim.number), claim.claim, ", ".join(claim.where), verdict, claim.link]
             )
     return Table(["No.", "The claim", "In", "Verdict", "Shown in"], rows)
+
+
+def evidence_table(evidence: Mapping[int, str]) -> Table:
+    """Make the table of claims that a page judges, with what its readers have seen.
+
+    Parameters
+    ----------
+    evidence : mapping of int to str
+        What decides, in a few words of Markdown, by the number of the claim. The rows keep its
+        order, and numbers of equations and errata become links.
+
+    Returns
+    -------
+    Table
+
+    Examples
+    --------
+    >>> evidence_table({3: "three are, E6"})
+    | No. | The paper says | Verdict | Seen where |
+    | --- | --- | --- | --- |
+    | 3 | Four of the nine entries of a rotation matrix are independent | **does not hold** | three are, [E6](#erratum-e6) |
+    """  # noqa: E501
+    rows = []
+    for number, seen in evidence.items():
+        claim = next(claim for claim in CLAIMS if claim.number == number)
+        said = linked(claim.claim) + (" (not claimed)" if "not claimed" in claim.where else "")
+        rows.append([str(number), said, f"**{claim.verdict}**", linked(seen)])
+    return Table(["No.", "The paper says", "Verdict", "Seen where"], rows)
 
 
 def verdict_table() -> Table:

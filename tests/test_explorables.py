@@ -83,6 +83,18 @@ def in_python(figure: Exploration, inputs: dict[str, Any]) -> dict[str, Any]:
         return {"error": "DegenerateError", "message": message}
 
 
+def answers(cases: list[tuple[str, dict[str, Any]]], **constants: Any) -> list[Any]:
+    """What the models of some figures answer to inputs, with the constants of Python or others."""
+    functions = [WITH_MODEL[name] for name, _ in cases]
+    given = [
+        (function.model, inputs, function.constants | constants)
+        for function, (_, inputs) in zip(functions, cases, strict=True)
+    ]
+    answer = ask_node("models.js", json.dumps(given))
+    assert set(answer["models"]) == {function.model for function in WITH_MODEL.values()}
+    return list(answer["answers"])
+
+
 @pytest.fixture(scope="module")
 def compared() -> list[tuple[str, dict[str, Any], Exploration, Any]]:
     """Inputs of each figure with a model, and what the model answers."""
@@ -94,10 +106,8 @@ def compared() -> list[tuple[str, dict[str, Any], Exploration, Any]]:
             (name, inputs, figure)
             for inputs in (figure.values, *(moved(rng, figure) for _ in range(TRIES)))
         ]
-    pairs = [(WITH_MODEL[name].model, inputs) for name, inputs, _ in cases]
-    answers = ask_node("models.js", json.dumps(pairs))
-    assert set(answers["models"]) == {function.model for function in WITH_MODEL.values()}
-    return [(*case, answer) for case, answer in zip(cases, answers["answers"], strict=True)]
+    found = answers([(name, inputs) for name, inputs, _ in cases])
+    return [(*case, answer) for case, answer in zip(cases, found, strict=True)]
 
 
 @pytest.mark.parametrize("name", WITH_MODEL)
@@ -120,6 +130,35 @@ def test_a_model_computes_what_python_draws(
     assert drawn >= 2
 
 
+def marked(constants: Any) -> Any:
+    """Constants of the same shape with other colours and texts."""
+    if isinstance(constants, str):
+        return f"*{constants}"
+    if isinstance(constants, dict):
+        return {name: marked(value) for name, value in constants.items()}
+    return [marked(value) for value in constants] if np.ndim(constants) else 0.125
+
+
+# Inputs for which two of the models have something to say.
+TELLING = {
+    "slerp_by_hand": {"what": "orientations", "turn": 360},
+    "euler_angles_by_hand": {"v": -90},
+}
+
+
+@pytest.mark.parametrize("name", WITH_MODEL)
+def test_a_model_repeats_no_colour_and_no_text(name: str) -> None:
+    constants = WITH_MODEL[name].constants
+    inputs = explore(WITH_MODEL[name]).values | TELLING.get(name, {})
+    [answer] = answers([(name, inputs)], **marked(constants))
+    frame = answer.get("frame") or {"outputs": {"refused": answer["message"]}, "parts": {}}
+    said = [value for value in frame["outputs"].values() if isinstance(value, str)]
+    assert bool(said) == bool(constants)
+    assert all("*" in text for text in said), said
+    colors = [part["color"] for part in frame["parts"].values() if "color" in part]
+    assert all(color == [0.125] * 3 for color in colors), colors
+
+
 @pytest.mark.parametrize(("turn", "flip"), [(360, False), (0, True)])
 def test_opposite_quaternions_have_a_refusal_of_their_own(turn: float, flip: bool) -> None:
     figure = explore(scenes.slerp_by_hand)
@@ -127,7 +166,7 @@ def test_opposite_quaternions_have_a_refusal_of_their_own(turn: float, flip: boo
     message = "the quaternions 1 and −1 are antipodal: no unique arc joins them"
     refusal = {"error": "DegenerateError", "message": message}
     assert in_python(figure, inputs) == refusal
-    assert ask_node("models.js", json.dumps([("slerp", inputs)]))["answers"] == [refusal]
+    assert answers([("slerp_by_hand", inputs)]) == [refusal]
 
 
 def test_a_ring_stays_on_the_point_that_it_holds() -> None:
@@ -135,12 +174,12 @@ def test_a_ring_stays_on_the_point_that_it_holds() -> None:
     figure = explore(scenes.control_points_by_hand)
     figure.points = [[1, 0, 0], [0, 1, 0], [0.2, -0.5, 0.8]]
     inputs = figure.values | {"one_circle": True}
-    [answer] = ask_node("models.js", json.dumps([("controlPoints", inputs)]))["answers"]
+    [answer] = answers([("control_points_by_hand", inputs)])
     corrected = answer["frame"]["inputs"]
     np.testing.assert_allclose(corrected["points"][2], [0.2 / 0.29**0.5, -0.5 / 0.29**0.5, 0])
     frames = [in_python(figure, given) for given in (inputs, inputs | corrected)]
     assert not (found := disagreement(*frames, "corrected")), found
-    [free] = ask_node("models.js", json.dumps([("controlPoints", figure.values)]))["answers"]
+    [free] = answers([("control_points_by_hand", figure.values)])
     assert free["frame"]["inputs"] == {}
 
 
@@ -344,7 +383,7 @@ def test_half_a_turn_away_the_three_angles_go_on_alone(pose: dict[str, float]) -
         True,
         True,
     ]
-    [answer] = ask_node("models.js", json.dumps([("eulerAngles", inputs)]))["answers"]
+    [answer] = answers([("euler_angles_by_hand", inputs)])
     assert not (found := disagreement(answer["frame"], frame, str(inputs))), found
     figure.v = pose["v"]
     assert "data-curve" in figure.panel(figure.draw())

@@ -9,7 +9,7 @@ import base64
 import inspect
 import io
 import itertools
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import cached_property
 from typing import Any, TypeVar
@@ -28,7 +28,9 @@ Scene = Callable[..., pyvista.Plotter]
 Function = TypeVar("Function", bound=Scene)
 
 
-def explorable(model: str = "", **inputs: Input) -> Callable[[Function], Function]:
+def explorable(
+    model: str = "", constants: Mapping[str, Any] | None = None, **inputs: Input
+) -> Callable[[Function], Function]:
     """Declare what the hand can change in the scene of a function.
 
     Parameters
@@ -36,6 +38,9 @@ def explorable(model: str = "", **inputs: Input) -> Callable[[Function], Functio
     model : str
         Name of the viewer's model that computes the same frames. Without one, the frames come from
         the function itself.
+    constants : mapping, optional
+        Colours and texts that the model cannot know, as JSON holds them. It is given them with the
+        inputs.
     **inputs
         What can be changed: arguments of the function.
 
@@ -46,7 +51,7 @@ def explorable(model: str = "", **inputs: Input) -> Callable[[Function], Functio
     """
 
     def declare(function: Function) -> Function:
-        function.inputs, function.model = inputs, model  # type: ignore[attr-defined]
+        vars(function).update(inputs=inputs, model=model, constants=constants or {})
         return function
 
     return declare
@@ -182,9 +187,9 @@ class Exploration:
         -------
         dict
             What JSON can hold: the ``name``, the ``inputs`` and their values at the ``start``, the
-            ``model``, and the ``frame`` that the model must reproduce. Without a model, ``grid``
-            lists each input with its number of frames; `frames` computes them, the last input
-            changing first.
+            ``model`` with its ``constants``, and the ``frame`` that it must reproduce. Without a
+            model, ``grid`` lists each input with its number of frames; `frames` computes them, the
+            last input changing first.
         """
         recorded = shown(plotter)
         places: set[tuple[str, ...]] = {
@@ -209,6 +214,7 @@ class Exploration:
             },
             "start": self.start,
             "model": self.model,
+            "constants": getattr(self.function, "constants", {}),
             "frame": only(base, places),
             # A list, because a notebook sorts the keys of its JSON.
             "grid": [] if self.model else [[name, count] for name in self.inputs],

@@ -22,6 +22,8 @@ from rotedu.figures.gltf import part_names, surface_of
 
 # Digits after the point in frames: a thousandth of a pixel of the poster.
 DIGITS = 6
+# What an output says that is false or true.
+LAMP = ("no", "yes")
 
 
 @dataclass(frozen=True)
@@ -135,7 +137,7 @@ def read_out(
         The value that a reader should not miss; it is written in bold.
     """
     if isinstance(value, (bool, np.bool_)):
-        value = "yes" if value else "no"
+        value = LAMP[bool(value)]
     elif not isinstance(value, str):
         value = np.asarray(value, float).tolist()
     shown(plotter).outputs[name] = Output(value, label, digits, unit, loud)

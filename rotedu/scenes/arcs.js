@@ -37,7 +37,7 @@ function speedOfNlerp(theta, t) {
 }
 
 /** `slerp_by_hand` */
-export function slerp({ p, q, what, turn, flip, t }) {
+export function slerp({ p, q, what, turn, flip, t }, { antipodal }) {
   [p, q] = [p, q].map(unit);
   const spoons = what === "orientations";
   const axis = spoons || length(cross(p, q)) > SAME ? arcAxis(p, q) : UP;
@@ -46,7 +46,7 @@ export function slerp({ p, q, what, turn, flip, t }) {
   const last = flip ? unflipped.map((x) => -x) : unflipped;
   const theta = angleBetween(first, last);
   if (spoons && theta > Math.PI - SAME) {
-    throw new DegenerateError("the quaternions 1 and −1 are antipodal: no unique arc joins them");
+    throw new DegenerateError(antipodal);
   }
   const times = spread(SAMPLES);
 

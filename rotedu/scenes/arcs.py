@@ -192,8 +192,12 @@ def speed_of_nlerp(theta: float, t: NDArray[np.float64]) -> NDArray[np.float64]:
     return speed
 
 
+ANTIPODAL = "the quaternions 1 and −1 are antipodal: no unique arc joins them"
+
+
 @explorable(
     model="slerp",
+    constants={"antipodal": ANTIPODAL},
     p=Handles("p"),
     q=Handles("q (orientations: sets the axis)"),
     t=Slider(0, 1, "fraction t", plays=5),
@@ -245,7 +249,7 @@ def slerp_by_hand(
     last = -last if flip else last
     theta = float(angle_between(first, last))
     if spoons and theta > np.pi - SAME:
-        raise DegenerateError("the quaternions 1 and −1 are antipodal: no unique arc joins them")
+        raise DegenerateError(ANTIPODAL)
     times = np.linspace(0, 1, 61)
 
     def tip(end: NDArray[np.float64]) -> NDArray[np.float64]:

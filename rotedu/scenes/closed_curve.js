@@ -21,7 +21,6 @@ const MOST = 8;
 const NAMED = 5;
 const SAMPLES = 25;
 // Of `camera_by_hand`.
-const SEEN = ["door", "clock", "window", "desk"];
 const LEG = 24;
 const HORIZONS = 6;
 const [WIDTH, HEIGHT] = [0.21, 0.14];
@@ -105,7 +104,7 @@ function beside(polygon, i, middle) {
 }
 
 /** `camera_by_hand` */
-export function camera({ targets, path, roll, ride, u }) {
+export function camera({ targets, path, roll, ride, u }, { seen }) {
   const p = targets.map(unit);
   const after = p.map((_, i) => p[(i + 1) % p.length]);
   const { a, b } = controlPoints(p);
@@ -152,7 +151,7 @@ export function camera({ targets, path, roll, ride, u }) {
   }
   labels["straight up"] = ride ? [0.06, 0, 0.98] : null;
   const middle = p.reduce((sum, q) => combine(1, sum, 1 / p.length, q), ORIGIN);
-  SEEN.forEach((name, i) => {
+  seen.forEach((name, i) => {
     parts[name] = { at: p[i] };
     labels[name] = outside(p[i], middle, ride);
   });
@@ -173,7 +172,7 @@ export function camera({ targets, path, roll, ride, u }) {
       rolled: DEGREES * Math.atan2(dot(cross(vertical, up), ahead), dot(vertical, up)),
       spin: roll === "kept upright" ? DEGREES * spinOfUpright(ahead, velocityHere) : 0,
       speed: DEGREES * length(velocityHere),
-      bends: SEEN.map((name, i) => `${name} ${(DEGREES * bends[i]).toFixed(0)}°`).join(", "),
+      bends: seen.map((name, i) => `${name} ${(DEGREES * bends[i]).toFixed(0)}°`).join(", "),
     },
     charts: {
       speeds: { arcs: speeds(driven.arcs), curve: speeds(driven.curve) },

@@ -298,6 +298,7 @@ WIDTH, HEIGHT = 0.21, 0.14
 
 @explorable(
     model="camera",
+    constants={"seen": CAMERA_SEES},
     targets=Handles(CAMERA_SEES),
     path=Choice("path", ["arcs", "curve"]),
     roll=Choice("camera", ["kept upright", "carried along"]),

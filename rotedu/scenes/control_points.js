@@ -6,20 +6,13 @@ const SAME = 1e-6;
 const NEAR = 0.17;
 const FAR = 0.36;
 const INWARD = -0.2;
-const CROSS = rgb("b65f92");
-const RESULT = rgb("009e73");
-const WRONG = rgb("cc002a");
-const STEPS = [
-  "0 three given points",
-  "1 Double: go on",
-  "2 Bisect: aim between",
-  "3 Bisect: halfway back, aᵢ",
-  "4 Double: the other side, bᵢ",
-];
 const SAMPLES = spread(25);
 
 /** `control_points_by_hand` */
-export function controlPoints({ points, step, printed_axis, printed_double, one_circle }) {
+export function controlPoints(
+  { points, step, printed_axis, printed_double, one_circle },
+  { inks, lamp, notYet, steps },
+) {
   const [before, here, held] = points.map(unit);
   const axis = one_circle && arcAxis(before, here);
   const after = one_circle ? cross(arcAxis(axis, held), axis) : held;
@@ -57,13 +50,13 @@ export function controlPoints({ points, step, printed_axis, printed_double, one_
   const last = printed_double ? FAR : NEAR;
   const bWrong = printed_axis || printed_double;
   const ways = [
-    ["\\bar P_{i-1}", path(0, [before, here], 1, 2), CROSS, false, [], INWARD],
-    ["\\bar P_i", path(1, [reflected, after], 0, half), CROSS, printed_axis, [here, reflected], NEAR],
-    ["a_i", path(2, [middle, here], 0, 0.5), RESULT, printed_axis, [here, after], NEAR],
-    ["b_i", path(3, doubled, 0, 2), RESULT, bWrong, [here, reflected], last],
+    ["\\bar P_{i-1}", path(0, [before, here], 1, 2), inks.cross, false, [], INWARD],
+    ["\\bar P_i", path(1, [reflected, after], 0, half), inks.cross, printed_axis, [here, reflected], NEAR],
+    ["a_i", path(2, [middle, here], 0, 0.5), inks.result, printed_axis, [here, after], NEAR],
+    ["b_i", path(3, doubled, 0, 2), inks.result, bWrong, [here, reflected], last],
   ];
   ways.forEach(([name, way, ink, wrong, others, distance], k) => {
-    const [at, color, hidden] = [way.at(-1), wrong ? WRONG : ink, step <= k];
+    const [at, color, hidden] = [way.at(-1), wrong ? inks.wrong : ink, step <= k];
     parts[`path ${k}`] = { paths: [way], color, hidden };
     parts[`$${name}$`] = { at, color, hidden };
     labels[name] = hidden ? null : beside(at, others, distance);
@@ -76,22 +69,22 @@ export function controlPoints({ points, step, printed_axis, printed_double, one_
   const span = angleBetween(reflected, after);
   const halves = [angleBetween(reflected, middle), angleBetween(middle, after)];
   const turnsIn = cross(b, here);
-  const lamp = (made, error) => (step < made ? "–" : error < SAME ? "yes" : "no");
+  const tested = (made, error) => (step < made ? notYet : lamp[Number(error < SAME)]);
   return {
     // The ring stays on the point that it holds.
     inputs: one_circle ? { points: [before, here, after] } : {},
     parts,
     labels,
     outputs: {
-      now: STEPS[Math.ceil(step)],
-      on_circle: lamp(4, Math.abs(dot(turnsIn, a))),
-      equally_far: lamp(4, Math.abs(near - far)),
-      no_corner: lamp(4, -dot(turnsIn, cross(here, a))),
-      midway: lamp(2, Math.max(...halves.map((x) => Math.abs(x - span / 2)))),
+      now: steps[Math.ceil(step)],
+      on_circle: tested(4, Math.abs(dot(turnsIn, a))),
+      equally_far: tested(4, Math.abs(near - far)),
+      no_corner: tested(4, -dot(turnsIn, cross(here, a))),
+      midway: tested(2, Math.max(...halves.map((x) => Math.abs(x - span / 2)))),
       gap_before: gapBefore,
       gap_after: along(after),
       gaps_differ: gapBefore - along(after),
-      place_of_a: step < 3 ? "–" : along(a),
+      place_of_a: step < 3 ? notYet : along(a),
       to_jump: 180 - DEGREES * span,
     },
   };
@@ -101,8 +94,4 @@ export function controlPoints({ points, step, printed_axis, printed_double, one_
 function beside(point, others, distance = NEAR) {
   const sum = others.reduce((away, q) => combine(1, away, -1, q), ORIGIN);
   return combine(1, point, distance, unit(combine(0.3 + others.length, point, 1, sum)));
-}
-
-function rgb(hex) {
-  return [0, 2, 4].map((i) => parseInt(hex.slice(i, i + 2), 16) / 255);
 }

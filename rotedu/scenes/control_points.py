@@ -11,6 +11,7 @@ from rotedu.closed_curve import closed_curve, de_casteljau
 from rotedu.colors import CROSS, NEUTRAL, RESULT, VECTOR, WRONG
 from rotedu.control_points import bisect, double
 from rotedu.figures import Handles, Slider, Switch, describe, explorable, read_out
+from rotedu.figures.frames import LAMP
 from rotedu.scenes.closed_curve import add_arcs
 from rotedu.scenes.parts import (
     ORIGIN,
@@ -265,6 +266,8 @@ STEPS = (
     "3 Bisect: halfway back, aᵢ",
     "4 Double: the other side, bᵢ",
 )
+NOT_YET = "–"
+INKS = {"cross": CROSS, "result": RESULT, "wrong": WRONG}
 # Lengths of vectors and angles in radians that look equal.
 SAME = 1e-6
 # Two points of the equator and one 90 degrees after them, off the poles: its nearest point of the
@@ -278,6 +281,12 @@ INWARD = -0.2
 
 @explorable(
     model="controlPoints",
+    constants={
+        "inks": {name: pyvista.Color(ink).float_rgb for name, ink in INKS.items()},
+        "lamp": LAMP,
+        "notYet": NOT_YET,
+        "steps": STEPS,
+    },
     points=Handles(("P before", "P", "P after")),
     step=Slider(0, 4, "steps taken", step=1, stride=1, plays=8),
     printed_axis=Switch("(5-9) as printed (step 2)"),
@@ -374,15 +383,14 @@ def control_points_by_hand(
     )
     read_out(plotter, "now", STEPS[ceil(step)], "step")
     for name, made, label, error in tests:
-        read_out(plotter, name, bool(error < SAME) if step >= made else "–", label)
+        read_out(plotter, name, bool(error < SAME) if step >= made else NOT_YET, label)
     read_out(plotter, "to_jump", 180 - np.degrees(span), "Pᵢ₊₁ to −P̄ᵢ₋₁", 0, "°")
     gap_before = np.degrees(angle_between(before, here))
     read_out(plotter, "gap_before", gap_before, "gap Pᵢ₋₁ to Pᵢ", 0, "°")
     read_out(plotter, "gap_after", gap_after, "gap Pᵢ to Pᵢ₊₁ (behind: −)", 0, "°")
     read_out(plotter, "gaps_differ", gap_before - gap_after, "first gap − second gap", 0, "°")
-    read_out(
-        plotter, "place_of_a", place_of_a if step >= 3 else "–", "aᵢ after Pᵢ (behind: −)", 0, "°"
-    )
+    where = place_of_a if step >= 3 else NOT_YET
+    read_out(plotter, "place_of_a", where, "aᵢ after Pᵢ (behind: −)", 0, "°")
     describe(
         plotter,
         "A see-through sphere with three blue points P_{i-1}, P_i and P_{i+1} that can be dragged."

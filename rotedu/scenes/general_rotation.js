@@ -26,7 +26,6 @@ const BACK = [0.48, -0.74, 0.47];
 const RIGHT = unit(cross([0, 0, 1], BACK));
 const UP = cross(BACK, RIGHT);
 const SHORT = 0.05;
-const NO_WAY = "no unique path: start and end are half a turn apart";
 const PLACES = [
   combine(-0.05, UP, 1.3, RIGHT),
   combine(1.13, UP, -1.75, RIGHT),
@@ -114,7 +113,7 @@ function gimbals(angles, place) {
 }
 
 /** `euler_angles_by_hand` */
-export function eulerAngles({ u, v, w, tilt, t }) {
+export function eulerAngles({ u, v, w, tilt, t }, { noWay }) {
   const set = [u, v, w];
   const level = pose(set);
   const sideways = column(pose([0, 0, w]), 0);
@@ -156,7 +155,7 @@ export function eulerAngles({ u, v, w, tilt, t }) {
       ring_change: largest(combine(1, angles, -1, set)),
       entry_change: largest(change),
       by_angles: turned.reduce((sum, x) => sum + x),
-      by_slerp: angle === null ? NO_WAY : t * angle,
+      by_slerp: angle === null ? noWay : t * angle,
       matrix: here,
     },
     charts: { speeds: { "three angles": speeds[0], slerp: speeds[1], nlerp: speeds[2] } },

@@ -236,6 +236,7 @@ NO_WAY = "no unique path: start and end are half a turn apart"
 
 @explorable(
     model="eulerAngles",
+    constants={"noWay": NO_WAY},
     u=Slider(-180, 180, "final u, about U″", step=1),
     v=Slider(-180, 180, "final v, about V′", step=1),
     w=Slider(-180, 180, "final w, about W", step=1),

@@ -10,7 +10,7 @@ const BACK = 0.5;
 const out = (angle, radius = 1) => rotate([radius, 0, 0], W, angle / DEGREES);
 
 /** `two_mirrors_by_hand` */
-export function twoMirrors({ first, second, both, letter }) {
+export function twoMirrors({ first, second, both, letter }, { lamp }) {
   const between = second - first;
   const angles = [first + both, second + both];
   const m = angles.map((angle) => [0, ...out(angle + 90)]);
@@ -63,7 +63,7 @@ export function twoMirrors({ first, second, both, letter }) {
     outputs: {
       between,
       turned: 2 * between,
-      home: (Math.abs(2 * between) + BACK) % 360 < 2 * BACK ? "yes" : "no",
+      home: lamp[Number((Math.abs(2 * between) + BACK) % 360 < 2 * BACK)],
       q: quaternionProduct(m[1], m[0]).map((x) => -x),
     },
   };

@@ -6,7 +6,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from rotedu.colors import AXIS, CROSS, NEUTRAL, RESULT, VECTOR
 from rotedu.figures import Slider, describe, explorable, read_out
-from rotedu.figures.frames import place_part
+from rotedu.figures.frames import LAMP, place_part
 from rotedu.general_rotation import homogeneous
 from rotedu.ordinary_rotation import rotate, rotation_matrix
 from rotedu.quaternions import Quaternion
@@ -59,6 +59,7 @@ def letter_f(size: float = 0.5, thickness: float = 0.07, border: float = 0.0) ->
 
 @explorable(
     model="twoMirrors",
+    constants={"lamp": LAMP},
     first=Slider(0, 180, "mirror 1, °", step=1),
     second=Slider(0, 180, "mirror 2, °", step=1),
     # At these strides no letter lies on another, nor in a mirror.

@@ -16,7 +16,7 @@ const QUIET = 500;
  * @param {HTMLElement} element the figure: a scene and a panel
  * @param live what `show` has returned for the scene
  * @param data as `rotedu.figures.explorable` describes the figure
- * @param {Object<string, function>} models frames from inputs, by name
+ * @param {Object<string, function>} models frames from inputs and constants, by name
  * @param {{values: object, ask: function, tell: function}} [python] in a notebook: the values that
  *   Python has set, and functions that ask it for a frame and tell it what the hand has changed
  * @returns {{set: function, receive: function}} set inputs, or show what was asked for
@@ -85,7 +85,7 @@ export function explore(element, live, data, models, python) {
   const update = () => {
     if (!model && python) return ask();
     try {
-      show(model ? model(inputs) : storedFrame(data, inputs));
+      show(model ? model(inputs, data.constants) : storedFrame(data, inputs));
     } catch (error) {
       if (error.name !== "DegenerateError") throw error;
       refuse(error);
@@ -149,13 +149,13 @@ function scaled(specs, changes) {
 }
 
 /** Tell whether a model computes what Python has stored with the figure. */
-function reproduces(model, { name, model: called, start, frame }) {
+function reproduces(model, { name, model: called, constants, start, frame }) {
   const complain = (what) => {
     console.error(`${name}: the model ${called} ${what}; the figure only turns`);
     return false;
   };
   if (!model) return complain("is missing");
-  const mine = model(structuredClone(start));
+  const mine = model(structuredClone(start), constants);
   for (const kind of ["parts", "labels", "outputs", "charts"]) {
     for (const [key, value] of Object.entries(mine[kind] ?? {})) {
       if (!agree(value, frame[kind][key])) return complain(`differs from Python in ${key}`);

@@ -17,7 +17,9 @@ from sphinx.util.nodes import NodeMatcher
 from rotedu.figures.pages import explorable, scene
 
 BEGINNING = re.compile(r"((?:Figure|Picture) [\w-]+)\.")
-TEXT_WIDTH = 39  # rem, the --measure of book.css
+STYLES = Path(__file__).parents[1] / "_static" / "book.css"
+# In rem. docutils takes no variables of CSS for a size.
+TEXT_WIDTH = float(re.search(r"--measure: ([\d.]+)rem;", STYLES.read_text("utf-8"))[1])
 SHAPE = re.compile(r'viewBox="0 0 ([\d.]+) ([\d.]+)"')
 
 
@@ -74,7 +76,7 @@ class BuildFigures(SphinxPostTransform):
             raise ValueError(f"{self.env.docname}: a chart without alt text (mystnb: image: alt)")
         drawing = Path(self.env.srcdir, picture["uri"].lstrip("/")).read_text(encoding="utf-8")
         width, height = map(float, SHAPE.search(drawing).groups())
-        picture["width"] = f"{TEXT_WIDTH}rem"
+        picture["width"] = f"{TEXT_WIDTH:g}rem"
         picture["height"] = f"{TEXT_WIDTH * height / width:.2f}rem"
         return nodes.container("", picture, classes=["chart"])
 

@@ -70,8 +70,8 @@ class TestDeCasteljau:
 
     def test_ends(self) -> None:
         control = random_units(200, 4, 3)
-        close(de_casteljau(control, 0), control[:, 0], 1e-15)
-        close(de_casteljau(control, 1), control[:, -1], 1e-15)
+        close(de_casteljau(control, 0), control[:, 0], 2e-15)
+        close(de_casteljau(control, 1), control[:, -1], 2e-15)
 
     def test_one_curve_at_many_parameters_and_many_curves_at_one(self) -> None:
         control, u = random_units(6, 4, 3), np.linspace(0, 1, 9)

@@ -9,6 +9,7 @@ import shutil
 import subprocess
 import sys
 import time
+import tomllib
 import urllib.error
 import urllib.request
 import zipfile
@@ -20,6 +21,7 @@ import pytest
 from browser import free_port
 from jupyter_server.gateway.gateway_client import GatewayClient
 from nbclient import NotebookClient
+from set_up import OLDEST
 from uv import find_uv_bin
 
 ROOT = Path(__file__).parents[1]
@@ -53,22 +55,22 @@ def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture(scope="module")
-def install(wheel: Path, tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], Path]:
+def install(wheel: Path, tmp_path_factory: pytest.TempPathFactory) -> Callable[..., Path]:
     """Install the wheel with an extra into an empty environment; return its Python."""
 
-    def install_one(extra: str = "") -> Path:
+    def install_one(extra: str = "", *others: str, version: str = sys.executable) -> Path:
         folder = tmp_path_factory.mktemp("environment")
-        run(find_uv_bin(), "venv", "--quiet", "--clear", "-p", sys.executable, folder, cwd=folder)
+        run(find_uv_bin(), "venv", "--quiet", "--clear", "-p", version, folder, cwd=folder)
         python = folder / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
-        name = f"rotedu{extra} @ {wheel.as_uri()}"
-        run(find_uv_bin(), "pip", "install", "--quiet", "-p", python, name, cwd=folder)
+        packages = (f"rotedu{extra} @ {wheel.as_uri()}", *others)
+        run(find_uv_bin(), "pip", "install", "--quiet", "-p", python, *packages, cwd=folder)
         return python
 
     return install_one
 
 
 @pytest.fixture(scope="module")
-def kernels(install: Callable[[str], Path], folder: Path) -> Path:
+def kernels(install: Callable[..., Path], folder: Path) -> Path:
     """Install what the notebooks need; return where Jupyter finds their kernel."""
     python = install("[notebooks]")
     run(python, "-m", "ipykernel", "install", "--sys-prefix", cwd=folder)
@@ -100,7 +102,7 @@ def test_no_wheel_is_built_without_the_viewer(tmp_path: Path) -> None:
     run(find_uv_bin(), *install, cwd=tmp_path)
 
 
-def test_the_mathematics_needs_numpy_alone(install: Callable[[str], Path], folder: Path) -> None:
+def test_the_mathematics_needs_numpy_alone(install: Callable[..., Path], folder: Path) -> None:
     python = install()
     listed = json.loads(
         run(find_uv_bin(), "pip", "list", "-p", python, "--format", "json", cwd=folder)
@@ -109,6 +111,23 @@ def test_the_mathematics_needs_numpy_alone(install: Callable[[str], Path], folde
     modules = sorted(f"rotedu.{file.stem}" for file in (ROOT / "rotedu").glob("[!_]*.py"))
     assert len(modules) > 5
     run(python, "-W", "error", "-c", f"import {', '.join(modules)}", cwd=folder)
+
+
+def test_the_mathematics_needs_no_newer_numpy(install: Callable[..., Path]) -> None:
+    """Blender and Python in the page have the oldest NumPy that pyproject.toml allows."""
+    (numpy,) = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]["dependencies"]
+    oldest = numpy.replace(">=", "==") + ".*"
+    used = ("hypothesis", "pytest", "scipy", "splines", "sympy")
+    python = install("", oldest, *used, version="{}.{}".format(*OLDEST))
+    modules = sorted((ROOT / "rotedu").glob("*.py"))
+    named_alike = (ROOT / "tests" / f"test_{file.stem.strip('_')}.py" for file in modules)
+    # Colours stand in pages and pictures alone.
+    tests = [file for file in named_alike if file.exists() and file.stem != "test_colors"]
+    assert len(tests) > 8
+    options = ["-o", "addopts=", "--noconftest", "--hypothesis-profile=ci", "--doctest-modules"]
+    checks = [ROOT / "rotedu" / "edition", ROOT / "tests" / "test_right_answers.py"]
+    command = [python, "-m", "pytest", *options, *modules, *tests, *checks]
+    subprocess.run(command, cwd=ROOT, check=True)
 
 
 @pytest.mark.parametrize("name", NOTEBOOKS)
@@ -126,7 +145,7 @@ def get(url: str) -> str:
 
 
 @pytest.fixture
-def lab(install: Callable[[str], Path], folder: Path) -> Iterator[str]:
+def lab(install: Callable[..., Path], folder: Path) -> Iterator[str]:
     """JupyterLab, as `jupyter lab` starts it, without a browser window."""
     port = free_port()
     # jupyter_server's client for another server sends neither token nor cookie on its socket.

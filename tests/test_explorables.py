@@ -1,6 +1,6 @@
 """Figures that answer the hand: what they take, what they store, and that both sides agree.
 
-Each run compares the models of the viewer with Python for other inputs. Set EXPLORE_SEED to the
+Each run compares models and panels in Node with Python for other inputs. Set EXPLORE_SEED to the
 seed in a failure's message to repeat them.
 """
 
@@ -16,21 +16,28 @@ import numpy as np
 import pytest
 import pyvista
 from bs4 import BeautifulSoup
-from node import ask_node
+from node import run_cases
 
 from rotedu import scenes
 from rotedu.errors import DegenerateError
-from rotedu.figures import Choice, Handles, Slider, Switch, explorable, explore, read_out
+from rotedu.figures import (
+    Choice,
+    Handles,
+    Slider,
+    Switch,
+    describe,
+    explorable,
+    explore,
+    read_out,
+)
 from rotedu.figures.explorable import FRAMES, Exploration
-from rotedu.figures.frames import frame_of, place_part
-from rotedu.figures.panel import path_of
+from rotedu.figures.frames import frame_of, only, place_part
+from rotedu.figures.panel import panel, path_of
 from rotedu.ordinary_rotation import rotate
 
 ROOT = Path(__file__).parents[1]
 SEED = int(os.environ.get("EXPLORE_SEED") or secrets.randbits(32))
 TRIES = 6
-# Frames have six digits.
-ROUNDING = 2e-6
 BY_HAND = {name: f for name, f in vars(scenes).items() if hasattr(f, "inputs")}
 WITH_MODEL = {name: f for name, f in BY_HAND.items() if f.model}
 
@@ -58,129 +65,59 @@ def moved(rng: np.random.Generator, figure: Exploration) -> dict[str, Any]:
     }
 
 
-def disagreement(mine: Any, python: Any, where: str) -> str:
-    """Where a model differs from Python; Python may say more about a part."""
-    if isinstance(mine, dict):
-        if missing := mine.keys() - python.keys():
-            return f"{where}: only the model has {missing}"
-        found = (disagreement(mine[key], python[key], f"{where} {key}") for key in mine)
-        return next(filter(None, found), "")
-    if isinstance(mine, (bool, str, type(None))) or python is None:
-        return "" if mine == python else f"{where}: {mine}, Python: {python}"
-    if np.shape(mine) != np.shape(python):
-        return f"{where}: shape {np.shape(mine)}, Python: {np.shape(python)}"
-    allowed = ROUNDING * np.maximum(1, np.abs(python))
-    off = np.abs(np.subtract(mine, python)) > allowed
-    return f"{where}: {mine}, Python: {python}" if np.any(off) else ""
-
-
-def in_python(figure: Exploration, inputs: dict[str, Any]) -> dict[str, Any]:
+def drawn(figure: Exploration, inputs: dict[str, Any]) -> pyvista.Plotter | dict[str, Any]:
+    """The scene for some inputs, or the refusal in the words of a model."""
     try:
-        return {"frame": frame_of(figure.draw(**inputs))}
+        return figure.draw(**inputs)
     except DegenerateError as error:
         # The viewer computes one case after the other, so it has no index to tell.
         message = re.sub(r" at index \([\d, ]*\)", "", str(error))
         return {"error": "DegenerateError", "message": message}
 
 
-def answers(cases: list[tuple[str, dict[str, Any]]], **constants: Any) -> list[Any]:
-    """What the models of some figures answer to inputs, with the constants of Python or others."""
-    functions = [WITH_MODEL[name] for name, _ in cases]
-    given = [
-        (function.model, inputs, function.constants | constants)
-        for function, (_, inputs) in zip(functions, cases, strict=True)
-    ]
-    answer = ask_node("models.js", json.dumps(given))
-    assert set(answer["models"]) == {function.model for function in WITH_MODEL.values()}
-    return list(answer["answers"])
-
-
-@pytest.fixture(scope="module")
-def compared() -> list[tuple[str, dict[str, Any], Exploration, Any]]:
-    """Inputs of each figure with a model, and what the model answers."""
-    rng = np.random.default_rng(SEED)
-    cases = []
-    for name, function in WITH_MODEL.items():
-        figure = explore(function)
-        cases += [
-            (name, inputs, figure)
-            for inputs in (figure.values, *(moved(rng, figure) for _ in range(TRIES)))
-        ]
-    found = answers([(name, inputs) for name, inputs, _ in cases])
-    return [(*case, answer) for case, answer in zip(cases, found, strict=True)]
-
-
-@pytest.mark.parametrize("name", WITH_MODEL)
-def test_a_model_computes_what_python_draws(
-    name: str, compared: list[tuple[str, dict[str, Any], Exploration, Any]]
-) -> None:
-    drawn = 0
-    for _, inputs, figure, answer in (case for case in compared if case[0] == name):
-        where = f"EXPLORE_SEED={SEED}: {name}({inputs})"
-        python = in_python(figure, inputs)
-        if "error" in python:
-            assert answer == python, where
-            continue
-        assert "frame" in answer, f"{where}: {answer}"
-        frame = python["frame"]
-        mine = {kind: answer["frame"].get(kind, {}) for kind in frame}
-        assert not (found := disagreement(mine, frame, where)), found
-        assert mine["outputs"].keys() == frame["outputs"].keys(), where
-        drawn += 1
-    assert drawn >= 2
-
-
-def marked(constants: Any) -> Any:
-    """Constants of the same shape with other colours and texts."""
-    if isinstance(constants, str):
-        return f"*{constants}"
-    if isinstance(constants, dict):
-        return {name: marked(value) for name, value in constants.items()}
-    return [marked(value) for value in constants] if np.ndim(constants) else 0.125
-
-
-# Inputs for which two of the models have something to say.
-TELLING = {
-    "slerp_by_hand": {"what": "orientations", "turn": 360},
-    "euler_angles_by_hand": {"v": -90},
+ON_ONE_CIRCLE = {"points": [[1, 0, 0], [0, 1, 0], [0.2, -0.5, 0.8]], "one_circle": True}
+HALF_A_TURN = [{"v": -90.0, "t": 0.25}, {"u": 180.0, "v": 90.0, "w": 0.0, "t": 0.25}]
+OPPOSITE = [{"what": "orientations", "turn": turn, "flip": turn == 0} for turn in (360.0, 0.0)]
+SPECIAL = {
+    "control_points_by_hand": [ON_ONE_CIRCLE, {"printed_double": True, "step": 3.5}],
+    "euler_angles_by_hand": HALF_A_TURN,
+    "slerp_by_hand": OPPOSITE,
 }
 
 
-@pytest.mark.parametrize("name", WITH_MODEL)
-def test_a_model_repeats_no_colour_and_no_text(name: str) -> None:
-    constants = WITH_MODEL[name].constants
-    inputs = explore(WITH_MODEL[name]).values | TELLING.get(name, {})
-    [answer] = answers([(name, inputs)], **marked(constants))
-    frame = answer.get("frame") or {"outputs": {"refused": answer["message"]}, "parts": {}}
-    said = [value for value in frame["outputs"].values() if isinstance(value, str)]
-    assert bool(said) == bool(constants)
-    assert all("*" in text for text in said), said
-    colors = [part["color"] for part in frame["parts"].values() if "color" in part]
-    assert all(color == [0.125] * 3 for color in colors), colors
+def answered(figure: Exploration, inputs: dict[str, Any], places: Any) -> dict[str, Any]:
+    """Inputs, and for them a refusal, or the frame and the panel."""
+    plotter = drawn(figure, inputs)
+    if isinstance(plotter, dict):
+        return {"inputs": inputs} | plotter
+    seen = plotter.shown
+    html = panel(figure.title, figure.inputs, inputs, seen.outputs, seen.charts)
+    return {"inputs": inputs, "frame": only(frame_of(plotter), places), "panel": html}
 
 
-@pytest.mark.parametrize(("turn", "flip"), [(360, False), (0, True)])
-def test_opposite_quaternions_have_a_refusal_of_their_own(turn: float, flip: bool) -> None:
+def test_models_and_panels_show_what_python_does() -> None:
+    rng = np.random.default_rng(SEED)
+    figures = []
+    for name, function in WITH_MODEL.items():
+        figure = explore(function)
+        plotter = figure.draw()
+        spec = figure.spec(plotter)
+        parts = spec["frame"]["parts"].items()
+        places = {("parts", part, key) for part, place in parts for key in place}
+        places |= {(kind, key) for kind in ("labels", "charts") for key in spec["frame"][kind]}
+        changes = [{}, *SPECIAL.get(name, ()), *(moved(rng, figure) for _ in range(TRIES))]
+        cases = [answered(figure, figure.values | change, places) for change in changes]
+        assert sum("frame" in case for case in cases) >= 2
+        figures.append({"spec": spec, "panel": figure.panel(plotter), "cases": cases})
+    run_cases("models", {"seed": SEED, "figures": figures})
+
+
+@pytest.mark.parametrize("change", OPPOSITE)
+def test_opposite_quaternions_have_a_refusal_of_their_own(change: dict[str, Any]) -> None:
     figure = explore(scenes.slerp_by_hand)
-    inputs = figure.values | {"what": "orientations", "turn": turn, "flip": flip}
     message = "the quaternions 1 and −1 are antipodal: no unique arc joins them"
     refusal = {"error": "DegenerateError", "message": message}
-    assert in_python(figure, inputs) == refusal
-    assert answers([("slerp_by_hand", inputs)]) == [refusal]
-
-
-def test_a_ring_stays_on_the_point_that_it_holds() -> None:
-    """A model may correct inputs: it shows the corrected ones as it shows the given ones."""
-    figure = explore(scenes.control_points_by_hand)
-    figure.points = [[1, 0, 0], [0, 1, 0], [0.2, -0.5, 0.8]]
-    inputs = figure.values | {"one_circle": True}
-    [answer] = answers([("control_points_by_hand", inputs)])
-    corrected = answer["frame"]["inputs"]
-    np.testing.assert_allclose(corrected["points"][2], [0.2 / 0.29**0.5, -0.5 / 0.29**0.5, 0])
-    frames = [in_python(figure, given) for given in (inputs, inputs | corrected)]
-    assert not (found := disagreement(*frames, "corrected")), found
-    [free] = answers([("control_points_by_hand", figure.values)])
-    assert free["frame"]["inputs"] == {}
+    assert drawn(figure, figure.values | change) == refusal
 
 
 @pytest.mark.parametrize("name", BY_HAND)
@@ -205,7 +142,9 @@ def test_a_figure_says_what_it_takes(name: str) -> None:
 
 def a_ball(u: float = 0.25, v: float = 0.5, points: int = 3) -> pyvista.Plotter:
     """A ball at (u, v, 0) and a strip with some points, which is as long as u."""
-    plotter = pyvista.Plotter(off_screen=True)
+    plotter = pyvista.Plotter(off_screen=True, window_size=[720, 480])
+    plotter.camera_position = [(0.5, 0.5, 6), (0.5, 0.5, 0), (0, 1, 0)]
+    describe(plotter, "A red ball, a blue strip and a green cube.")
     ball = pyvista.Sphere(center=(u, v, 0))
     plotter.add_mesh(ball, color="red", name=place_part(plotter, "ball", at=(u, v, 0)))
     strip = np.column_stack([np.linspace(0, u, points), np.zeros((points, 2))])
@@ -372,19 +311,17 @@ def test_an_arrow_stands_where_a_curve_leaves_its_chart(heights: Any, arrows: li
     assert [path for path in paths if len(path.split()) == 3] == arrows
 
 
-@pytest.mark.parametrize("pose", [{"v": -90}, {"u": 180, "v": 90, "w": 0}])
+@pytest.mark.parametrize("pose", HALF_A_TURN)
 def test_half_a_turn_away_the_three_angles_go_on_alone(pose: dict[str, float]) -> None:
     figure = explore(scenes.euler_angles_by_hand)
-    inputs = figure.values | pose | {"t": 0.25}
-    frame = in_python(figure, inputs)["frame"]
+    inputs = figure.values | pose
+    frame = frame_of(figure.draw(**inputs))
     assert "half a turn" in frame["outputs"]["by_slerp"]
     assert [frame["parts"][f"{name} tip"]["hidden"] for name in ("angles", "slerp", "nlerp")] == [
         False,
         True,
         True,
     ]
-    [answer] = answers([("euler_angles_by_hand", inputs)])
-    assert not (found := disagreement(answer["frame"], frame, str(inputs))), found
     figure.v = pose["v"]
     assert "data-curve" in figure.panel(figure.draw())
 

@@ -1,20 +1,19 @@
-"""The mathematics of the viewer, run by Node: the same results and refusals as rotedu's.
+"""The cases by which Node compares the mathematics of the models with rotedu's.
 
-Every run makes other cases. Set SPHERE_SEED to the seed in a failure's message to repeat them.
+Every run writes others; `sphere.test.mjs` reads them. Set SPHERE_SEED to the seed in a failure's
+message to repeat them.
 """
 
-import json
 import os
 import secrets
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from itertools import pairwise
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
-from node import ask_node
+from node import run_cases
 from spheres import random_units
 
 from rotedu.arcs import angle_between, arc_axis, nlerp, slerp
@@ -28,7 +27,6 @@ from rotedu.quaternions import Quaternion
 
 Array = np.ndarray[Any, Any]
 
-ROOT = Path(__file__).parents[1]
 SEED = int(os.environ.get("SPHERE_SEED") or secrets.randbits(32))
 DIMENSIONS = (2, 3, 4, 7)
 TRIES = 8
@@ -80,12 +78,12 @@ PYTHON: dict[str, Callable[..., Any]] = {
 
 @dataclass
 class Case:
-    """A call, the angles of the arcs it takes, and what of its result counts."""
+    """A call, the angles of the arcs it takes, and which function of its result counts."""
 
     name: str
     args: list[Any]
     angles: Any = 0.0
-    seen: Callable[[Any], Any] = lambda result: result
+    seen: str = ""
 
 
 def allowed(angles: Any) -> float:
@@ -170,7 +168,7 @@ def in_any_dimension(rng: np.random.Generator, d: int) -> Iterator[Case]:
         yield Case("angleBetween", [p, q])
         yield Case("slerp", [p, q, t], theta)
         # No condition excuses a point that leaves the sphere.
-        yield Case("slerp", [p, q, t], seen=np.linalg.norm)
+        yield Case("slerp", [p, q, t], seen="length")
         yield Case("nlerp", [p, q, t], theta)
         yield Case("double", [p, q])
         yield Case("bisect", [p, q], theta)
@@ -214,7 +212,7 @@ def in_three_dimensions(rng: np.random.Generator) -> Iterator[Case]:
     for v in (rng.uniform(-1.5, 1.5), *np.pi / 2 * np.array([1, -1, 1 - 1e-9, 1e-6 - 1])):
         u, w = rng.uniform(-3, 3, 2)
         yield Case("matrixFromEulerAngles", [u, v, w])
-        yield Case("eulerAngles", [m := euler_matrix(u, v, w)], seen=lambda a: euler_matrix(*a))
+        yield Case("eulerAngles", [m := euler_matrix(u, v, w)], seen="matrixFromEulerAngles")
         # Near gimbal lock rounding changes two of the angles; there, w is 0.
         if np.cos(v) < 1e-15 or abs(v) < 1.5:
             yield Case("eulerAngles", [m])
@@ -316,88 +314,35 @@ def with_bad_numbers(rng: np.random.Generator) -> Iterator[Case]:
     yield Case("slerp", [p, p[:2], 0.5])
 
 
-# Both sides.
-
-
 def in_python(case: Case) -> dict[str, Any]:
+    """What Python answers: a value, with the difference allowed, or a refusal."""
     try:
-        return {"value": PYTHON[case.name](*case.args)}
+        value = PYTHON[case.name](*case.args)
     except DegenerateError as error:
         return {"error": "DegenerateError", "message": str(error)}
     except ValueError:
+        # The words differ: here they speak of arrays.
         return {"error": "RangeError"}
+    if case.seen == "length":
+        value = np.linalg.norm(value)
+    elif case.seen:
+        value = PYTHON[case.seen](*value)
+    return {"value": value, "seen": case.seen, "allowed": allowed(case.angles)}
 
 
-def in_node(cases: list[Case]) -> dict[str, Any]:
-    calls = json.dumps([[case.name, case.args] for case in cases], default=lambda a: a.tolist())
-    # JSON has neither NaN nor infinities; a number beyond all others is read as infinity.
-    calls = calls.replace("NaN", '"NaN"').replace("Infinity", "1e999")
-    return ask_node("answer.js", calls)
+def answered(cases: Iterable[Case]) -> list[dict[str, Any]]:
+    return [{"name": case.name, "args": case.args} | in_python(case) for case in cases]
 
 
-GROUPS = ("computed", "without answer", "bad numbers")
-
-
-@pytest.fixture(scope="module")
-def answers() -> dict[str, Any]:
-    """Cases of each group with the answers of Python and of Node, and the exports of sphere.js."""
+def test_node_computes_and_refuses_what_python_does() -> None:
     rng = np.random.default_rng(SEED)
-    groups: dict[str, list[Case]] = {group: [] for group in GROUPS}
+    computed: list[dict[str, Any]] = []
     for _ in range(TRIES):
         for d in DIMENSIONS:
-            groups["computed"] += in_any_dimension(rng, d)
-        groups["computed"] += [*in_three_dimensions(rng), *with_quaternions(rng)]
-    groups["without answer"] += without_answer(rng)
-    groups["bad numbers"] += with_bad_numbers(rng)
-    node = in_node([case for group in GROUPS for case in groups[group]])
-    found = iter(node["answers"])
-    compared = {
-        group: [(case, in_python(case), next(found)) for case in cases]
-        for group, cases in groups.items()
-    }
-    return {"exports": node["exports"], **compared}
-
-
-def described(case: Case) -> str:
-    given = ", ".join(map(repr, case.args))
-    return f"SPHERE_SEED={SEED}: {case.name}({given})"
-
-
-def off(case: Case, python: Any, node: Any) -> float:
-    """The largest difference between two results."""
-    if isinstance(python, dict):
-        assert list(python) == list(node), described(case)
-        return max(off(case, python[key], node[key]) for key in python)
-    if isinstance(python, list):
-        return max(off(case, *level) for level in zip(python, node, strict=True))
-    return float(np.max(np.abs(np.subtract(case.seen(python), case.seen(node)))))
-
-
-def test_every_export_is_compared(answers: dict[str, Any]) -> None:
-    assert set(answers["exports"]) == {*PYTHON, "DegenerateError"}
-    assert {case.name for case, *_ in answers["computed"]} == set(PYTHON)
-
-
-@pytest.mark.parametrize("name", PYTHON)
-def test_node_computes_what_python_computes(name: str, answers: dict[str, Any]) -> None:
-    compared = [found for found in answers["computed"] if found[0].name == name]
-    for case, python, node in compared:
-        if "value" in python:
-            assert "value" in node, f"{described(case)}: {node}"
-            difference, most = off(case, python["value"], node["value"]), allowed(case.angles)
-            assert difference <= most, f"{described(case)}: {difference} off, {most} allowed"
-        else:
-            assert node == python, described(case)
-    assert any("value" in python for _, python, _ in compared)
-
-
-def test_geometry_without_an_answer_is_refused_in_the_same_words(answers: dict[str, Any]) -> None:
-    for case, python, node in answers["without answer"]:
-        assert python.get("error") == "DegenerateError", described(case)
-        assert node == python, described(case)
-
-
-def test_bad_numbers_are_refused(answers: dict[str, Any]) -> None:
-    for case, python, node in answers["bad numbers"]:
-        assert python.get("error") == "RangeError", described(case)
-        assert node.get("error") == "RangeError", f"{described(case)}: {node}"
+            computed += answered(in_any_dimension(rng, d))
+        computed += answered([*in_three_dimensions(rng), *with_quaternions(rng)])
+    degenerate, bad = answered(without_answer(rng)), answered(with_bad_numbers(rng))
+    assert {case["name"] for case in computed if "value" in case} == set(PYTHON)
+    assert {case.get("error") for case in degenerate} == {"DegenerateError"}
+    assert {case.get("error") for case in bad} == {"RangeError"}
+    run_cases("sphere", {"seed": SEED, "cases": computed + degenerate + bad})

@@ -1,0 +1,78 @@
+/* The models compute and refuse what Python draws, in the cases of `test_explorables.py`. */
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import * as models from "../rotedu/scenes/models.js";
+import { answer, difference, read } from "./cases.mjs";
+
+// Frames have six digits.
+const allowed = (value) => 2e-6 * Math.max(1, Math.abs(value));
+const KINDS = ["parts", "labels", "outputs", "charts"];
+const { seed, figures } = await read("models");
+
+function compare(mine, python, where) {
+  for (const kind of KINDS) {
+    assert.equal(difference(mine[kind] ?? {}, python[kind], allowed, `${where} ${kind}`), "");
+  }
+  assert.deepEqual(Object.keys(mine.outputs).sort(), Object.keys(python.outputs).sort(), where);
+}
+
+/** Constants of the same shape with other colours and texts. */
+function marked(constants) {
+  if (typeof constants === "string") return `*${constants}`;
+  if (typeof constants === "number") return 0.125;
+  const mapped = Object.entries(constants).map(([key, value]) => [key, marked(value)]);
+  return Array.isArray(constants) ? mapped.map(([, value]) => value) : Object.fromEntries(mapped);
+}
+
+/** All texts among constants. */
+const texts = (constants) =>
+  Object.values(constants).flatMap((value) =>
+    typeof value === "string" ? [value] : typeof value === "object" ? texts(value) : [],
+  );
+
+test("every model is compared", () => {
+  assert.deepEqual(new Set(Object.keys(models)), new Set(figures.map(({ spec }) => spec.model)));
+});
+
+for (const { spec, cases } of figures) {
+  const model = models[spec.model];
+
+  test(`${spec.model} repeats no colour and no text`, () => {
+    let said = 0;
+    for (const { inputs, message } of cases) {
+      const mine = answer(() => model(inputs, marked(spec.constants)));
+      const outputs = Object.values(mine.value?.outputs ?? {});
+      const told = texts(spec.constants).some((text) => message?.includes(text));
+      const found = told ? [mine.message] : outputs.filter((value) => typeof value === "string");
+      for (const text of found) assert.match(text, /\*/);
+      said += found.length;
+      for (const { color } of Object.values(mine.value?.parts ?? {})) {
+        if (color) assert.deepEqual(color, [0.125, 0.125, 0.125]);
+      }
+    }
+    assert.equal(said > 0, texts(spec.constants).length > 0);
+  });
+
+  test(`${spec.model} computes what Python draws`, () => {
+    for (const { inputs, frame, error, message } of cases) {
+      const where = `EXPLORE_SEED=${seed}: ${spec.name}(${JSON.stringify(inputs)})`;
+      const mine = answer(() => model(inputs, spec.constants));
+      assert.deepEqual([mine.error, mine.message], [error, message], where);
+      if (error) continue;
+      compare(mine.value, frame, where);
+      // What a model corrects, it shows as it shows what was given.
+      compare(model({ ...inputs, ...mine.value.inputs }, spec.constants), frame, `${where}, corrected`);
+    }
+  });
+}
+
+test("a ring stays on the point that it holds", () => {
+  const { spec } = figures.find(({ spec }) => spec.model === "controlPoints");
+  const points = [[1, 0, 0], [0, 1, 0], [0.2, -0.5, 0.8]];
+  const corrected = (one_circle) =>
+    models.controlPoints({ ...spec.start, points, one_circle }, spec.constants).inputs;
+  const length = Math.hypot(0.2, 0.5);
+  const there = [...points.slice(0, 2), [0.2 / length, -0.5 / length, 0]];
+  assert.equal(difference(corrected(true).points, there, allowed), "");
+  assert.deepEqual(corrected(false), {});
+});

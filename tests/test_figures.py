@@ -200,7 +200,7 @@ class TestGltf:
                 "up": list(UP),
                 "viewAngle": VIEW_ANGLE,
                 "aspect": SIZE[0] / SIZE[1],
-                "most": 0,
+                "swing": 0,
             }
             matrix = np.reshape(gltf.json["nodes"][-1]["matrix"], (4, 4)).T
             np.testing.assert_allclose(matrix @ [0, 0, 0, 1], [*EYE, 1], atol=1e-12)

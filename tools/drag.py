@@ -53,7 +53,7 @@ def median(values: list[float]) -> float:
 
 def weights(static: Path) -> Iterator[str]:
     """Tell how heavy the viewer is, and what figures that answer the hand add to it."""
-    for name in ("viewer", "explorables"):
+    for name in ("viewer", "by-hand"):
         file = max(static.glob(f"{name}-*.js"), key=lambda file: file.stat().st_mtime)
         packed = len(gzip.compress(file.read_bytes(), 9))
         yield f"{name}: {packed / 1000:.1f} kB gzipped"

@@ -14,7 +14,7 @@ from sphinx.transforms import SphinxTransform
 from sphinx.transforms.post_transforms import SphinxPostTransform
 from sphinx.util.nodes import NodeMatcher
 
-from rotedu.figures.pages import explorable, scene
+from rotedu.figures.pages import scene, scene_by_hand
 
 BEGINNING = re.compile(r"((?:Figure|Picture) [\w-]+)\.")
 STYLES = Path(__file__).parents[1] / "_static" / "book.css"
@@ -61,7 +61,7 @@ class BuildFigures(SphinxPostTransform):
             if not pictures:
                 raise ValueError(f"{title_of(caption)}: no picture above the caption")
             picture = pictures[-1]
-            if isinstance(picture.parent, explorable):
+            if isinstance(picture.parent, scene_by_hand):
                 picture = picture.parent
             figure = nodes.figure(ids=caption["ids"])
             picture.replace_self(figure)

@@ -192,14 +192,14 @@ class Exploration:
             last input changing first.
         """
         recorded = shown(plotter)
-        places: set[tuple[str, ...]] = {
+        moving: set[tuple[str, ...]] = {
             ("parts", name, key)
             for name, place in recorded.parts.items()
             for key in (*place, "color", "hidden")
             if key != "radius"
         }
         base = frame_of(plotter)
-        places |= {(kind, name) for kind in ("labels", "charts") for name in base[kind]}
+        moving |= {(kind, name) for kind in ("labels", "charts") for name in base[kind]}
         count = FRAMES.get(len(self.inputs), 0)
         only_slides = count and all(kind.kind == "number" for kind in self.inputs.values())
         if not (self.model or only_slides):
@@ -215,7 +215,7 @@ class Exploration:
             "start": self.start,
             "model": self.model,
             "constants": getattr(self.function, "constants", {}),
-            "frame": only(base, places),
+            "frame": only(base, moving),
             # A list, because a notebook sorts the keys of its JSON.
             "grid": [] if self.model else [[name, count] for name in self.inputs],
         }
@@ -246,7 +246,7 @@ class Exploration:
 
         plotter = self.draw(**self.start)
         spec = self.spec(plotter) | {"panel": self.panel(plotter)}
-        made = figure(plotter, explorable=spec, values=dict(self.values))
+        made = figure(plotter, spec=spec, values=dict(self.values))
         made.observe(self._follow, "values")
         made.on_msg(self._answer)
         self.widgets.append(made)
@@ -280,7 +280,7 @@ class Exploration:
             spec = here.spec(plotter) | {"panel": here.panel(plotter)}
             if not self.model:
                 spec["frames"] = here.frames()
-            figure.scene["explorable"] = spec
+            figure.scene["spec"] = spec
             return figure._repr_mimebundle_()
         picture = io.BytesIO()
         still_picture(plotter).save(picture, "PNG")

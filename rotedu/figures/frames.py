@@ -59,7 +59,7 @@ class Shown:
     labels: dict[str, list[float] | None] = field(default_factory=dict)
     outputs: dict[str, Output] = field(default_factory=dict)
     charts: dict[str, Chart] = field(default_factory=dict)
-    most: float = 0
+    swing: float = 0
 
 
 def shown(plotter: pyvista.Plotter) -> Shown:
@@ -185,9 +185,9 @@ def draw_chart(
     shown(plotter).charts[name] = Chart(x, y, heights, label, over, colors or {}, marks, dashed)
 
 
-def limit_turning(plotter: pyvista.Plotter, most: float) -> None:
+def limit_turning(plotter: pyvista.Plotter, degrees: float) -> None:
     """Let the reader turn a scene by so many degrees only: parts in a row then stay apart."""
-    shown(plotter).most = most
+    shown(plotter).swing = degrees
 
 
 def frame_of(plotter: pyvista.Plotter) -> dict[str, Any]:

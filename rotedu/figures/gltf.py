@@ -48,12 +48,12 @@ def scene_gltf(plotter: pyvista.Plotter) -> bytes:
     nodes: list[dict[str, Any]] = []
     meshes: list[dict[str, Any]] = []
     materials: list[dict[str, Any]] = []
-    places = getattr(plotter, "shown", None)
+    recorded = getattr(plotter, "shown", None)
     for name, actor in part_names(plotter):
         primitives = _primitives(actor, binary, len(materials))
         if not primitives:
             continue
-        place = places.parts.get(name) if places else None
+        place = recorded.parts.get(name) if recorded else None
         nodes.append(_node(actor, len(meshes), name, place))
         meshes.append({"name": name, "primitives": primitives})
         materials.append(_material(actor))
@@ -88,11 +88,11 @@ def part_names(plotter: pyvista.Plotter) -> list[tuple[str, pyvista.Actor]]:
     list of tuple of str and pyvista.Actor
         Each part with its name. A part that was added without a name gets a number.
     """
-    places = getattr(plotter, "shown", None)
+    recorded = getattr(plotter, "shown", None)
     named: list[tuple[str, pyvista.Actor]] = []
     for name, actor in plotter.actors.items():
         if isinstance(actor, pyvista.Actor) and (
-            actor.visibility or (places and name in places.parts)
+            actor.visibility or (recorded and name in recorded.parts)
         ):
             # pyvista names an actor without a name after its address in memory.
             named.append((f"part {len(named)}" if "Addr=" in name else name, actor))
@@ -314,7 +314,7 @@ def _camera(plotter: pyvista.Plotter) -> tuple[dict[str, Any], dict[str, Any]]:
 def _surroundings(plotter: pyvista.Plotter) -> dict[str, Any]:
     """Return the camera data that an orbit needs, and the lights, which follow the camera."""
     camera = plotter.camera
-    places = getattr(plotter, "shown", None)
+    recorded = getattr(plotter, "shown", None)
     lights = []
     for light in plotter.renderer.lights:
         if light.on:
@@ -333,7 +333,7 @@ def _surroundings(plotter: pyvista.Plotter) -> dict[str, Any]:
             "up": list(camera.up),
             "viewAngle": camera.view_angle,
             "aspect": plotter.window_size[0] / plotter.window_size[1],
-            "most": places.most if places else 0,
+            "swing": recorded.swing if recorded else 0,
         },
         "lights": lights,
     }

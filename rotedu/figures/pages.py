@@ -40,7 +40,7 @@ class scene_label(nodes.inline):  # noqa: N801
     """A text at a place in the scene."""
 
 
-class explorable(addnodes.download_reference):  # noqa: N801
+class scene_by_hand(addnodes.download_reference):  # noqa: N801
     """A scene that answers the hand: around it, its panel and a file that says what moves."""
 
 
@@ -59,18 +59,18 @@ class SceneRenderer:
         content = json.loads(data.content) if isinstance(data.content, str) else data.content
         node = scene_node(renderer, content)
         return [
-            explorable_node(renderer, content["explorable"], node)
-            if "explorable" in content
+            scene_by_hand_node(renderer, content["spec"], node)
+            if "spec" in content
             else node
         ]
 
 
-def explorable_node(renderer: Any, content: dict[str, Any], node: scene) -> explorable:
+def scene_by_hand_node(renderer: Any, content: dict[str, Any], node: scene) -> scene_by_hand:
     """Write the file of a figure that answers the hand, and build its node."""
     html = content.pop("panel")
     file = json.dumps(content, separators=(",", ":")).encode()
     target = write_file(renderer, file, "json")
-    return explorable("", "", node, reftarget=target, panel=html, title=content["name"])
+    return scene_by_hand("", "", node, reftarget=target, panel=html, title=content["name"])
 
 
 def scene_node(renderer: Any, content: dict[str, Any]) -> scene:
@@ -122,7 +122,7 @@ def depart_scene(writer: Any, node: scene) -> None:
         writer.body.append(f'<noscript><p class="scene-message">{NO_SCRIPT}</p></noscript>\n')
 
 
-def visit_explorable(writer: Any, node: explorable) -> None:
+def visit_scene_by_hand(writer: Any, node: scene_by_hand) -> None:
     """Open the box around a scene and its panel."""
     if not is_live(writer):
         return
@@ -134,7 +134,7 @@ def visit_explorable(writer: Any, node: explorable) -> None:
     writer.body.append(writer.starttag(node, "div", CLASS="explorable", **attributes))
 
 
-def depart_explorable(writer: Any, node: explorable) -> None:
+def depart_scene_by_hand(writer: Any, node: scene_by_hand) -> None:
     """Write the panel and close the box."""
     panel = f"{node['panel']}</div>" if is_live(writer) else f'<p class="scene-note">{ON_PAPER}</p>'
     writer.body.append(f"{panel}\n")
@@ -191,7 +191,7 @@ def setup(app: Sphinx) -> dict[str, Any]:
     """Register the nodes, and choose the backend ``book`` for the notebooks that Sphinx runs."""
     os.environ["PYVISTA_JUPYTER_BACKEND"] = "book"
     app.add_node(scene, html=(visit_scene, depart_scene))
-    app.add_node(explorable, html=(visit_explorable, depart_explorable))
+    app.add_node(scene_by_hand, html=(visit_scene_by_hand, depart_scene_by_hand))
     app.add_node(scene_poster, html=(visit_scene_poster, None))
     app.add_node(scene_label, html=(visit_scene_label, depart_scene_label))
     app.connect("html-page-context", add_viewer)

@@ -44,7 +44,7 @@ class Figure(anywidget.AnyWidget):
         and its ``labels`` as `rotedu.figures.backend.scene_labels` finds them.
     gltf : bytes
         What to draw, as ``rotedu.figures.gltf.scene_gltf`` writes it.
-    explorable : dict, optional
+    spec : dict, optional
         What the hand can change, as ``Exploration.spec`` of `rotedu.figures.explorable` describes
         it, with the ``panel`` below the scene. Without it the figure only turns.
     values : dict, optional
@@ -60,7 +60,7 @@ class Figure(anywidget.AnyWidget):
     scene = traitlets.Dict().tag(sync=True)
     gltf = traitlets.Bytes().tag(sync=True)
     viewer = traitlets.Bytes().tag(sync=True)
-    explorable = traitlets.Dict().tag(sync=True)
+    spec = traitlets.Dict().tag(sync=True)
     values = traitlets.Dict().tag(sync=True)
     is_first: ClassVar[bool] = True
 
@@ -68,7 +68,7 @@ class Figure(anywidget.AnyWidget):
         self,
         scene: dict[str, Any],
         gltf: bytes,
-        explorable: dict[str, Any] | None = None,
+        spec: dict[str, Any] | None = None,
         values: dict[str, Any] | None = None,
     ) -> None:
         if not (STATIC / "figure.js").exists():
@@ -79,7 +79,7 @@ class Figure(anywidget.AnyWidget):
             scene=scene,
             gltf=gltf,
             viewer=viewer,
-            explorable=explorable or {},
+            spec=spec or {},
             values=values or {},
             _esm=loader,
         )
@@ -125,7 +125,7 @@ def packed_viewer() -> bytes:
 
 def figure(
     plotter: pyvista.Plotter,
-    explorable: dict[str, Any] | None = None,
+    spec: dict[str, Any] | None = None,
     values: dict[str, Any] | None = None,
     **_: object,
 ) -> Figure:
@@ -135,7 +135,7 @@ def figure(
     ----------
     plotter : pyvista.Plotter
         The scene, best with the alternative text that `rotedu.figures.describe` gives it.
-    explorable, values : dict, optional
+    spec, values : dict, optional
         As for `Figure`.
 
     Returns
@@ -155,7 +155,7 @@ def figure(
         "height": height,
         "labels": scene_labels(plotter),
     }
-    made = Figure(scene, scene_gltf(plotter), explorable, values)
+    made = Figure(scene, scene_gltf(plotter), spec, values)
     # Otherwise show() would go on to draw a picture that nobody sees.
     plotter.suppress_rendering = True
     close_after_cell(plotter)

@@ -35,13 +35,13 @@ export function clipping(distance, radius) {
  */
 export function outermost(clouds, center, directions = 64) {
   return spread(directions).map(([x, y, z]) => {
-    let most = -Infinity;
+    let highest = -Infinity;
     let farthest;
     for (const cloud of clouds) {
       for (let i = 0; i < cloud.length; i += 3) {
         const height = cloud[i] * x + cloud[i + 1] * y + cloud[i + 2] * z;
-        if (height > most) {
-          most = height;
+        if (height > highest) {
+          highest = height;
           farthest = [cloud[i] - center[0], cloud[i + 1] - center[1], cloud[i + 2] - center[2]];
         }
       }

@@ -177,7 +177,7 @@ function agree(mine, stored) {
 }
 
 /** How many frames an input is beyond the first one. */
-function place({ low, high }, count, value) {
+function framesUpTo({ low, high }, count, value) {
   return Math.round(((value - low) / (high - low)) * (count - 1));
 }
 
@@ -185,7 +185,7 @@ function place({ low, high }, count, value) {
 function stored({ inputs, grid }, values) {
   const snapped = grid.map(([name, count]) => {
     const { low, high } = inputs[name];
-    return [name, low + (place(inputs[name], count, values[name]) / (count - 1)) * (high - low)];
+    return [name, low + (framesUpTo(inputs[name], count, values[name]) / (count - 1)) * (high - low)];
   });
   return { ...values, ...Object.fromEntries(snapped) };
 }
@@ -193,7 +193,7 @@ function stored({ inputs, grid }, values) {
 /** The frame that is stored for inputs. */
 function storedFrame({ inputs, grid, frames }, values) {
   const index = grid.reduce(
-    (before, [name, count]) => before * count + place(inputs[name], count, values[name]),
+    (before, [name, count]) => before * count + framesUpTo(inputs[name], count, values[name]),
     0,
   );
   return frames[index];

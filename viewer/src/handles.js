@@ -44,11 +44,11 @@ export function addHandles(scene, live, specs, now, change) {
 
   /** The points of an input as a list, also if it is only one. */
   const listed = (value) => (Array.isArray(value[0]) ? value : [value]);
-  const placeAll = () => {
+  const coverAll = () => {
     for (const { name, spec, handles } of groups) {
       listed(now()[name]).forEach((point, i) => place(handles[i], live, scaled(point, spec.reach)));
     }
-    for (const placeGrip of grips) placeGrip();
+    for (const coverGrip of grips) coverGrip();
   };
 
   const make = ({ name, spec, handles }, i) => {
@@ -83,9 +83,9 @@ export function addHandles(scene, live, specs, now, change) {
         group.handles[i].setAttribute("aria-label", label(group.spec, i, point));
       });
     }
-    placeAll();
+    coverAll();
   };
-  live.onDraw(placeAll);
+  live.onDraw(coverAll);
   return { update };
 }
 

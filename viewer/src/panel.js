@@ -108,9 +108,9 @@ function bindChart(chart) {
       }
     },
     mark(value) {
-      const place = ((value - first) / (last - first)) * width;
-      here.setAttribute("x1", place);
-      here.setAttribute("x2", place);
+      const at = ((value - first) / (last - first)) * width;
+      here.setAttribute("x1", at);
+      here.setAttribute("x2", at);
     },
   };
 }

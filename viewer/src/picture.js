@@ -1,7 +1,8 @@
 /* Paints what a figure shows, labels and all, for places where it is not alive. */
-import { element } from "./stage.js";
+import { element } from "./elements.js";
 
-const MOST = 1.5;
+// Pixels per CSS pixel.
+const DENSITY = 1.5;
 // Black on white, whatever the theme: nobody knows where the picture will be seen.
 const LOOKS = "--scene-ink: #000; --scene-paper: #fff; content-visibility: visible";
 
@@ -14,7 +15,7 @@ const LOOKS = "--scene-ink: #000; --scene-paper: #fff; content-visibility: visib
  */
 export async function takePicture(scene, styles) {
   const { clientWidth: width, clientHeight: height } = scene;
-  const density = Math.min(devicePixelRatio, MOST);
+  const density = Math.min(devicePixelRatio, DENSITY);
   const paper = element("canvas", { width: width * density, height: height * density });
   const brush = paper.getContext("2d");
   brush.fillStyle = "#fff";

@@ -1,14 +1,14 @@
 /* Makes a scene of the page live. */
 import { PerspectiveCamera, Scene, Vector3 } from "three";
 import { clipping, fieldOfView, outermost, reach, turned, widened } from "./camera.js";
-import { takeInHand } from "./hand.js";
+import { orbit } from "./orbit.js";
 import { isHidden, project } from "./labels.js";
 import { scaleWidths, sortSeeThrough } from "./looks.js";
-import { pixels } from "./page.js";
+import { pixels } from "./startup.js";
 import { move } from "./parts.js";
 import { read } from "./read.js";
 import { draw, onRestored, prepare } from "./screen.js";
-import { createCanvas, createTools } from "./stage.js";
+import { createCanvas, createTools } from "./elements.js";
 
 // How much larger a scene may become than it was at the start.
 const MOVING = 1.5;
@@ -91,7 +91,7 @@ export async function show(element, file, context, { width, height, alt }) {
   };
 
   await prepare(context, scene, camera);
-  const { controls, full } = takeInHand(camera, element, canvas, pose.target, pose.most);
+  const { controls, full } = orbit(camera, element, canvas, pose.target, pose.swing);
   fit();
   const poster = element.querySelector(".scene-poster");
   if (poster) poster.after(canvas);

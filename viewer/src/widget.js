@@ -2,9 +2,9 @@
 /* global STYLES */
 import katex from "katex";
 import { explore } from "./explore.js";
-import { openWebGL, status } from "./page.js";
+import { openWebGL, status } from "./startup.js";
 import { takePicture } from "./picture.js";
-import { element } from "./stage.js";
+import { element } from "./elements.js";
 import { show } from "./viewer.js";
 
 const NEAR = "50% 0%";
@@ -44,7 +44,7 @@ export function render({ model, el }, models) {
     ...labels.map(createLabel),
   );
   el.classList.add("scene-in-notebook");
-  const data = model.get("explorable");
+  const data = model.get("spec");
   const figure = data.name ? createExplorable(scene, data) : scene;
   el.replaceChildren(figure);
 
@@ -140,8 +140,8 @@ function createLabel({ name, text, color, position }) {
   } else {
     ink.textContent = text;
   }
-  const place = { "data-position": (position ?? []).join(" "), "data-label": name };
-  return element("span", { class: "scene-label", ...place }, ink);
+  const data = { "data-position": (position ?? []).join(" "), "data-label": name };
+  return element("span", { class: "scene-label", ...data }, ink);
 }
 
 function arrayBuffer({ buffer, byteOffset, byteLength }) {

@@ -1,7 +1,7 @@
-/* What a page gets before the viewer is there. */
+/* What a scene needs before it is live: messages, a button that starts it, WebGL. */
 
 // Nobody sees more pixels than this per CSS pixel.
-const MOST = 2;
+const DENSITY = 2;
 
 export const SERVE =
   "To turn or move this figure, run “python -m http.server” in the folder of the book" +
@@ -35,7 +35,7 @@ export function onClickOnly(scene, goLive) {
 
 /** The size of the picture that fills a scene. */
 export function pixels({ clientWidth, clientHeight }) {
-  const density = Math.min(devicePixelRatio, MOST);
+  const density = Math.min(devicePixelRatio, DENSITY);
   return { width: Math.round(clientWidth * density), height: Math.round(clientHeight * density) };
 }
 

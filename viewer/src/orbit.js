@@ -1,4 +1,4 @@
-/* How a scene answers the hand: mouse, fingers and keys. */
+/* Lets the reader turn and zoom a scene, by mouse, fingers and keys. */
 import { TOUCH } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 
@@ -6,22 +6,22 @@ const STEP = Math.PI / 24;
 const ZOOM = 0.9;
 
 /**
- * Let the reader move the camera.
+ * Let the reader move the camera around a point.
  * @param camera
  * @param {HTMLElement} scene
  * @param {HTMLCanvasElement} canvas
  * @param {number[]} target the point that the camera turns about
- * @param {number} [most] degrees by which it may turn to each side; by default it turns all round
+ * @param {number} [swing] degrees by which it may turn to each side; by default it turns all round
  */
-export function takeInHand(camera, scene, canvas, target, most) {
+export function orbit(camera, scene, canvas, target, swing) {
   const controls = new OrbitControls(camera, canvas);
   controls.target.set(...target);
   controls.minDistance = 0.2 * controls.getDistance();
   controls.maxDistance = 4 * controls.getDistance();
   controls.update();
-  if (most) {
+  if (swing) {
     const [around, down] = [controls.getAzimuthalAngle(), controls.getPolarAngle()];
-    const limit = (most * Math.PI) / 180;
+    const limit = (swing * Math.PI) / 180;
     controls.minAzimuthAngle = around - limit;
     controls.maxAzimuthAngle = around + limit;
     controls.minPolarAngle = Math.max(0, down - limit);

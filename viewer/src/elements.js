@@ -1,4 +1,4 @@
-/* What a live scene adds to the page: a canvas, two buttons and a hint. */
+/* The elements that a live scene adds to the page: a canvas, two buttons and a hint. */
 
 const KEYS = "scene-keys";
 const KEYS_TEXT =

@@ -1,0 +1,48 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { fromText, toText } from "../src/link.js";
+
+const FIGURE = {
+  name: "some-figure",
+  start: { u: 0.5, points: [[1, 0, 0], [0, 1, 0]], one: [0, 0, 1], on: false, way: "short" },
+  inputs: {
+    u: { kind: "number", low: 0, high: 1 },
+    points: { kind: "points", names: ["P", "Q", "R"], least: 2, most: 3 },
+    one: { kind: "points", names: "N" },
+    on: { kind: "switch" },
+    way: { kind: "choice", options: ["short", "long"] },
+  },
+};
+
+test("the address holds what differs from the start, and gives it back", () => {
+  const state = {
+    u: 0.25,
+    points: [[1, 0, 0], [0, 0.6, -0.8], [0, 0, 1]],
+    one: [0, 0, 1],
+    on: true,
+    way: "long",
+  };
+  const text = toText(state, FIGURE.start);
+  assert.ok(!text.includes("one="));
+  const found = fromText(`#explore-some-figure?${text}`, FIGURE);
+  assert.deepEqual({ ...FIGURE.start, ...found }, state);
+  assert.equal(toText(FIGURE.start, FIGURE.start), "");
+});
+
+test("an address that makes no sense changes nothing", () => {
+  for (const text of [
+    "u=2",
+    "u=x",
+    "way=round",
+    "other=1",
+    "one=0,0,0",
+    "one=1,2",
+    "points=1,0,0",
+    "points=1,0,0 0,1,0 0,0,1 1,1,0",
+    "points=1,0,0 0,x,0",
+  ]) {
+    assert.equal(fromText(`#explore-some-figure?${text}`, FIGURE), null, text);
+  }
+  assert.equal(fromText("#explore-another?u=0.1", FIGURE), null);
+  assert.equal(fromText("#some-figure", FIGURE), null);
+});

@@ -7,9 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 from html_pages import parse
-from wrong_answers import WRONG
 
-from rotedu.cost import OperationCount
 from rotedu.edition.exercises import check
 from rotedu.edition.exercises.judging import EXERCISES
 
@@ -57,21 +55,20 @@ def reader(browser: Any) -> Iterator[Any]:
 
 def answers_to(number: str) -> Iterator[list[float]]:
     """Right and wrong answers, some of them just inside and just outside the tolerance."""
-    parts = list(NUMERIC[number].parts())
-    right = np.concatenate([part.right[-1] for part in parts])
-    bounds = np.concatenate([np.full(part.right.shape[1], part.within) for part in parts])
-    periods = np.concatenate([np.full(part.right.shape[1], part.period or 0) for part in parts])
+    right, bounds, periods = np.zeros((3, len(NUMERIC[number].fields)))
+    for part in NUMERIC[number].parts:
+        here = slice(None) if part.item is None else part.item
+        right[here], bounds[here], periods[here] = part.right, part.within, part.period or 0
     for share in (0, 0.9, -0.9, 1.1, -2):
         yield list(right + share * bounds)
     yield list(right + periods)
     yield list(right - 3 * periods)
-    for answer, _ in WRONG[number]:
-        numbers = (
-            (answer.multiplications, answer.additions)
-            if isinstance(answer, OperationCount)
-            else answer
-        )
-        yield list(np.ravel(getattr(numbers, "components", numbers)))
+    yield list(-right)
+    for part in NUMERIC[number].parts:
+        for mistake in part.mistakes:
+            answer = right.copy()
+            answer[slice(None) if part.item is None else part.item] = mistake.result
+            yield list(answer)
 
 
 def in_page(number: str, answer: Any) -> list[str]:

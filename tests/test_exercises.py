@@ -10,10 +10,9 @@ import nbformat
 import numpy as np
 import pytest
 from matplotlib import pyplot
-from wrong_answers import WRONG
 
 from rotedu.edition.exercises import check
-from rotedu.edition.exercises.judging import EXERCISES, Numbers, Wrong, exercise
+from rotedu.edition.exercises.judging import EXERCISES, Mistake, Part, Wrong, exercise
 
 ROOT = Path(__file__).parents[1]
 IN_ORDER = re.findall(r"file: (book/0\d-[\w-]+)", (ROOT / "_toc.yml").read_text("utf-8"))
@@ -118,19 +117,20 @@ class TestCheck:
         assert verdict.right is False
         assert EXERCISES[number].expects in verdict.text
 
-    def test_has_a_hint_for_each_usual_mistake(self, number: str) -> None:
+    def test_each_mistake_and_all_else_get_their_own_hints(self, number: str) -> None:
+        asked = EXERCISES[number]
         hints = set()
-        for answer, word in WRONG[number]:
-            verdict = check(number, answer)
-            assert verdict.right is False
-            assert word in verdict.text
-            assert EXERCISES[number].expects not in verdict.text, "the form is wrong, too"
-            hints.add(verdict.text)
-            assert verdict.text.endswith(f'check("{number}", answer, hint=2)')
-            more = check(number, answer, hint=2)
-            assert more.right is False
-            assert more.text.removeprefix("not yet. ") not in verdict.text
+        for part in asked.parts:
+            for result, *hint, example in part.mistakes:
+                wrong = asked.judge(example) if callable(result) else part.judge(result)
+                assert wrong is not None
+                assert [wrong.first, wrong.second] == hint
+            far = 1.37 * np.array(part.right, float) + 0.79 if part.example is None else None
+            other = asked.judge(part.example) if far is None else part.judge(far)
+            assert other is part.otherwise
+            hints.update((wrong.first, wrong.second) for wrong in (*part.mistakes, part.otherwise))
         assert len(hints) >= 2
+        assert all(second not in first for first, second in hints)
 
 
 def test_an_unknown_number_is_refused() -> None:
@@ -144,38 +144,46 @@ def test_the_letters_of_a_word_are_no_parts() -> None:
 
 def test_a_number_is_refused_twice() -> None:
     with pytest.raises(ValueError, match=r"3\.1 has two checks"):
-        exercise("3.1", expects="nothing")(lambda _: None)
+        exercise("3.1", expects="nothing")(lambda: [])
 
 
-HINT, OTHER = Wrong("a mistake", "more"), Wrong("another", "more")
+def test_a_hint_has_two_stages() -> None:
+    first, second = (check("3.1", [2, -1, 3], hint=stage) for stage in (1, 2))
+    assert first.text == ('not yet. This turns clockwise.\nFor more: check("3.1", answer, hint=2)')
+    assert second.text == "not yet. Seen from the tip of W, where does U go first?"
 
 
-class TestNumbers:
+OTHER = Wrong("another", "more")
+
+
+class TestPart:
     def test_every_number_must_be_right(self) -> None:
-        pair = Numbers([1, 2], ([2, 1], HINT), otherwise=OTHER, within=0.1)
+        swapped = Mistake([2, 1], "a mistake", "more")
+        pair = Part([1, 2], swapped, otherwise=OTHER, within=0.1)
         assert pair.judge(np.array([1.09, 1.91])) is None
-        assert pair.judge(np.array([1.09, 1.89])) == OTHER
-        assert pair.judge(np.array([2.0, 1.0])) == HINT
+        assert pair.judge(np.array([1.09, 1.89])) is OTHER
+        assert pair.judge(np.array([2.0, 1.0])) is swapped
 
-    def test_a_row_is_a_right_answer_or_a_mistake_of_its_own(self) -> None:
-        either = Numbers([[3], [-3]], ([[1], [2]], HINT), otherwise=OTHER)
-        verdicts = [either.judge(np.array([number])) for number in (3, -3, 1, 2, 0)]
-        assert verdicts == [None, None, HINT, HINT, OTHER]
+    def test_a_sign_may_not_count(self) -> None:
+        double = Mistake([2, 2], "a mistake", "more")
+        pair = Part([1, -1], double, otherwise=OTHER, either_sign=True)
+        verdicts = [pair.judge(np.array(given)) for given in ([1, -1], [-1, 1], [-2, -2], [1, 1])]
+        assert verdicts == [None, None, double, OTHER]
 
     def test_full_turns_do_not_count(self) -> None:
-        angle = Numbers(350, (90, HINT), otherwise=OTHER, within=1, period=360)
-        verdicts = [angle.judge(np.array([number])) for number in (-10, 710, 351, 450, 352)]
-        assert verdicts == [None, None, None, HINT, OTHER]
-        assert Numbers(350, otherwise=OTHER, within=1).judge(np.array([-10])) == OTHER
+        quarter = Mistake(90, "a mistake", "more")
+        angle = Part(350, quarter, otherwise=OTHER, within=1, period=360)
+        verdicts = [angle.judge(number) for number in (-10, 710, 351, 450, 352)]
+        assert verdicts == [None, None, None, quarter, OTHER]
+        assert Part(350, otherwise=OTHER, within=1).judge(-10) is OTHER
+
+    def test_a_function_takes_a_tuple_as_arguments(self) -> None:
+        assert Part(lambda a, b: a > b, otherwise=OTHER).judge((2, 1)) is None
+        assert Part(lambda a: a[0] > a[1], otherwise=OTHER).judge(np.array([1, 2])) is OTHER
 
 
 @pytest.mark.parametrize("number", [n for n, asked in EXERCISES.items() if asked.fields])
-def test_a_numeric_exercise_has_a_field_for_each_number(number: str) -> None:
-    asked = EXERCISES[number]
-    parts = list(asked.parts())
-    assert sum(part.right.shape[1] for part in parts) == len(asked.fields)
-    for part in parts:
-        assert all(rows.shape[1] == part.right.shape[1] for rows, _ in part.mistakes)
-        # A mistake that is too close to the right answer would pass.
-        for rows, wrong in part.mistakes:
-            assert all(part.judge(row) == wrong for row in rows)
+class TestNumeric:
+    def test_has_a_field_for_each_number(self, number: str) -> None:
+        asked = EXERCISES[number]
+        assert sum(np.size(part.right) for part in asked.parts) == len(asked.fields)

@@ -8,11 +8,12 @@ import json
 import re
 from typing import Any
 
+import numpy as np
 from docutils import nodes
 from sphinx.application import Sphinx
 from sphinx.transforms.post_transforms import SphinxPostTransform
 
-from rotedu.edition.exercises.judging import EXERCISES, Exercise, Numbers
+from rotedu.edition.exercises.judging import EXERCISES, Exercise, Part
 
 CHECK = re.compile(r'^check\("([\d.]+)", answer\)$', re.MULTILINE)
 
@@ -21,15 +22,20 @@ class answer_form(nodes.General, nodes.Element):  # noqa: N801 (docutils names n
     """What a form needs to judge an answer."""
 
 
-def judged_by(part: Numbers) -> dict[str, Any]:
-    """Return numbers that are judged together as plain data."""
-    mistakes = [{"rows": rows.tolist(), "hint": wrong} for rows, wrong in part.mistakes]
+def judged_by(part: Part, numbers: int) -> dict[str, Any]:
+    """Return what judges one step as plain data."""
+    items = np.arange(numbers)[slice(None) if part.item is None else part.item]
+    mistakes = [
+        {"result": np.ravel(result).tolist(), "hint": hint} for result, *hint, _ in part.mistakes
+    ]
     return {
-        "right": part.right.tolist(),
+        "items": np.ravel(items).tolist(),
+        "right": np.ravel(part.right).tolist(),
         "mistakes": mistakes,
         "otherwise": part.otherwise,
         "within": part.within,
         "period": part.period,
+        "eitherSign": part.either_sign,
     }
 
 
@@ -40,7 +46,7 @@ def form_of(exercise: Exercise) -> answer_form:
         "fields": list(exercise.fields.items()),
         "expects": exercise.expects,
         "because": exercise.because,
-        "parts": [judged_by(part) for part in exercise.parts()],
+        "parts": [judged_by(part, len(exercise.fields)) for part in exercise.parts],
     }
     return answer_form(asked=json.dumps(asked, ensure_ascii=False))
 

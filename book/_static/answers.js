@@ -1,20 +1,19 @@
 // Check answers that are a few numbers. What they are judged by comes from rotedu.edition.exercises,
 // and the verdict is that of Python's `check`.
-const fits = (given, rows, { within, period }) =>
-  rows.some((row) =>
-    row.every((number, i) => {
-      const off = given[i] - number;
+const fits = (given, result, { within, period, eitherSign }) =>
+  (eitherSign ? [1, -1] : [1]).some((sign) =>
+    result.every((number, i) => {
+      const off = given[i] - sign * number;
       return Math.abs(period ? off - period * Math.round(off / period) : off) <= within;
     }),
   );
 
 // Return two stages of a hint, or nothing if the numbers are right.
-const judge = (given, parts) => {
-  let start = 0;
+const judge = (numbers, parts) => {
   for (const part of parts) {
-    const numbers = given.slice(start, (start += part.right[0].length));
-    if (fits(numbers, part.right, part)) continue;
-    return part.mistakes.find(({ rows }) => fits(numbers, rows, part))?.hint ?? part.otherwise;
+    const given = part.items.map((i) => numbers[i]);
+    if (fits(given, part.right, part)) continue;
+    return part.mistakes.find(({ result }) => fits(given, result, part))?.hint ?? part.otherwise;
   }
 };
 

@@ -1,7 +1,6 @@
 """Checks of the exercises of Chapter 5, Closed curve."""
 
 from collections.abc import Iterable, Iterator
-from typing import Any
 
 import numpy as np
 
@@ -10,131 +9,117 @@ from rotedu.arcs import angle_between, arc_axis, slerp
 from rotedu.closed_curve import closed_curve, de_casteljau
 from rotedu.control_points import bisect, control_points, double
 from rotedu.edition.exercises.judging import (
-    Numbers,
+    Mistake,
+    Part,
     Wrong,
     along_equator,
-    as_array,
-    as_number,
-    as_parts,
-    as_word,
-    close,
     exercise,
-    judged,
-    numeric,
+    numbers,
     on_equator,
+    parts,
+    unit,
+    word,
 )
 from rotedu.ordinary_rotation import rotate
 
 __all__: list[str] = []
 
 
-@numeric(
+@exercise(
     "5.12",
     fields={"leaving": "° per unit", "arriving": "° per unit", "second control point": "°"},
     expects="three numbers in degrees: two speeds and an angle",
     because="The first and the last arc alone decide the velocity at the ends.",
+    read=numbers(3),
 )
-def leaving_and_arriving() -> Iterator[Numbers]:
+def leaving_and_arriving() -> Iterator[Part]:
     """Yield the speeds at the ends of a piece, and where the next piece must aim."""
     points = on_equator([0, 20, 70, 80])
     first, middle, last = np.rad2deg(angle_between(points[:-1], points[1:]))
-    yield Numbers(
+    yield Part(
         [3 * first, 3 * last],
-        (
+        Mistake(
             [first, last],
-            Wrong(
-                "The arcs are right, but the curve is faster.",
-                "Each of the three levels of the construction adds the same small step.",
-            ),
+            "The arcs are right, but the curve is faster.",
+            "Each of the three levels of the construction adds the same small step.",
         ),
-        (
+        Mistake(
             [3 * last, 3 * first],
-            Wrong("You have the two speeds the wrong way round.", "The curve starts at 0°."),
+            "You have the two speeds the wrong way round.",
+            "The curve starts at 0°.",
         ),
-        (
+        Mistake(
             [first + middle + last] * 2,
-            Wrong(
-                "That is the mean speed on the whole piece.",
-                "The curve does not move evenly. Which arc decides how it leaves?",
-            ),
+            "That is the mean speed on the whole piece.",
+            "The curve does not move evenly. Which arc decides how it leaves?",
         ),
-        (
+        Mistake(
             np.deg2rad([3 * first, 3 * last]),
-            Wrong("Are your speeds in radians?", "The exercise asks for degrees."),
+            "Are your speeds in radians?",
+            "The exercise asks for degrees.",
         ),
         otherwise=Wrong(
             "The speeds are not right yet.",
             "How long is the first arc, how long is the last, and how many levels are there?",
         ),
+        item=slice(2),
         within=0.01,
     )
-    yield Numbers(
+    yield Part(
         along_equator(double(points[2], points[3])),
-        (
+        Mistake(
             along_equator(points[2]),
-            Wrong(
-                "There the next piece would turn back.",
-                "The velocity must keep its direction, not only its size.",
-            ),
+            "There the next piece would turn back.",
+            "The velocity must keep its direction, not only its size.",
         ),
-        (
+        Mistake(
             along_equator(points[3]) + 3 * last,
-            Wrong(
-                "The next piece would leave too fast.",
-                "A speed is not the length of an arc. What did you multiply by?",
-            ),
+            "The next piece would leave too fast.",
+            "A speed is not the length of an arc. What did you multiply by?",
         ),
         otherwise=Wrong(
             "The speeds are right, the angle is not yet.",
             "The next piece begins at 80° and must leave as fast as this one arrives.",
         ),
+        item=2,
         within=0.01,
     )
 
 
-@numeric(
+@exercise(
     "5.13",
     fields={"cubic curve": "arcs", "m = 10": "arcs"},
     expects="two numbers of arcs",
     because="Each level has one arc fewer than the one before.",
 )
-def number_of_arcs() -> Iterator[Numbers]:
+def number_of_arcs() -> Iterator[Part]:
     """Yield the number of arcs for one point of a curve."""
     degrees = np.array([3, 10])
     right = [sum(range(1, m + 1)) for m in degrees]
-    yield Numbers(
+    yield Part(
         right,
-        (
+        Mistake(
             degrees,
-            Wrong(
-                "You count the first level only.",
-                "The points on these arcs are joined by arcs, too, and so on.",
-            ),
+            "You count the first level only.",
+            "The points on these arcs are joined by arcs, too, and so on.",
         ),
-        (
-            degrees + 1,
-            Wrong("You count the control points.", "How many arcs join them, one by one?"),
+        Mistake(
+            degrees + 1, "You count the control points.", "How many arcs join them, one by one?"
         ),
-        (
+        Mistake(
             [sum(range(1, m + 2)) for m in degrees],
-            Wrong(
-                "You count the points, the control points included.",
-                "The control points are given. Each of the other points lies on an arc of its own.",
-            ),
+            "You count the points, the control points included.",
+            "The control points are given. Each of the other points lies on an arc of its own.",
         ),
-        (
+        Mistake(
             [right[0], sum(range(1, 10))],
-            Wrong(
-                "m = 10 does not mean ten control points.",
-                "A cubic curve has m = 3. How many control points does it have?",
-            ),
+            "m = 10 does not mean ten control points.",
+            "A cubic curve has m = 3. How many control points does it have?",
         ),
-        (
+        Mistake(
             [right[0], 2 * degrees[1]],
-            Wrong(
-                "The number does not grow in proportion to m.",
-                "Each further control point adds an arc to every level, and a level.",
-            ),
+            "The number does not grow in proportion to m.",
+            "Each further control point adds an arc to every level, and a level.",
         ),
         otherwise=Wrong(
             "Count the arcs of Picture 5-d by their colours.",
@@ -158,38 +143,34 @@ def in_one_row(control: Array, order: Iterable[int], u: float) -> Array:
     expects="a point, shape (3,)",
     because="Each point is overwritten when nobody needs it any more.",
 )
-def one_row_of_points(answer: Any) -> Wrong | None:
-    """Judge the point that a loop in one row finds."""
+def one_row_of_points() -> Iterator[Part]:
+    """Yield the point that a loop in one row finds."""
     wide = np.array([[0.9, 0.3, 0.3], [0.3, 0.9, 0.3], [-0.3, 0.9, -0.3], [-0.9, 0.3, 0.3]])
     wide /= np.linalg.norm(wide, axis=1, keepdims=True)
-    point = as_array(answer, (3,))
-    return judged(
-        point,
+    yield Part(
         de_casteljau(wide, 0.4),
-        (
+        Mistake(
             in_one_row(wide, (1, 2, 3), 0.4),
-            Wrong(
-                "Your loop reads a point of the new level where it needs one of the old.",
-                "When Q[k] is computed, has Q[k-1] been overwritten already?",
-            ),
+            "Your loop reads a point of the new level where it needs one of the old.",
+            "When Q[k] is computed, has Q[k-1] been overwritten already?",
         ),
-        (
+        Mistake(
             de_casteljau(wide, 0.6),
-            Wrong(
-                "Your point is as far from the other end.",
-                "At u = 0 the curve is at the first control point. Is yours?",
-            ),
+            "Your point is as far from the other end.",
+            "At u = 0 the curve is at the first control point. Is yours?",
         ),
-        otherwise=Wrong(
+        Mistake(
+            lambda point: not unit(point, 2e-3),
             "Your point is not on the sphere.",
             "Use arcs, not straight lines, on every level.",
-        )
-        if not close(np.linalg.norm(point), 1, 2e-3)
-        else Wrong(
+            example=wide.mean(axis=0),
+        ),
+        otherwise=Wrong(
             "Your point is on the sphere, but not on the curve at this u.",
             "Four points, three levels, and one point fewer on each level.",
         ),
         within=1e-4,
+        example=wide[1],
     )
 
 
@@ -197,61 +178,49 @@ def one_row_of_points(answer: Any) -> Wrong | None:
     "5.15",
     expects="your a_i, shape (4, 3), and a number of checks",
     because="Whatever a_i is, b_i = Double(a_i, P_i) makes the curve C1.",
+    read=parts(numbers(4, 3), numbers()),
 )
-def an_error_that_hides(answer: Any) -> Wrong | None:
-    """Judge control points made with a wrong axis, and how many checks notice it."""
+def an_error_that_hides() -> Iterator[Part]:
+    """Yield control points made with a wrong axis, and how many checks notice it."""
     corners = np.array([[0.8, -0.4, 0.4], [0.5, 0.8, -0.4], [0.6, 0.7, 0.4], [0.1, 0.4, 0.9]])
     corners /= np.linalg.norm(corners, axis=1, keepdims=True)
-    a, noticed = as_parts(answer, 2)
-    a, noticed = as_array(a, (4, 3)), as_number(noticed)
     doubled, after = double(np.roll(corners, 1, axis=0), corners), np.roll(corners, -1, axis=0)
     half = angle_between(doubled, after) / 2
     middle = rotate(doubled, arc_axis(after, doubled), half)
     right = bisect(corners, middle)
     correct, _ = control_points(corners)
-    return judged(
-        a,
+    yield Part(
         right,
-        (
+        Mistake(
             correct,
-            Wrong(
-                "These are the correct a_i.",
-                "Exchange the operands of the cross product in (5-9), and turn about that axis.",
-            ),
+            "These are the correct a_i.",
+            "Exchange the operands of the cross product in (5-9), and turn about that axis.",
         ),
-        (
+        Mistake(
             double(right, corners),
-            Wrong(
-                "These are the b_i that belong to your a_i.",
-                "Which of the two is after its point on the curve?",
-            ),
+            "These are the b_i that belong to your a_i.",
+            "Which of the two is after its point on the curve?",
         ),
-        (
-            middle,
-            Wrong(
-                "These are the points of step two.",
-                "One more Bisect leads to a_i.",
-            ),
-        ),
+        Mistake(middle, "These are the points of step two.", "One more Bisect leads to a_i."),
         otherwise=Wrong(
             "Your a_i do not have the error of the paper.",
             "Only the axis of step two is reversed; the angle and the point to be turned stay.",
         ),
+        item=0,
         within=2e-3,
-    ) or judged(
-        noticed,
+    )
+    yield Part(
         0,
-        (
+        Mistake(
             1,
-            Wrong(
-                "Which check is it? Look again, with b_i = Double(a_i, P_i).",
-                "What does the argument why the curve is C1 suppose about a_i?",
-            ),
+            "Which check is it? Look again, with b_i = Double(a_i, P_i).",
+            "What does the argument why the curve is C1 suppose about a_i?",
         ),
         otherwise=Wrong(
             "The number of checks is not right yet.",
             "Do the three checks on the curve that has your control points.",
         ),
+        item=1,
     )
 
 
@@ -268,41 +237,37 @@ def energy(points: Array, fraction: float, samples: int = 100) -> Array:
     "5.16",
     expects="a number and True or False",
     because="The best fraction differs from hexagon to hexagon.",
+    read=parts(numbers(), word("true", "false", "yes", "no")),
 )
-def energy_of_one_half(answer: Any) -> Wrong | None:
-    """Judge a median of energies, and whether one fraction is best."""
-    median, one_for_all = as_parts(answer, 2)
-    median = as_number(median)
-    best = as_word(one_for_all, ("true", "false", "yes", "no"))
+def energy_of_one_half() -> Iterator[Part]:
+    """Yield a median of energies, and whether one fraction is best."""
     hexagons = np.random.default_rng(5).normal(size=(40, 6, 3))
     half, third = energy(hexagons, 1 / 2), energy(hexagons, 1 / 3)
-    return judged(
-        median,
+    yield Part(
         np.median(half / third),
-        (
+        Mistake(
             np.median(third / half),
-            Wrong(
-                "Your quotient is upside down.",
-                "Which of the two curves has the greater energy?",
-            ),
+            "Your quotient is upside down.",
+            "Which of the two curves has the greater energy?",
         ),
-        (
+        Mistake(
             np.median(half) / np.median(third),
-            Wrong(
-                "You divide a median by a median.",
-                "Divide for each hexagon first, then take the median.",
-            ),
+            "You divide a median by a median.",
+            "Divide for each hexagon first, then take the median.",
         ),
         otherwise=Wrong(
             "The median is not right yet. Does your code give 1.14 for 0.4?",
             "Divide each energy by that of the same hexagon with one third.",
         ),
+        item=0,
         within=0.02,
-    ) or (
-        Wrong(
+    )
+    yield Part(
+        lambda best: best in ("false", "no"),
+        otherwise=Wrong(
             "The median is right. Is one fraction really best for all?",
             "Ask for each hexagon which of your fractions has the least energy.",
-        )
-        if best in ("true", "yes")
-        else None
+        ),
+        item=1,
+        example=(np.median(half / third), True),
     )

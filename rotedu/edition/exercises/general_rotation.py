@@ -6,21 +6,22 @@ from typing import Any
 
 import numpy as np
 
+from rotedu._vectors import Array
 from rotedu.edition.exercises.judging import (
-    Numbers,
+    YOUR_RADIANS,
+    Mistake,
+    Part,
     Wrong,
-    as_array,
-    as_number,
-    as_parts,
-    as_word,
     close,
     exercise,
-    judged,
-    numeric,
+    numbers,
+    parts,
     radians_for_degrees,
-    same_rotation,
+    same_turn,
+    word,
 )
 from rotedu.general_rotation import (
+    euler_angles,
     matrix_from_euler_angles,
     rotation_u,
     rotation_v,
@@ -31,31 +32,27 @@ from rotedu.general_rotation import (
 )
 
 
-@numeric(
+@exercise(
     "4.1",
     fields={"U": "", "V": "", "W": ""},
     expects="a point, three numbers",
     because="The second turn is about W itself.",
 )
-def end_of_v() -> Iterator[Numbers]:
+def end_of_v() -> Iterator[Part]:
     """Yield the end of the chain, then those of the other order and the other sense."""
     u, w = (turn(np.pi / 2)[:3, :3] for turn in (rotation_u, rotation_w))
     v = [0, 1, 0]
-    yield Numbers(
+    yield Part(
         w @ u @ v,
-        (
+        Mistake(
             u @ w @ v,
-            Wrong(
-                "You turned about W first.",
-                "In a product that acts on a column, which factor acts first?",
-            ),
+            "You turned about W first.",
+            "In a product that acts on a column, which factor acts first?",
         ),
-        (
+        Mistake(
             w.T @ u.T @ v,
-            Wrong(
-                "You turned clockwise.",
-                "Seen from the tip of U, the shortest way from V goes to which axis?",
-            ),
+            "You turned clockwise.",
+            "Seen from the tip of U, the shortest way from V goes to which axis?",
         ),
         otherwise=Wrong(
             "V ends elsewhere.", "Follow V through the first turn alone, then go on from there."
@@ -68,38 +65,43 @@ def end_of_v() -> Iterator[Numbers]:
     "4.2",
     expects="two times three numbers",
     because="A translation moves points and leaves directions alone.",
+    read=parts(numbers(3), numbers(3)),
 )
-def point_and_direction(answer: Any) -> Wrong | None:
+def point_and_direction() -> Iterator[Part]:
     """Compare with the images of a point and a direction."""
-    point, direction = (as_array(part, (3,)) for part in as_parts(answer, 2))
-    chain, turned_round = (
-        translation([5, 0, 0]) @ scaling(2),
-        scaling(2) @ translation([5, 0, 0]),
-    )
+    chain = translation([5, 0, 0]) @ scaling(2)
+    turned_round = scaling(2) @ translation([5, 0, 0])
     moved, only_scaled = ((chain @ [1, 2, 3, last])[:3] for last in (1, 0))
-    if close(point, (turned_round @ [1, 2, 3, 1])[:3]):
-        return Wrong(
+    moved_first = (turned_round @ [1, 2, 3, 1])[:3]
+    yield Part(
+        lambda point, direction: close(point, moved),
+        Mistake(
+            lambda point, direction: close(point, moved_first),
             "The point was moved before it was made larger.",
             "In a product that acts on a column, which factor acts first?",
-        )
-    if close(point, only_scaled) and close(direction, moved):
-        return Wrong("Point and direction are exchanged.", "Which one has a place?")
-    if not close(point, moved):
-        return Wrong("The point goes elsewhere.", "Do the two steps one after the other.")
-    return judged(
-        direction,
+            example=(moved_first, only_scaled),
+        ),
+        Mistake(
+            lambda point, direction: close(point, only_scaled) and close(direction, moved),
+            "Point and direction are exchanged.",
+            "Which one has a place?",
+            example=(only_scaled, moved),
+        ),
+        otherwise=Wrong("The point goes elsewhere.", "Do the two steps one after the other."),
+        example=([6, 2, 3], only_scaled),
+    )
+    yield Part(
         only_scaled,
-        (
+        Mistake(
             moved,
-            Wrong(
-                "You treated the direction as a point.",
-                "What is the fourth coordinate of a direction?",
-            ),
+            "You treated the direction as a point.",
+            "What is the fourth coordinate of a direction?",
         ),
         otherwise=Wrong(
             "The direction goes elsewhere.",
             "Multiply out the first row of the matrix by the column of the direction.",
         ),
+        item=1,
     )
 
 
@@ -107,68 +109,80 @@ def point_and_direction(answer: Any) -> Wrong | None:
     "4.3",
     expects='three letters such as "VWU", an axis of three numbers, and an angle in degrees',
     because="What acts first stands on the right.",
+    read=parts(word(*map("".join, permutations("uvw"))), numbers(3), numbers()),
 )
-def order_of_a_product(answer: Any) -> Wrong | None:
-    """Test the order at three angles; the sign of the axis is free."""
-    letters, n, angle = as_parts(answer, 3)
-    word = as_word(letters, ["".join(order) for order in permutations("uvw")])
-    axis, degrees = as_array(n, (3,)), as_number(angle)
-    turns = {"u": rotation_u(0.3), "v": rotation_v(0.5), "w": rotation_w(0.7)}
-    first, second, third = (turns[letter] for letter in word)
-    product = first @ second @ third
-    if close(product, turns["w"] @ turns["v"] @ turns["u"]):
-        return Wrong(
+def order_of_a_product() -> Iterator[Part]:
+    """Compare the product at three angles; the sign of the axis is free."""
+    u, v, w = np.eye(3)
+
+    def product(letters: str) -> Array:
+        turns = {"u": rotation_u(0.3), "v": rotation_v(0.5), "w": rotation_w(0.7)}
+        first, second, third = (turns[letter] for letter in letters)
+        return first @ second @ third
+
+    yield Part(
+        lambda letters: close(product(letters), product("uvw")),
+        Mistake(
+            lambda letters: close(product(letters), product("wvu")),
             "This product turns about U first.",
             "The column stands on the right of the product. Which matrix does it meet first?",
-        )
-    if not close(product, turns["u"] @ turns["v"] @ turns["w"]):
-        return Wrong(
+            example=("WVU", w, 180),
+        ),
+        otherwise=Wrong(
             "The letters are in another order.",
             "Which of the turns comes first, and which comes last?",
-        )
+        ),
+        item=0,
+        example=("UWV", w, 180),
+    )
     single = matrix_from_euler_angles(np.pi, np.pi, 0)
-    if radians_for_degrees(abs(degrees), 180):
-        return Wrong("Your angle is in radians.", "A full turn has 360 degrees.")
-    if close(degrees % 360, 0, 0.1):
-        return Wrong(
+    yield Part(
+        lambda *turn: same_turn(turn, single, 1e-2),
+        Mistake(
+            lambda axis, degrees: radians_for_degrees(abs(degrees), 180),
+            *YOUR_RADIANS,
+            example=("UVW", w, np.pi),
+        ),
+        Mistake(
+            lambda axis, degrees: close(degrees % 360, 0, 0.1),
             "This turns nothing.",
             "Angles about different axes do not add up. Where does the tip of U end?",
-        )
-    if not same_rotation((axis, np.deg2rad(degrees)), single[:3, :3], 1e-2):
-        return Wrong(
+            example=("UVW", w, 360),
+        ),
+        otherwise=Wrong(
             "The two half turns make another rotation.",
             "Follow the tips of U, V and W. Which one comes back?",
-        )
-    return None
+        ),
+        item=slice(1, 3),
+        example=("UVW", u + v, 180),
+    )
 
 
-@exercise("4.4", expects="a matrix, shape (4, 4)", because="The last step has to be undone first.")
-def way_back(answer: Any) -> Wrong | None:
-    """Multiply by the way there."""
-    back = as_array(answer, (4, 4))
-    angles = np.array([0.4, 0.7, -1.1])
-    there = matrix_from_euler_angles(*angles)
-    u, v, w = angles
-    return judged(
-        back @ there,
+THERE = np.array([0.4, 0.7, -1.1])
+
+
+@exercise(
+    "4.4",
+    expects="a matrix, shape (4, 4)",
+    because="The last step has to be undone first.",
+    read=lambda back: numbers(4, 4)(back) @ matrix_from_euler_angles(*THERE),
+)
+def way_back() -> Iterator[Part]:
+    """Yield products of a way back and the way there."""
+    u, v, w = THERE
+    there = matrix_from_euler_angles(u, v, w)
+    yield Part(
         np.eye(4),
-        (
-            there @ there,
-            Wrong("This is the way there, not the way back.", "What undoes one turn?"),
+        Mistake(there @ there, "This is the way there, not the way back.", "What undoes one turn?"),
+        Mistake(
+            matrix_from_euler_angles(-u, -v, -w) @ there,
+            "The signs are changed, but that is not enough.",
+            "You put on socks, then shoes. What do you take off first?",
         ),
-        (
-            matrix_from_euler_angles(*-angles) @ there,
-            Wrong(
-                "The signs are changed, but that is not enough.",
-                "You put on socks, then shoes. What do you take off first?",
-            ),
-        ),
-        (
+        Mistake(
             rotation_u(u) @ rotation_v(v) @ rotation_w(w) @ there,
-            Wrong(
-                "The order is reversed, but that is not enough.",
-                "What undoes a single turn about U?",
-            ),
+            "The order is reversed, but that is not enough.",
+            "What undoes a single turn about U?",
         ),
         otherwise=Wrong(
             "Multiplied by the way there, this is not the unit matrix.",
@@ -181,42 +195,55 @@ def way_back(answer: Any) -> Wrong | None:
     "4.5",
     expects="three triples of angles in radians, shape (3, 3)",
     because="The angles need not be those that went in.",
+    read=numbers(3, 3),
 )
-def angles_of_a_matrix(answer: Any) -> Wrong | None:
+def angles_of_a_matrix() -> Iterator[Part]:
     """Compare the matrices, not the angles."""
-    found = as_array(answer, (3, 3))
-    triples = np.deg2rad([(10, 20, 30), (10, 160, 30), (40, 90, 10)])
+    degrees = np.array([(10, 20, 30), (10, 160, 30), (40, 90, 10)])
+    triples = np.deg2rad(degrees)
     targets = matrix_from_euler_angles(*triples.T)
 
-    def right(angles: Any) -> list[bool]:
-        pairs = zip(matrix_from_euler_angles(*angles.T), targets, strict=True)
-        return [close(matrix, target, 1e-12) for matrix, target in pairs]
+    def reaches(angles: Array, which: slice, targets: Array = targets) -> bool:
+        return close(matrix_from_euler_angles(*angles.T)[which], targets[which], 1e-12)
 
-    if all(right(found)):
-        return None
-    if all(right(np.deg2rad(found))):
-        return Wrong("Your angles are in degrees.", "Arctangents give radians: leave them so.")
-    if all(right(found[:, ::-1])):
-        return Wrong("Your angles stand in the order W, V, U.", "(4-1) begins with U.")
-    if all(right(found)[:2]):
-        return Wrong(
+    every, first, first_two = slice(3), slice(1), slice(2)
+    yield Part(
+        lambda found: reaches(found, every),
+        Mistake(
+            lambda found: reaches(np.deg2rad(found), every),
+            "Your angles are in degrees.",
+            "Arctangents give radians: leave them so.",
+            example=degrees,
+        ),
+        Mistake(
+            lambda found: reaches(found[:, ::-1], every),
+            "Your angles stand in the order W, V, U.",
+            "(4-1) begins with U.",
+            example=triples[:, ::-1],
+        ),
+        Mistake(
+            lambda found: reaches(found, first_two),
             "The triple at gimbal lock gives another matrix.",
             "Where the cosine of the second angle is 0, which four entries are left?",
-        )
-    if right(found)[0]:
-        return Wrong(
+            example=[*triples[:2], (0, np.pi / 2, 0)],
+        ),
+        Mistake(
+            lambda found: reaches(found, first),
             "The second triple gives another matrix.",
             "Your second angle lies between -90° and 90°. Does its cosine have the right sign?",
-        )
-    transposed = zip(matrix_from_euler_angles(*found.T), targets.swapaxes(1, 2), strict=True)
-    if all(close(matrix, target, 1e-12) for matrix, target in transposed):
-        return Wrong(
+            example=triples[[0, 0, 2]],
+        ),
+        Mistake(
+            lambda found: reaches(found, every, np.swapaxes(targets, 1, 2)),
             "Your angles belong to the transposed matrices.",
             "In which corner of (4-2) does the sine of the second angle stand alone?",
-        )
-    return Wrong(
-        "Already the first triple gives another matrix.",
-        "Which entries of (4-2) hold only the second angle, or that and one other?",
+            example=np.transpose(euler_angles(np.swapaxes(targets, 1, 2))),
+        ),
+        otherwise=Wrong(
+            "Already the first triple gives another matrix.",
+            "Which entries of (4-2) hold only the second angle, or that and one other?",
+        ),
+        example=-triples,
     )
 
 
@@ -224,84 +251,136 @@ def angles_of_a_matrix(answer: Any) -> Wrong | None:
     "4.6",
     expects="three matrices, each of shape (3, 3)",
     because="Rotations and unequal scalings already shear.",
+    read=parts(*3 * [numbers(3, 3)]),
 )
-def shear_by_rotations(answer: Any) -> Wrong | None:
+def shear_by_rotations() -> Iterator[Part]:
     """Test the three factors and their product."""
-    last, stretch, first = (as_array(part, (3, 3)) for part in as_parts(answer, 3))
     shear = shearing(uv=0.8)[:3, :3]
-    if not close(stretch, np.diag(np.diag(stretch)), 1e-14):
-        return Wrong(
+    # The SVD may mirror on both sides; the product stays if both signs change.
+    last, sizes, first = np.linalg.svd(shear)
+    last, first = np.linalg.det(last) * last, np.linalg.det(first) * first
+    stretch = np.diag(sizes)
+
+    yield Part(
+        lambda middle: close(middle, np.diag(np.diag(middle)), 1e-14),
+        otherwise=Wrong(
             "The matrix in the middle does not stretch along the axes.",
             "np.diag makes a diagonal matrix of three numbers.",
-        )
-    outer = [("left", last), ("right", first)]
-    for side, matrix in outer:
-        if not close(matrix.T @ matrix, np.eye(3), 1e-12):
-            return Wrong(
+        ),
+        item=1,
+        example=(last, last, first),
+    )
+    sides = {"left": 0, "right": 2}
+    for side, item in sides.items():
+        yield Part(
+            lambda matrix: close(matrix.T @ matrix, np.eye(3), 1e-12),
+            otherwise=Wrong(
                 f"The matrix on the {side} is not orthogonal.",
                 "A rotation keeps lengths. Multiply the matrix by its transpose.",
-            )
-    for side, matrix in outer:
-        if np.linalg.det(matrix) < 0:
-            return Wrong(
+            ),
+            item=item,
+            example=(last, stretch, 2 * first) if item else (2 * last, stretch, first),
+        )
+    for side, item in sides.items():
+        yield Part(
+            lambda matrix: np.linalg.det(matrix) > 0,
+            otherwise=Wrong(
                 f"The matrix on the {side} mirrors.",
                 "What happens to a determinant if the sign of a 3 × 3 matrix changes?",
-            )
-    if close(last @ stretch @ first, shear, 1e-14):
-        return None
-    if close(last @ stretch @ first.T, shear, 1e-12):
-        return Wrong(
+            ),
+            item=item,
+            example=(last, stretch, -first) if item else (-last, stretch, first),
+        )
+    yield Part(
+        lambda left, middle, right: close(left @ middle @ right, shear, 1e-14),
+        Mistake(
+            lambda left, middle, right: close(left @ middle @ right.T, shear, 1e-12),
             "The factor on the right is transposed.",
             "Which of its factors does np.linalg.svd return already transposed?",
-        )
-    if close(first @ stretch @ last, shear, 1e-12):
-        return Wrong(
-            "The three matrices stand in the wrong order.", "Write the product as it is computed."
-        )
-    return Wrong("The product is not the shear.", "Multiply the three matrices and compare.")
+            example=(last, stretch, first.T),
+        ),
+        Mistake(
+            lambda left, middle, right: close(right @ middle @ left, shear, 1e-12),
+            "The three matrices stand in the wrong order.",
+            "Write the product as it is computed.",
+            example=(first, stretch, last),
+        ),
+        otherwise=Wrong(
+            "The product is not the shear.", "Multiply the three matrices and compare."
+        ),
+        example=(np.eye(3), stretch, np.eye(3)),
+    )
+
+
+def as_photograph(answer: Any) -> tuple[Array, Array, Array]:
+    """Return a camera, the depths of triangles, and their order."""
+    camera, triangles, order = parts(numbers(4, 4), numbers(None, 3, 3), numbers(None))(answer)
+    if len(order) != len(triangles):
+        raise ValueError(f"the order has {len(order)} numbers for {len(triangles)} triangles.")
+    return camera, triangles[:, :, 2].mean(axis=1), order.astype(int)
 
 
 @exercise(
     "4.7",
     expects="a matrix of shape (4, 4), triangles of shape (n, 3, 3), and an order of n numbers",
     because="Near parts hide far ones.",
+    read=as_photograph,
 )
-def photograph_of_a_spoon(answer: Any) -> Wrong | None:
+def photograph_of_a_spoon() -> Iterator[Part]:
     """Test the perspective and the order; the picture itself is for your eyes."""
-    matrix, triangles, numbers = as_parts(answer, 3)
-    camera = as_array(matrix, (4, 4))
-    picture = as_array(triangles, (None, 3, 3))
-    order = as_array(numbers, (len(picture),)).astype(int)
-    *_, into_depth, last = camera[:, :3]
-    if close(last, np.zeros(3)):
-        return Wrong(
+    triangles = np.random.default_rng(0).uniform(-1, 1, size=(20, 3, 3))
+    near_last = np.argsort(triangles[:, :, 2].mean(axis=1))
+    projection = np.eye(4) - np.outer([0, 0, 0, 1], [0, 0, 0.5, 0])
+    turned = matrix_from_euler_angles(0.3, 0.5, 0.7)
+    camera = projection @ turned
+
+    yield Part(
+        lambda camera: not close(camera[3, :3], np.zeros(3)),
+        otherwise=Wrong(
             "This camera has no perspective.",
             "Look at the last row. What must it hold to make far things small?",
-        )
-    if not close(np.cross(last, into_depth), np.zeros(3)):
-        return Wrong(
+        ),
+        item=0,
+        example=(turned, triangles, near_last),
+    )
+    yield Part(
+        lambda camera: close(np.cross(camera[3, :3], camera[2, :3]), np.zeros(3)),
+        otherwise=Wrong(
             "The camera projects before the scene has moved into place.",
             "What acts last stands first in the product.",
-        )
-    if last @ into_depth > 0:
-        return Wrong(
+        ),
+        item=0,
+        example=(turned @ projection, triangles, near_last),
+    )
+    yield Part(
+        lambda camera: camera[3, :3] @ camera[2, :3] < 0,
+        otherwise=Wrong(
             "In this camera far things look larger.", "Compare the sign in (0, 0, -1/d, 1)."
-        )
-    depth = picture[:, :, 2].mean(axis=1)
-    if not close(np.sort(order), np.arange(len(picture))):
-        return Wrong(
+        ),
+        item=0,
+        example=(np.linalg.inv(projection) @ turned, triangles, near_last),
+    )
+    yield Part(
+        lambda depth, order: close(np.sort(order), np.arange(len(depth))),
+        otherwise=Wrong(
             "The order does not name each triangle once.",
             "np.argsort gives the numbers, np.sort only the depths.",
-        )
-    steps = np.diff(depth[order])
-    if (steps >= -1e-9).all():
-        return None
-    if (steps <= 1e-9).all():
-        return Wrong(
+        ),
+        item=slice(1, 3),
+        example=(camera, triangles, np.zeros(20)),
+    )
+    yield Part(
+        lambda depth, order: (np.diff(depth[order]) >= -1e-9).all(),
+        Mistake(
+            lambda depth, order: (np.diff(depth[order]) <= 1e-9).all(),
             "You fill the near triangles first.",
             "What is filled later hides what is there. Is a larger depth nearer or farther?",
-        )
-    return Wrong(
-        "The triangles are not sorted by depth.",
-        "Give each triangle one depth, the mean of its corners, and sort by it.",
+            example=(camera, triangles, near_last[::-1]),
+        ),
+        otherwise=Wrong(
+            "The triangles are not sorted by depth.",
+            "Give each triangle one depth, the mean of its corners, and sort by it.",
+        ),
+        item=slice(1, 3),
+        example=(camera, triangles, np.arange(20)),
     )

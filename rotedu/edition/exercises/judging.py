@@ -1,11 +1,12 @@
 """How answers are judged: the register of exercises, and what their checks share.
 
-A check is a pure function of the answer. It returns None if the answer is right, or hints in two
-stages. It tests properties, so that every right form of an answer passes.
+A check yields parts: what is right and which mistakes are usual, each a value or a function that
+tests a property. With each mistake stands its hint, in two stages.
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property, partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -18,28 +19,29 @@ from rotedu.quaternions import Quaternion
 __all__ = [
     "EXERCISES",
     "RADIANS",
+    "YOUR_RADIANS",
     "Exercise",
-    "Numbers",
+    "Mistake",
+    "Part",
     "Verdict",
     "Wrong",
     "along_equator",
     "as_array",
-    "as_number",
-    "as_parts",
     "as_quaternion",
     "as_rotation",
-    "as_word",
     "check",
     "close",
     "degrees_for_radians",
     "exercise",
-    "judged",
-    "numeric",
+    "numbers",
     "on_equator",
+    "parts",
     "radians_for_degrees",
     "same_rotation",
-    "up_to_sign",
+    "same_turn",
+    "unit",
     "without_full_turns",
+    "word",
 ]
 
 WITHIN = 1e-6
@@ -52,8 +54,93 @@ class Wrong(NamedTuple):
     second: str
 
 
+# Hints for an angle in radians where degrees are asked for.
 RADIANS = Wrong("Are these radians?", "The exercise asks for degrees.")
-"""The hint for an angle in radians where degrees are asked for."""
+YOUR_RADIANS = Wrong("Your angle is in radians.", "A full turn has 360 degrees.")
+
+
+class Mistake(NamedTuple):
+    """A usual mistake.
+
+    Attributes
+    ----------
+    result : array_like or callable
+        What it leads to, or a function that tells whether an answer shows it.
+    first, second : str
+        Two stages of a hint, as in `Wrong`.
+    example : object
+        An answer to the exercise that shows it; needed if the result is a function. A test
+        demands this hint for it.
+    """
+
+    result: Any
+    first: str
+    second: str
+    example: Any = None
+
+
+class Part:
+    """One step of a check: what is right, which mistakes are usual, and otherwise.
+
+    Parameters
+    ----------
+    right : array_like or callable
+        The right numbers, or a function that tells whether what was read is right; a tuple becomes
+        several arguments.
+    *mistakes : Mistake
+        Usual mistakes. The first that fits gives the hint.
+    otherwise : Wrong
+        The hint for all other answers.
+    item : int or slice, optional
+        Which item of what was read is judged; everything if it is not given.
+    within : float
+        The largest difference allowed in any number.
+    period : float, optional
+        Numbers that differ by a multiple of it count as the same, as angles do by full turns.
+    either_sign : bool
+        Whether opposite numbers count as the same, as those of quaternions do.
+    example : object
+        An answer to the exercise that earns `otherwise`; needed if a function is among the rest.
+    """
+
+    def __init__(
+        self,
+        right: Any,
+        *mistakes: Mistake,
+        otherwise: Wrong,
+        item: int | slice | None = None,
+        within: float = WITHIN,
+        period: float | None = None,
+        either_sign: bool = False,
+        example: Any = None,
+    ) -> None:
+        self.right = right
+        self.mistakes = mistakes
+        self.otherwise = otherwise
+        self.item = item
+        self.within = within
+        self.period = period
+        self.either_sign = either_sign
+        self.example = example
+
+    def judge(self, given: Any) -> Wrong | Mistake | None:
+        """Return None if an item is right, else the first mistake it fits, or `otherwise`."""
+        if self.fits(given, self.right):
+            return None
+        return next((m for m in self.mistakes if self.fits(given, m.result)), self.otherwise)
+
+    def fits(self, given: Any, result: Any) -> bool:
+        """Tell whether an answer is a result, or has the property that a function tests."""
+        if callable(result):
+            return bool(result(*given) if isinstance(given, tuple) else result(given))
+        wanted = np.asarray(result, np.float64)
+        return self.near(given - wanted) or (self.either_sign and self.near(given + wanted))
+
+    def near(self, off: Array) -> bool:
+        """Tell whether differences are small, but for full periods."""
+        if self.period is not None:
+            off = off - self.period * np.round(off / self.period)
+        return bool((np.abs(off) <= self.within).all())
 
 
 @dataclass(frozen=True)
@@ -65,24 +152,37 @@ class Exercise:
     number : str
         The number it has in the book.
     expects : str
-        The form of an answer.
+        The form of an answer, to complete the sentence "Expected ...".
     because : str
         A sentence that a right answer earns; may be empty.
-    judge : callable
-        Function of the answer that returns None if it is right. It may raise anything if the
-        answer does not have the expected form.
+    state : callable
+        Function that yields the parts by which an answer is judged.
+    read : callable, optional
+        Function that makes of an answer what is judged. It may raise anything if the answer does
+        not have the expected form. If there is none, an answer has the shape of the right one.
     fields : mapping of str to str
-        If the answer is a few numbers, their names and units; else empty.
-    parts : callable
-        What the numbers are judged by, part by part, in the order of the fields.
+        Names and units of numbers for which the page has a form; it knows values, not functions.
     """
 
     number: str
     expects: str
     because: str
-    judge: Callable[[Any], Wrong | None]
+    state: Callable[[], Iterable[Part]]
+    read: Callable[[Any], Any] | None = None
     fields: Mapping[str, str] = field(default_factory=dict)
-    parts: Callable[[], Iterable["Numbers"]] = tuple
+
+    @cached_property
+    def parts(self) -> tuple[Part, ...]:
+        """What an answer is judged by, step by step."""
+        return tuple(self.state())
+
+    def judge(self, answer: Any) -> Wrong | Mistake | None:
+        """Return None if an answer is right, else what is wrong at the first step."""
+        read = (self.read or numbers(*np.shape(self.parts[0].right)))(answer)
+        for part in self.parts:
+            if wrong := part.judge(read if part.item is None else read[part.item]):
+                return wrong
+        return None
 
 
 @dataclass(frozen=True, repr=False)
@@ -111,132 +211,34 @@ EXERCISES: dict[str, Exercise] = {}
 
 
 def exercise(
-    number: str, *, expects: str, because: str = ""
-) -> Callable[[Callable[[Any], Wrong | None]], Callable[[Any], Wrong | None]]:
+    number: str,
+    *,
+    expects: str,
+    because: str = "",
+    read: Callable[[Any], Any] | None = None,
+    fields: Mapping[str, str] | None = None,
+) -> Callable[[Callable[[], Iterable[Part]]], Callable[[], Iterable[Part]]]:
     """Register the function below as the check of an exercise.
 
     Parameters
     ----------
-    number : str
-        The number of the exercise in the book.
-    expects : str
-        The form of an answer, to complete the sentence "Expected ...".
-    because : str
-        A sentence that a right answer earns.
+    number, expects, because, read, fields : str, callable, mapping
+        As in `Exercise`. `numbers`, `word` and `parts` make readers.
 
     Returns
     -------
     callable
-        A decorator that returns its function unchanged.
+        A decorator that returns its function unchanged. The function yields one `Part` or several;
+        each is judged only if those before it are right.
     """
 
-    def register(judge: Callable[[Any], Wrong | None]) -> Callable[[Any], Wrong | None]:
-        add(Exercise(number, expects, because, judge))
-        return judge
+    def register(state: Callable[[], Iterable[Part]]) -> Callable[[], Iterable[Part]]:
+        if number in EXERCISES:
+            raise ValueError(f"exercise {number} has two checks")
+        EXERCISES[number] = Exercise(number, expects, because, state, read, fields or {})
+        return state
 
     return register
-
-
-class Numbers:
-    """One or more numbers that are judged together: an answer, or a part of it.
-
-    The same declaration judges the answer in Python and in the page.
-
-    Parameters
-    ----------
-    right : array_like
-        The right numbers, or a row for each right answer if there are several.
-    *mistakes : pairs of array_like and Wrong
-        The results of usual mistakes, each with the hint meant for it.
-    otherwise : Wrong
-        The hint for all other answers.
-    within : float
-        The largest difference allowed in any number.
-    period : float, optional
-        Numbers that differ by a multiple of it count as the same, as angles do by full turns.
-    """
-
-    def __init__(
-        self,
-        right: npt.ArrayLike,
-        *mistakes: tuple[npt.ArrayLike, Wrong],
-        otherwise: Wrong,
-        within: float = WITHIN,
-        period: float | None = None,
-    ) -> None:
-        self.right = rows(right)
-        self.mistakes = [(rows(result), wrong) for result, wrong in mistakes]
-        self.otherwise = otherwise
-        self.within = within
-        self.period = period
-
-    def judge(self, given: Array) -> Wrong | None:
-        """Return None if the numbers are right, else the hint for the first mistake they fit."""
-        if self.fits(given, self.right):
-            return None
-        hints = (wrong for result, wrong in self.mistakes if self.fits(given, result))
-        return next(hints, self.otherwise)
-
-    def fits(self, given: Array, result: Array) -> bool:
-        """Tell whether the numbers are those of any row of a result."""
-        off = given - result
-        if self.period is not None:
-            off = off - self.period * np.round(off / self.period)
-        return bool((np.abs(off) <= self.within).all(axis=1).any())
-
-
-def rows(numbers: npt.ArrayLike) -> Array:
-    """Return a number, or a row of numbers, as an array of rows."""
-    return np.atleast_2d(np.asarray(numbers, np.float64))
-
-
-def numeric(
-    number: str,
-    *,
-    fields: Mapping[str, str],
-    expects: str,
-    because: str = "",
-    read: Callable[[Any], Any] = np.asarray,
-) -> Callable[[Callable[[], Iterable[Numbers]]], Callable[[], Iterable[Numbers]]]:
-    """Register an exercise whose answer is a few numbers. The page can check it, too.
-
-    Parameters
-    ----------
-    number, expects, because : str
-        As for `exercise`.
-    fields : mapping of str to str
-        The names of the numbers, each with its unit.
-    read : callable
-        Function that makes numbers of an answer in another form.
-
-    Returns
-    -------
-    callable
-        A decorator that returns its function unchanged. The function yields `Numbers`, in the
-        order of the fields; a part is judged only if those before it are right.
-    """
-
-    def register(parts: Callable[[], Iterable[Numbers]]) -> Callable[[], Iterable[Numbers]]:
-        def judge(answer: Any) -> Wrong | None:
-            shape = [len(fields)] if len(fields) > 1 else []
-            left = np.atleast_1d(as_array(read(answer), shape))
-            for part in parts():
-                given, left = np.split(left, [part.right.shape[1]])
-                if wrong := part.judge(given):
-                    return wrong
-            return None
-
-        add(Exercise(number, expects, because, judge, fields, parts))
-        return parts
-
-    return register
-
-
-def add(asked: Exercise) -> None:
-    """Put an exercise into the register."""
-    if asked.number in EXERCISES:
-        raise ValueError(f"exercise {asked.number} has two checks")
-    EXERCISES[asked.number] = asked
 
 
 def check(number: str, answer: Any, hint: int = 1) -> Verdict:
@@ -269,6 +271,7 @@ def check(number: str, answer: Any, hint: int = 1) -> Verdict:
     if number not in EXERCISES:
         raise ValueError(f'no exercise has the number {number!r}; write it as in "3.1"')
     asked = EXERCISES[number]
+    wrong: Wrong | Mistake | None
     if unanswered(answer):
         return Verdict(number, None, "not answered yet.")
     try:
@@ -305,28 +308,6 @@ def as_array(answer: Any, shape: Sequence[int | None]) -> Array:
     return array
 
 
-def as_number(answer: Any) -> float:
-    """Return an answer as a finite number."""
-    return float(as_array(answer, ()))
-
-
-def as_parts(answer: Any, number: int) -> tuple[Any, ...]:
-    """Return the parts of an answer, such as an axis and an angle."""
-    # The letters of a word are no parts.
-    parts = (answer,) if isinstance(answer, str) else tuple(answer)
-    if len(parts) != number:
-        raise ValueError(f"the number of parts is {len(parts)}.")
-    return parts
-
-
-def as_word(answer: Any, words: Sequence[str]) -> str:
-    """Return an answer as one of several words."""
-    word = str(answer).strip().casefold()
-    if word not in words:
-        raise ValueError(f"the word is {word!r}.")
-    return word
-
-
 def as_quaternion(answer: Any) -> Array:
     """Return a `Quaternion` or four numbers, scalar first, as four numbers."""
     return as_array(getattr(answer, "components", answer), (4,))
@@ -340,7 +321,7 @@ def as_rotation(answer: Any) -> Array:
     """
     if isinstance(answer, (tuple, list)) and len(answer) == 2:
         axis, angle = answer
-        return rotation_matrix(as_array(axis, (3,)), as_number(angle))
+        return rotation_matrix(as_array(axis, (3,)), as_array(angle, ()))
     shape = np.shape(getattr(answer, "components", answer))
     if shape == (4,):
         w, *v = as_quaternion(answer)
@@ -350,20 +331,56 @@ def as_rotation(answer: Any) -> Array:
     return as_array(answer, (3, 3))
 
 
+def numbers(*shape: int | None) -> Callable[[Any], Array]:
+    """Return a reader of numbers of a given shape; of a single number if there is no shape."""
+    return partial(as_array, shape=shape)
+
+
+def word(*words: str) -> Callable[[Any], str]:
+    """Return a reader of one of several words."""
+
+    def read(answer: Any) -> str:
+        given = str(answer).strip().casefold()
+        if given not in words:
+            raise ValueError(f"the word is {given!r}.")
+        return given
+
+    return read
+
+
+def parts(*readers: Callable[[Any], Any]) -> Callable[[Any], tuple[Any, ...]]:
+    """Return a reader of several parts, such as an axis and an angle, by a reader for each."""
+
+    def read(answer: Any) -> tuple[Any, ...]:
+        # The letters of a word are no parts.
+        given = (answer,) if isinstance(answer, str) else tuple(answer)
+        if len(given) != len(readers):
+            raise ValueError(f"the number of parts is {len(given)}.")
+        return tuple(reader(part) for reader, part in zip(readers, given, strict=True))
+
+    return read
+
+
 def close(a: npt.ArrayLike, b: npt.ArrayLike, within: float = WITHIN) -> bool:
     """Tell whether arrays have one shape and differ nowhere by more than a bound."""
     a, b = np.asarray(a, np.float64), np.asarray(b, np.float64)
     return a.shape == b.shape and bool((np.abs(a - b) <= within).all())
 
 
-def up_to_sign(a: npt.ArrayLike, b: npt.ArrayLike, within: float = WITHIN) -> bool:
-    """Tell whether arrays are equal or opposite."""
-    return close(a, b, within) or close(a, np.negative(b), within)
+def unit(vector: npt.ArrayLike, within: float = 1e-3) -> bool:
+    """Tell whether a vector has length 1."""
+    return close(np.linalg.norm(vector), 1, within)
 
 
 def same_rotation(a: Any, b: Any, within: float = WITHIN) -> bool:
     """Tell whether two rotations, each in any form of `as_rotation`, are the same."""
     return close(as_rotation(a), as_rotation(b), within)
+
+
+def same_turn(turn: Any, rotation: Any, within: float) -> bool:
+    """Tell whether a pair of an axis and an angle in degrees makes a rotation."""
+    axis, degrees = turn
+    return same_rotation((axis, np.deg2rad(degrees)), rotation, within)
 
 
 def degrees_for_radians(answer: npt.ArrayLike, right: npt.ArrayLike, within: float = 0.1) -> bool:
@@ -374,36 +391,6 @@ def degrees_for_radians(answer: npt.ArrayLike, right: npt.ArrayLike, within: flo
 def radians_for_degrees(answer: npt.ArrayLike, right: npt.ArrayLike, within: float = 0.01) -> bool:
     """Tell whether an angle that should be in degrees is right in radians."""
     return close(answer, np.deg2rad(right), within)
-
-
-def judged(
-    answer: npt.ArrayLike,
-    right: npt.ArrayLike,
-    *mistakes: tuple[npt.ArrayLike, Wrong],
-    otherwise: Wrong,
-    within: float = WITHIN,
-) -> Wrong | None:
-    """Compare an answer with the right one, then with what usual mistakes lead to.
-
-    Parameters
-    ----------
-    answer, right : array_like
-        Arrays of one shape.
-    *mistakes : pairs of array_like and Wrong
-        The results of usual mistakes, each with the hint meant for it.
-    otherwise : Wrong
-        The hint for all other answers.
-    within : float
-        The largest difference allowed in any entry.
-
-    Returns
-    -------
-    Wrong or None
-        None if the answer is right.
-    """
-    if close(answer, right, within):
-        return None
-    return next((wrong for result, wrong in mistakes if close(answer, result, within)), otherwise)
 
 
 def on_equator(degrees: npt.ArrayLike) -> Array:

@@ -1,7 +1,6 @@
 """Checks of the exercises of Chapter 5, Points and orientations."""
 
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 
@@ -10,14 +9,13 @@ from rotedu.arcs import angle_between, arc_axis, slerp
 from rotedu.closed_curve import closed_curve
 from rotedu.edition.exercises.judging import (
     RADIANS,
-    Numbers,
+    Mistake,
+    Part,
     Wrong,
-    as_array,
     as_rotation,
     close,
     exercise,
-    judged,
-    numeric,
+    numbers,
     radians_for_degrees,
 )
 from rotedu.errors import DegenerateError
@@ -32,41 +30,33 @@ __all__: list[str] = []
     "5.17",
     expects="a turn: a matrix, shape (3, 3), or a unit quaternion",
     because="The axis of this turn belongs to the camera, not to the room.",
+    read=as_rotation,
 )
-def turn_between_cameras(answer: Any) -> Wrong | None:
-    """Judge the turn from one orientation to another."""
+def turn_between_cameras() -> Iterator[Part]:
+    """Yield the turn from one orientation to another."""
     r1, r2 = rotation_matrix([[1, 0, 0], [0, 1, 0]], np.pi / 2)
-    return judged(
-        as_rotation(answer),
+    yield Part(
         r1.T @ r2,
-        (
+        Mistake(
             r2 @ r1.T,
-            Wrong(
-                "Your turn leads from the first to the second if it stands on the left.",
-                "Here it stands on the right: R1 T = R2. From which side do you multiply by the"
-                " inverse of R1?",
-            ),
+            "Your turn leads from the first to the second if it stands on the left.",
+            "Here it stands on the right: R1 T = R2. From which side do you multiply by the"
+            " inverse of R1?",
         ),
-        (
+        Mistake(
             r2.T @ r1,
-            Wrong(
-                "Your turn leads from the second to the first.",
-                "Multiply R1 by your matrix. Which of the two has to be undone?",
-            ),
+            "Your turn leads from the second to the first.",
+            "Multiply R1 by your matrix. Which of the two has to be undone?",
         ),
-        (
+        Mistake(
             r1 @ r2,
-            Wrong(
-                "You do both turns, and undo none.",
-                "T has to take back the first turn before it does the second.",
-            ),
+            "You do both turns, and undo none.",
+            "T has to take back the first turn before it does the second.",
         ),
-        (
+        Mistake(
             r1 @ r2.T,
-            Wrong(
-                "You undo the second turn in place of the first.",
-                "Solve R1 T = R2 for T. The inverse of a rotation is its transpose.",
-            ),
+            "You undo the second turn in place of the first.",
+            "Solve R1 T = R2 for T. The inverse of a rotation is its transpose.",
         ),
         otherwise=Wrong(
             "R1 times your turn is not R2.",
@@ -76,13 +66,13 @@ def turn_between_cameras(answer: Any) -> Wrong | None:
     )
 
 
-@numeric(
+@exercise(
     "5.18",
     fields={"as they stand": "°", "sign changed": "°", "matrices": "°"},
     expects="three angles in degrees",
     because="Only quaternions can go the long way; matrices have no sign to choose.",
 )
-def halfway_in_three_ways() -> Iterator[Numbers]:
+def halfway_in_three_ways() -> Iterator[Part]:
     """Yield the place halfway along two ways round."""
     total = np.deg2rad(300)
     q1, q2 = Quaternion.from_axis_angle([0, 0, 1], [0, total]).components
@@ -101,33 +91,27 @@ def halfway_in_three_ways() -> Iterator[Numbers]:
         "A change of sign leads round the other way.",
         "How large is the turn from one end to the other, in each of the two directions?",
     )
-    yield Numbers(
+    yield Part(
         right,
-        ([as_they_stand] * 3, signs),
-        ([changed] * 3, signs),
-        (
+        Mistake([as_they_stand] * 3, *signs),
+        Mistake([changed] * 3, *signs),
+        Mistake(
             [changed, as_they_stand, changed],
-            Wrong(
-                "You have the two signs the wrong way round.",
-                "The sign of the dot product tells which way slerp goes. It is the cosine of half"
-                " the angle.",
-            ),
+            "You have the two signs the wrong way round.",
+            "The sign of the dot product tells which way slerp goes. It is the cosine of half"
+            " the angle.",
         ),
-        (
+        Mistake(
             [as_they_stand, changed, as_they_stand],
-            Wrong(
-                "The third way is not right yet.",
-                "A matrix does not know that the turn was more than half a turn.",
-            ),
+            "The third way is not right yet.",
+            "A matrix does not know that the turn was more than half a turn.",
         ),
-        (
+        Mistake(
             right / 2,
-            Wrong(
-                "These are the angles in the quaternions.",
-                "A quaternion holds half the angle by which it turns.",
-            ),
+            "These are the angles in the quaternions.",
+            "A quaternion holds half the angle by which it turns.",
         ),
-        (np.deg2rad(right), RADIANS),
+        Mistake(np.deg2rad(right), *RADIANS),
         otherwise=Wrong(
             "Halfway is half of the turn. Which turn is it in each of the three?",
             "The body can turn to the same end by 300° or by the rest of a full turn backwards.",
@@ -137,13 +121,13 @@ def halfway_in_three_ways() -> Iterator[Numbers]:
     )
 
 
-@numeric(
+@exercise(
     "5.19",
     fields={"angle": "°"},
     expects="an angle in degrees",
     because="It is the area of the triangle, as an angle.",
 )
-def carried_platform() -> Iterator[Numbers]:
+def carried_platform() -> Iterator[Part]:
     """Yield the turn of a platform that is carried round a triangle; its sign is free."""
     east = np.deg2rad(40)
     corners = np.array([[0, 0, 1], [1, 0, 0], [np.cos(east), np.sin(east), 0]])
@@ -152,33 +136,27 @@ def carried_platform() -> Iterator[Numbers]:
         trip = rotation_matrix(arc_axis(start, end), angle_between(start, end)) @ trip
     _, turn = axis_angle(trip)
     right = np.rad2deg(turn)
-    either_sign = np.array([[1], [-1]])
-    yield Numbers(
-        right * either_sign,
-        (
+    yield Part(
+        right,
+        Mistake(
             180 + right,
-            Wrong(
-                "That is the sum of the angles of the triangle.",
-                "The area is what this sum has more than the sum in the plane.",
-            ),
+            "That is the sum of the angles of the triangle.",
+            "The area is what this sum has more than the sum in the plane.",
         ),
-        (
-            np.deg2rad(right) * either_sign,
-            Wrong("Is this an angle in radians?", "The exercise asks for degrees."),
+        Mistake(
+            np.deg2rad(right),
+            "Is this an angle in radians?",
+            "The exercise asks for degrees.",
         ),
-        (
+        Mistake(
             0,
-            Wrong(
-                "The platform was never turned about its vertical, but that is not enough.",
-                "Which way does a mark on it point on the equator, and which way when it is back?",
-            ),
+            "The platform was never turned about its vertical, but that is not enough.",
+            "Which way does a mark on it point on the equator, and which way when it is back?",
         ),
-        (
-            90 * either_sign,
-            Wrong(
-                "That is the answer for an eighth of the sphere.",
-                "How large is the angle of this triangle at the pole?",
-            ),
+        Mistake(
+            90,
+            "That is the answer for an eighth of the sphere.",
+            "How large is the angle of this triangle at the pole?",
         ),
         otherwise=Wrong(
             "Find the three angles of the triangle first.",
@@ -186,6 +164,7 @@ def carried_platform() -> Iterator[Numbers]:
         ),
         within=0.1,
         period=360,
+        either_sign=True,
     )
 
 
@@ -194,9 +173,8 @@ def carried_platform() -> Iterator[Numbers]:
     expects="two whole numbers from 0 to 32",
     because="After an odd number of full turns, signs cannot agree all the way round.",
 )
-def choices_of_signs(answer: Any) -> Wrong | None:
-    """Judge how many choices of signs are refused, and how many give a steady turn."""
-    numbers = as_array(answer, (2,))
+def choices_of_signs() -> Iterator[Part]:
+    """Yield how many choices of signs are refused, and how many give a steady turn."""
     quaternions = Quaternion.from_axis_angle([1, 2, 2], np.arange(5) * 2 * np.pi / 5).components
     steady = rotation_matrix([1, 2, 2], np.arange(100) * 2 * np.pi / 100)
     refused = turning = 0
@@ -209,36 +187,27 @@ def choices_of_signs(answer: Any) -> Wrong | None:
         else:
             turning += close(Quaternion(curve[:, 0], curve[:, 1:]).matrix(), steady)
     drawn = 32 - refused
-    return judged(
-        numbers,
+    yield Part(
         [refused, turning],
-        (
+        Mistake(
             [refused, drawn],
-            Wrong(
-                "A curve that is drawn need not be the steady turn.",
-                "Convert its quaternions to matrices and compare them with `steady`.",
-            ),
+            "A curve that is drawn need not be the steady turn.",
+            "Convert its quaternions to matrices and compare them with `steady`.",
         ),
-        (
+        Mistake(
             [drawn, turning],
-            Wrong(
-                "You count the choices that are not refused.",
-                "A choice is refused if the function raises an error.",
-            ),
+            "You count the choices that are not refused.",
+            "A choice is refused if the function raises an error.",
         ),
-        (
+        Mistake(
             [0, turning],
-            Wrong(
-                "Some of the choices raise an error.",
-                "Catch DegenerateError and count it.",
-            ),
+            "Some of the choices raise an error.",
+            "Catch DegenerateError and count it.",
         ),
-        (
+        Mistake(
             [refused / 2, turning],
-            Wrong(
-                "Have you tried all 32? If all signs change, the rotations stay the same.",
-                "Such a pair counts as two choices here.",
-            ),
+            "Have you tried all 32? If all signs change, the rotations stay the same.",
+            "Such a pair counts as two choices here.",
         ),
         otherwise=Wrong(
             "Run through all 32 choices, and catch the error that some of them raise.",
@@ -253,93 +222,82 @@ def choices_of_signs(answer: Any) -> Wrong | None:
     "5.21",
     expects="four rows of three numbers, shape (4, 3)",
     because="The steeper the line of sight, the more a level horizon costs.",
+    # Items are columns. The sign of a roll does not count.
+    read=lambda answer: np.abs(numbers(4, 3)(answer)).T,
 )
-def upright_flights(answer: Any) -> Wrong | None:
-    """Judge the roll of the shortest flights and the cost of flying upright."""
+def upright_flights() -> Iterator[Part]:
+    """Yield the roll of the shortest flights and the cost of flying upright."""
     sights = np.array([(1.0, 0.0, -0.2), (0.3, 1.0, 0.2), (0.2, 0.3, 1.0), (0.3, -0.9, 0.3)])
     sights /= np.linalg.norm(sights, axis=1, keepdims=True)
-    rolls, turned, uneven = np.abs(as_array(answer, (4, 3))).T
-    right = np.array(
-        [flight(*ends) for ends in zip(sights, np.roll(sights, -1, axis=0), strict=True)]
-    )
-    if radians_for_degrees(rolls, right[:, 0]):
-        return RADIANS
+    pairs = list(zip(sights, np.roll(sights, -1, axis=0), strict=True))
+    rolls, turned, uneven = np.transpose([flight(*ends) for ends in pairs])
     by_sight = [
         angle_between(start, end) / axis_angle(standing(start).T @ standing(end))[1]
-        for start, end in zip(sights, np.roll(sights, -1, axis=0), strict=True)
+        for start, end in pairs
     ]
-    return (
-        judged(
-            rolls,
-            right[:, 0],
-            (
-                np.zeros(4),
-                Wrong(
-                    "The shortest turn does roll the camera.",
-                    "Compare the camera on its way with an upright one that looks the same way.",
-                ),
-            ),
-            (
-                np.roll(right[:, 0], -1),
-                Wrong(
-                    "Your flights begin at the wrong sight.",
-                    "The first flight leads from the first sight to the second.",
-                ),
-            ),
-            otherwise=Wrong(
-                "The rolls, in the first column, are not right yet.",
-                "At many moments, make an upright camera with the same line of sight. The turn"
-                " from it to the camera is the roll.",
-            ),
-            within=0.5,
-        )
-        or judged(
-            turned,
-            right[:, 1],
-            (
-                by_sight,
-                Wrong(
-                    "Your second column is about the line of sight alone.",
-                    "The camera also turns about it. Add up the small turns of the camera.",
-                ),
-            ),
-            (
-                1 / right[:, 1],
-                Wrong(
-                    "Your second column is upside down.",
-                    "No motion turns less than the shortest one.",
-                ),
-            ),
-            otherwise=Wrong(
-                "The second column is not right yet.",
-                "Add up the small turns from moment to moment, and divide by the turn that leads"
-                " straight from the first orientation to the last.",
-            ),
-            within=0.02,
-        )
-        or judged(
-            uneven,
-            right[:, 2],
-            (
-                np.ones(4),
-                Wrong(
-                    "The line of sight moves evenly, but the camera does not turn evenly.",
-                    "Compare the small turns of the upright camera from moment to moment.",
-                ),
-            ),
-            (
-                1 / right[:, 2],
-                Wrong(
-                    "Your third column is upside down.",
-                    "Divide the greatest speed by the smallest.",
-                ),
-            ),
-            otherwise=Wrong(
-                "The third column is not right yet.",
-                "Take enough moments on the way, a thousand or so, at equal distances.",
-            ),
-            within=0.1,
-        )
+    yield Part(
+        rolls,
+        Mistake(
+            lambda given: radians_for_degrees(given, rolls),
+            *RADIANS,
+            example=np.transpose([np.deg2rad(rolls), turned, uneven]),
+        ),
+        Mistake(
+            np.zeros(4),
+            "The shortest turn does roll the camera.",
+            "Compare the camera on its way with an upright one that looks the same way.",
+        ),
+        Mistake(
+            np.roll(rolls, -1),
+            "Your flights begin at the wrong sight.",
+            "The first flight leads from the first sight to the second.",
+        ),
+        otherwise=Wrong(
+            "The rolls, in the first column, are not right yet.",
+            "At many moments, make an upright camera with the same line of sight. The turn"
+            " from it to the camera is the roll.",
+        ),
+        item=0,
+        within=0.5,
+    )
+    yield Part(
+        turned,
+        Mistake(
+            by_sight,
+            "Your second column is about the line of sight alone.",
+            "The camera also turns about it. Add up the small turns of the camera.",
+        ),
+        Mistake(
+            1 / turned,
+            "Your second column is upside down.",
+            "No motion turns less than the shortest one.",
+        ),
+        otherwise=Wrong(
+            "The second column is not right yet.",
+            "Add up the small turns from moment to moment, and divide by the turn that leads"
+            " straight from the first orientation to the last.",
+        ),
+        item=1,
+        within=0.02,
+    )
+    yield Part(
+        uneven,
+        Mistake(
+            np.ones(4),
+            "The line of sight moves evenly, but the camera does not turn evenly.",
+            "Compare the small turns of the upright camera from moment to moment.",
+        ),
+        Mistake(
+            1 / uneven,
+            "Your third column is upside down.",
+            "Divide the greatest speed by the smallest.",
+        ),
+        otherwise=Wrong(
+            "The third column is not right yet.",
+            "Take enough moments on the way, a thousand or so, at equal distances.",
+        ),
+        item=2,
+        within=0.1,
     )
 
 

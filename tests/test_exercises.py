@@ -19,6 +19,7 @@ IN_ORDER = re.findall(r"file: (book/0\d-[\w-]+)", (ROOT / "_toc.yml").read_text(
 PAGES = [ROOT / f"{name}.ipynb" for name in IN_ORDER]
 HEADING = re.compile(r"^\*\*Exercise ([\d.]+)\*\* \([^)]*?(\d+) minutes\)", re.MULTILINE)
 GARBAGE = [None, "x", np.nan, (None, None), np.full((2, 5), 7.0), object(), {}, [], [[1], [2, 3]]]
+GARBAGE.append(GARBAGE)
 
 
 def text_of(page: Path) -> str:
@@ -187,3 +188,9 @@ class TestNumeric:
     def test_has_a_field_for_each_number(self, number: str) -> None:
         asked = EXERCISES[number]
         assert sum(np.size(part.right) for part in asked.parts) == len(asked.fields)
+
+    def test_refuses_complex_numbers(self, number: str) -> None:
+        right = np.concatenate([np.ravel(part.right) for part in EXERCISES[number].parts])
+        right = right if len(right) > 1 else right[0]
+        assert check(number, right).right
+        assert "some numbers are complex" in check(number, right + 1j, hint=2).text

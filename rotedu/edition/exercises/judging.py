@@ -272,9 +272,9 @@ def check(number: str, answer: Any, hint: int = 1) -> Verdict:
         raise ValueError(f'no exercise has the number {number!r}; write it as in "3.1"')
     asked = EXERCISES[number]
     wrong: Wrong | Mistake | None
-    if unanswered(answer):
-        return Verdict(number, None, "not answered yet.")
     try:
+        if unanswered(answer):
+            return Verdict(number, None, "not answered yet.")
         with np.errstate(all="ignore"):
             wrong = asked.judge(answer)
     except Exception as error:
@@ -297,7 +297,9 @@ def unanswered(answer: Any) -> bool:
 
 
 def as_array(answer: Any, shape: Sequence[int | None]) -> Array:
-    """Return an answer as finite numbers of a given shape; None stands for any length."""
+    """Return an answer as finite real numbers of a given shape; None stands for any length."""
+    if np.iscomplexobj(answer):
+        raise ValueError("some numbers are complex.")
     array = np.asarray(answer, dtype=np.float64)
     if len(array.shape) != len(shape) or any(
         wanted not in (None, length) for wanted, length in zip(shape, array.shape, strict=True)

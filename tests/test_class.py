@@ -12,7 +12,6 @@ from typing import Any
 
 import nbformat
 import pytest
-import yaml
 from browser import node
 from bs4 import BeautifulSoup
 from bundle import LIBRARIES
@@ -22,30 +21,16 @@ from IPython.core.inputtransformer2 import TransformerManager
 from markdown_it import MarkdownIt
 from mdit_py_plugins.dollarmath import dollarmath_plugin
 from nbclient import NotebookClient
+from notebook_language import Page, notebooks
 
 from rotedu import colors
 from rotedu.edition.equations import EQUATIONS
 
 ROOT = Path(__file__).parents[1]
 READERS = ("student", "teacher")
-CHAPTERS = [
-    chapter["file"]
-    for part in yaml.safe_load((ROOT / "_toc.yml").read_text("utf-8"))["parts"]
-    for chapter in part["chapters"]
-]
-SOURCES = [file for file in (ROOT / f"{name}.ipynb" for name in CHAPTERS) if file.exists()]
+SOURCES = notebooks()
 TITLE = re.compile(r"^# \w.*", re.MULTILINE)
-EXERCISE = re.compile(r"^\*\*Exercise ([\d.]+)\*\*", re.MULTILINE)
-SOLUTION = re.compile(r"# Solution of Exercise ([\d.]+)$", re.MULTILINE)
-REASONS = re.compile(r"^:::\{dropdown\} Why\n(.*?)^:::$", re.MULTILINE | re.DOTALL)
-BOX = re.compile(r"^:class: (\w+)", re.MULTILINE)
-TITLE_OF_QUESTION = "Before you read on"
-QUESTION = re.compile(
-    rf"^::::\{{admonition\}} {TITLE_OF_QUESTION}\n(.*?)^::::$", re.MULTILINE | re.DOTALL
-)
-CHOICE = re.compile(r"^:::\{dropdown\} (.+)$", re.MULTILINE)
 TAG = re.compile(r"\\tag\{(.*?)\}")
-LABEL = re.compile(r"^:label: eq-(.*)$", re.MULTILINE)
 ANCHOR = re.compile(r'\bid="([^"]+)"')
 BORDER = re.compile(r"border-left: 4px solid (#\w+)")
 MYST = re.compile(r"^:::|^:\w+: |^\(.+\)=|\{[\w:]+\}`|\$\$ \(|<!--|\\def", re.MULTILINE)
@@ -64,12 +49,11 @@ console.log(formulas.length);
 
 
 def cells(file: Path, kind: str = "") -> list[Any]:
-    notebook = nbformat.read(file, as_version=4)
-    return [cell for cell in notebook.cells if cell.cell_type.startswith(kind)]
+    return [cell for cell in Page(file).cells if cell.cell_type.startswith(kind)]
 
 
 def text(file: Path) -> str:
-    return "\n\n".join(cell.source for cell in cells(file, "markdown"))
+    return Page(file).text
 
 
 def tokens(source: str) -> Iterator[Any]:
@@ -100,7 +84,7 @@ def reader(request: pytest.FixtureRequest, folder: Path) -> list[Path]:
 
 def test_the_folder_is_in_teaching_order_and_holds_nothing_else(reader: list[Path]) -> None:
     assert [TITLE.findall(text(file)) for file in reader] == [
-        TITLE.findall(text(file)) for file in SOURCES
+        TITLE.findall(page.text) for page in SOURCES
     ]
 
 
@@ -132,47 +116,40 @@ def everything(notebook: list[Any]) -> str:
 
 
 def test_students_see_no_solution(folder: Path) -> None:
-    for source, file in zip(SOURCES, sorted((folder / "student").iterdir()), strict=True):
-        solutions = [cell for cell in cells(source, "code") if SOLUTION.search(cell.source)]
-        others = [cell for cell in cells(source) if cell not in solutions]
-        reasons = REASONS.findall(everything(others))
-        public = REASONS.sub("", everything(others))
-        lines = everything(solutions).splitlines() + re.split(r"\n|(?<=\.) ", "\n".join(reasons))
+    for page, file in zip(SOURCES, sorted((folder / "student").iterdir()), strict=True):
+        asked = page.exercises.values()
+        secrets = [cell for e in asked for cell in (e.solution, e.why) if cell]
+        public = everything([cell for cell in page.cells if cell not in secrets])
+        lines = re.split(r"\n|(?<=\.) ", everything(secrets))
         # Short lines, such as "else:" and "]", tell nothing.
         secret = {line for line in lines if len(line) > 12 and line not in public}
-        assert len(secret) >= 5 * len(solutions)
+        assert len(secret) >= 5 * len(asked)
         seen = everything(cells(file))
         assert [line for line in secret if line in seen] == []
-        assert not SOLUTION.search(seen)
 
 
 def test_every_exercise_has_its_starter_and_its_check(reader: list[Path]) -> None:
-    for source, file in zip(SOURCES, reader, strict=True):
-        written = text(file)
-        assert EXERCISE.findall(written) == EXERCISE.findall(text(source))
-        code = [cell.source for cell in cells(file, "code")]
-        for number in EXERCISE.findall(written):
-            assert any(cell.splitlines()[-1].startswith(f'check("{number}", ') for cell in code)
-        exercise = False
-        for cell in cells(source):
-            exercise |= bool(cell.cell_type == "markdown" and EXERCISE.search(cell.source))
-            if exercise and cell.cell_type == "code" and not SOLUTION.search(cell.source):
-                assert cell.source in code
+    for page, file in zip(SOURCES, reader, strict=True):
+        written = {cell.id: cell.source for cell in cells(file)}
+        for number, exercise in page.exercises.items():
+            assert f"**Exercise {number}**" in written[exercise.text.id]
+            assert written[exercise.start.id] == exercise.start.source
+            assert exercise.start.source.splitlines()[-1] == f'check("{number}", answer)'
 
 
 def test_the_teachers_solutions_are_folded(folder: Path) -> None:
-    for source, file in zip(SOURCES, sorted((folder / "teacher").iterdir()), strict=True):
-        solutions = [cell for cell in cells(file, "code") if SOLUTION.search(cell.source)]
-        numbers = [SOLUTION.match(cell.source)[1] for cell in solutions]  # type: ignore[index]
-        assert numbers == EXERCISE.findall(text(source))
-        for cell in solutions:
-            assert cell.metadata.jupyter == {"source_hidden": True, "outputs_hidden": True}
-        reasons = len(REASONS.findall(text(source)))
-        assert text(file).count("\n<summary>Why</summary>\n") == reasons
+    for page, file in zip(SOURCES, sorted((folder / "teacher").iterdir()), strict=True):
+        written = {cell.id: cell for cell in cells(file)}
+        for exercise in page.exercises.values():
+            solution = written[exercise.solution.id]
+            assert solution.source == exercise.solution.source
+            assert solution.metadata.jupyter == {"source_hidden": True, "outputs_hidden": True}
+            if exercise.why:
+                assert "\n<summary>Why</summary>\n" in written[exercise.why.id].source
 
 
 def test_no_myst_is_left(reader: list[Path]) -> None:
-    assert sum(len(MYST.findall(text(source))) for source in SOURCES) > 300
+    assert sum(len(MYST.findall(page.text)) for page in SOURCES) > 300
     for file in reader:
         assert MYST.findall(FENCE.sub("", text(file))) == []
 
@@ -184,24 +161,25 @@ def test_boxes_keep_their_colours(reader: list[Path]) -> None:
         colors.RESULT: "fair",
         colors.NEUTRAL: "question",
     }
-    for source, file in zip(SOURCES, reader, strict=True):
+    for page, file in zip(SOURCES, reader, strict=True):
         cells_of_book = [cell for cell in cells(file, "markdown") if cell.id != "notes"]
         found = BORDER.findall("\n".join(cell.source for cell in cells_of_book))
-        assert [meaning[color] for color in found] == BOX.findall(text(source))
+        boxes = [box.options["class"].split()[0] for box in page.all("admonition")]
+        assert [meaning[color] for color in found] == boxes
 
 
 def test_choices_fold_inside_the_box_with_their_question(reader: list[Path]) -> None:
-    for source, file in zip(SOURCES, reader, strict=True):
-        boxes = QUESTION.findall(text(source))
-        page = BeautifulSoup(PLAIN.render(text(file)), "html.parser")
-        found = [
-            box for box in page.find_all("blockquote") if box.p.get_text() == TITLE_OF_QUESTION
-        ]
+    for page, file in zip(SOURCES, reader, strict=True):
+        boxes = page.boxes("question")
+        html = BeautifulSoup(PLAIN.render(text(file)), "html.parser")
+        titles = {box.title for box in boxes}
+        found = [box for box in html.find_all("blockquote") if box.p.get_text() in titles]
         assert len(found) == len(boxes)
-        assert boxes or not source.name[0].isdigit()
+        assert boxes or not page.exercises
         for box, written in zip(found, boxes, strict=True):
             choices = box.find_all("details", recursive=False)
-            assert [choice.summary.get_text() for choice in choices] == CHOICE.findall(written)
+            expected = [choice.title for choice in written.choices]
+            assert [choice.summary.get_text() for choice in choices] == expected
             assert len(choices) >= 2
             assert all(choice.p.get_text() for choice in choices)
 
@@ -215,10 +193,11 @@ def test_html_is_balanced(reader: list[Path]) -> None:
 
 
 def test_equations_carry_the_papers_numbers(reader: list[Path]) -> None:
-    for source, file in zip(SOURCES, reader, strict=True):
+    for page, file in zip(SOURCES, reader, strict=True):
         formulas = [token for token in tokens(text(file)) if token.type == "math_block"]
         numbers = [tag for token in formulas for tag in TAG.findall(token.content)]
-        assert numbers == LABEL.findall(text(source))
+        labels = [equation.options["label"] for equation in page.all("math")]
+        assert [f"eq-{number}" for number in numbers] == labels
         for number in numbers:
             assert f'<div id="eq-{number}"></div>\n\n$$\n' in text(file)
     written = {number for file in reader for number in TAG.findall(text(file))}
@@ -288,14 +267,14 @@ def linking_outputs(notebook: list[Any]) -> list[str]:
 
 
 def test_tables_with_links_are_text(reader: list[Path]) -> None:
-    for source, file in zip(SOURCES, reader, strict=True):
-        tables = linking_outputs(cells(source))
+    for page, file in zip(SOURCES, reader, strict=True):
+        tables = linking_outputs(page.cells)
         assert linking_outputs(cells(file)) == []
         for table in tables:
             rows = [line.count("|") for line in table.splitlines()]
             written = [cell.source for cell in cells(file, "markdown") if cell.source[0] == "|"]
             assert rows in [[line.count("|") for line in text.splitlines()] for text in written]
-    assert sum(len(linking_outputs(cells(source))) for source in SOURCES) >= 5
+    assert sum(len(linking_outputs(page.cells)) for page in SOURCES) >= 5
 
 
 QUICK = "01-introduction"
@@ -303,20 +282,17 @@ QUICK = "01-introduction"
 
 @pytest.mark.parametrize(
     "page",
-    [
-        pytest.param(page, marks=() if page == QUICK else pytest.mark.slow)
-        for page in (source.stem for source in SOURCES)
-    ],
+    [pytest.param(page, marks=() if repr(page) == QUICK else pytest.mark.slow) for page in SOURCES],
+    ids=repr,
 )
-def test_a_students_notebook_runs_unanswered(page: str, folder: Path, tmp_path: Path) -> None:
-    pages = [source.stem for source in SOURCES]
-    file = sorted((folder / "student").iterdir())[pages.index(page)]
+def test_a_students_notebook_runs_unanswered(page: Page, folder: Path, tmp_path: Path) -> None:
+    file = sorted((folder / "student").iterdir())[SOURCES.index(page)]
     notebook = nbformat.read(file, as_version=4)
     place = {"metadata": {"path": tmp_path}}
     NotebookClient(notebook, timeout=300, kernel_name="python3", resources=place).execute()
     assert linking_outputs(notebook.cells) == []
     said = everything(notebook.cells).count(": not answered yet.")
-    assert said == len(EXERCISE.findall(text(file)))
+    assert said == len(page.exercises)
 
 
 @pytest.mark.parametrize(
@@ -332,7 +308,7 @@ def test_the_first_cell_installs_rotedu_only_where_it_is_missing(
     monkeypatch: pytest.MonkeyPatch,
     capsys: pytest.CaptureFixture[str],
 ) -> None:
-    first = Classroom(wheel=wheel).notebook("01-introduction.ipynb", "student").cells[0]
+    first = Classroom(wheel=wheel).notebook(SOURCES[0], "student").cells[0]
     code = TransformerManager().transform_cell(first.source)
     magics: list[tuple[str, str]] = []
 
@@ -351,7 +327,7 @@ def test_the_first_cell_installs_rotedu_only_where_it_is_missing(
 def test_without_a_wheel_the_first_cell_says_what_is_missing(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    first = Classroom().notebook("01-introduction.ipynb", "student").cells[0]
+    first = Classroom().notebook(SOURCES[0], "student").cells[0]
     exec(first.source, {})
     monkeypatch.setattr(importlib.util, "find_spec", lambda _: None)
     with pytest.raises(ModuleNotFoundError, match="install rotedu"):
@@ -362,15 +338,13 @@ def test_marks_for_nbgrader(folder: Path, tmp_path: Path) -> None:
     """It cuts out what stands between the marks; the rest is what students get."""
     Classroom().write(tmp_path, ["nbgrader"])
     files = [sorted(each.iterdir()) for each in (folder / "student", tmp_path / "nbgrader")]
-    for source, plain, file in zip(SOURCES, *files, strict=True):
+    for page, plain, file in zip(SOURCES, *files, strict=True):
         marked = [cell for cell in cells(file) if "nbgrader" in cell.metadata]
         assert [cell for cell in cells(file) if cell not in marked] == cells(plain)
         solutions = [cell.source for cell in marked if cell.metadata.nbgrader.solution]
         assert solutions == [
-            f"### BEGIN SOLUTION\n{cell.source}\n### END SOLUTION"
-            for cell in cells(source, "code")
-            if SOLUTION.search(cell.source)
+            f"### BEGIN SOLUTION\n{exercise.solution.source}\n### END SOLUTION"
+            for exercise in page.exercises.values()
         ]
         tests = [cell.source for cell in marked if cell.metadata.nbgrader.grade]
-        numbers = EXERCISE.findall(text(source))
-        assert tests == [f'assert check("{number}", answer).right' for number in numbers]
+        assert tests == [f'assert check("{n}", answer).right' for n in page.exercises]

@@ -1,47 +1,50 @@
 """The list of errata: each has a section that states the error and computes it."""
 
 import re
+from functools import cache
 
-import nbformat
 import pytest
-from book_text import BOOK, pages
+from notebook_language import blocks, pages
 
 from rotedu.edition.errata import ERRATA, Erratum
 
-HEADING = re.compile(r"^\((erratum-\w+)\)=\n+## (\w+)\. (.+)$", re.MULTILINE)
+
+@cache
+def sections() -> dict[str, tuple[str, list[str]]]:
+    """The text of each section that a link can name, and what its code prints."""
+    found: dict[str, tuple[list[str], list[str]]] = {"": ([], [])}
+    for cell in pages()["errata.ipynb"].cells:
+        for block in blocks(cell.source) if cell.cell_type == "markdown" else ():
+            if block.kind == "myst_target":
+                found[block.title] = ([], [])
+            else:
+                [*found.values()][-1][0].append(block.source)
+        printed = [output.text for output in cell.get("outputs", ()) if "text" in output]
+        [*found.values()][-1][1].extend(printed)
+    return {label: ("\n".join(text), printed) for label, (text, printed) in found.items()}
 
 
 def test_each_has_its_section_in_order() -> None:
-    headings = list(HEADING.findall(pages()["errata.ipynb"]))
-    assert headings == [(row.label, row.number, row.title) for row in ERRATA]
+    labels = [label for label in sections() if label.startswith("erratum-")]
+    assert labels == [row.label for row in ERRATA]
+    for row in ERRATA:
+        assert sections()[row.label][0].startswith(f"## {row.number}. {row.title}\n")
 
 
 @pytest.mark.parametrize("row", ERRATA, ids=lambda row: row.number)
 def test_a_section_says_what_is_printed_what_is_right_and_what_it_changes(row: Erratum) -> None:
-    _, _, rest = pages()["errata.ipynb"].partition(f"({row.label})=")
-    section, _, _ = rest.partition("\n(")
     for part in ("**As printed.**", "**What it should be.**", "**What it changes.**"):
-        assert section.count(part) == 1
+        assert sections()[row.label][0].count(part) == 1
 
 
-def test_each_computes_something_or_leads_to_the_chapter_that_does() -> None:
-    cells = nbformat.read(BOOK / "errata.ipynb", as_version=4).cells
-    computing, current = set(), ""
-    for cell in cells:
-        if cell.cell_type == "markdown":
-            for label in re.findall(r"^\(([\w-]+)\)=$", cell.source, re.MULTILINE):
-                current = label
-        elif any(output.get("name") == "stdout" for output in cell.outputs):
-            computing.add(current)
-    for row in ERRATA:
-        if row.label not in computing:
-            _, _, rest = pages()["errata.ipynb"].partition(f"({row.label})=")
-            section, _, _ = rest.partition("\n(")
-            chapters = re.findall(r"\]\((\d\d-[\w-]+\.ipynb)\)", section)
-            assert any(f"](#{row.label})" in pages()[chapter] for chapter in chapters), row.number
+@pytest.mark.parametrize("row", ERRATA, ids=lambda row: row.number)
+def test_each_computes_something_or_leads_to_the_chapter_that_does(row: Erratum) -> None:
+    text, printed = sections()[row.label]
+    chapters = re.findall(r"\]\((\d\d-[\w-]+\.ipynb)\)", text)
+    assert printed or any(f"](#{row.label})" in pages()[chapter].text for chapter in chapters)
 
 
 def test_a_box_in_the_colour_of_errata_links_to_one() -> None:
-    boxes = re.findall(r"^:class: erratum (.*?)^:::$", "\n".join(pages().values()), re.M | re.S)
+    boxes = [box for page in pages().values() for box in page.boxes("erratum")]
     assert len(boxes) > 10
-    assert all("](#erratum-e" in box for box in boxes)
+    assert all("](#erratum-e" in box.body for box in boxes)

@@ -1,59 +1,33 @@
 """Every exercise checks its answer: it knows the right ones, the usual wrong ones, and nonsense."""
 
-import re
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 import matplotlib
-import nbformat
 import numpy as np
 import pytest
 from matplotlib import pyplot
+from notebook_language import Page, chapters, exercises
 
 from rotedu.edition.exercises import check
 from rotedu.edition.exercises.judging import EXERCISES, Mistake, Part, Wrong, exercise
 
-ROOT = Path(__file__).parents[1]
-IN_ORDER = re.findall(r"file: (book/0\d-[\w-]+)", (ROOT / "_toc.yml").read_text("utf-8"))
-PAGES = [ROOT / f"{name}.ipynb" for name in IN_ORDER]
-HEADING = re.compile(r"^\*\*Exercise ([\d.]+)\*\* \([^)]*?(\d+) minutes\)", re.MULTILINE)
+IN_BOOK = {number: page for page in chapters() for number in page.exercises}
 GARBAGE = [None, "x", np.nan, (None, None), np.full((2, 5), 7.0), object(), {}, [], [[1], [2, 3]]]
 GARBAGE.append(GARBAGE)
-
-
-def text_of(page: Path) -> str:
-    cells = nbformat.read(page, as_version=4).cells
-    return "\n".join(cell.source for cell in cells if cell.cell_type == "markdown")
-
-
-def cells_of(page: Path) -> dict[str, list[Any]]:
-    """Return the code cells of each exercise of a page: starter cells and solution."""
-    numbers: list[str] = []
-    cells: dict[str, list[Any]] = {}
-    for cell in nbformat.read(page, as_version=4).cells:
-        if cell.cell_type == "markdown":
-            numbers += [number for number, _ in HEADING.findall(cell.source)]
-        elif numbers:
-            cells.setdefault(numbers[-1], []).append(cell)
-    return cells
-
-
-IN_BOOK = {number: (page, cells) for page in PAGES for number, cells in cells_of(page).items()}
 
 
 @cache
 def answers(number: str) -> tuple[Any, Any]:
     """Run an exercise alone, after the imports of its page; return the answers before and after."""
-    page, (*starters, solution) = IN_BOOK[number]
-    cells = nbformat.read(page, as_version=4).cells
-    imports = next(cell.source for cell in cells if cell.cell_type == "code")
-    lines = [line for line in imports.splitlines() if not line.startswith("%")]
+    page = IN_BOOK[number]
+    asked = page.exercises[number]
+    lines = [line for line in page.code[0].source.splitlines() if not line.startswith("%")]
     names: dict[str, Any] = {}
     with matplotlib.rc_context():
-        exec("\n".join([*lines, *(cell.source for cell in starters)]), names)
+        exec("\n".join([*lines, asked.start.source]), names)
         before = names.get("answer")
-        exec(solution.source, names)
+        exec(asked.solution.source, names)
         pyplot.close("all")
     return before, names.get("answer")
 
@@ -64,23 +38,20 @@ def printed(cell: Any) -> str:
     )
 
 
-def test_every_exercise_of_the_book_has_a_check() -> None:
-    assert set(EXERCISES) == set(IN_BOOK)
-    assert len(IN_BOOK) >= 45
+def test_every_exercise_of_the_book_has_a_check_and_its_own_number() -> None:
+    assert set(EXERCISES) == set(exercises())
 
 
-def test_exercises_are_numbered_in_the_order_of_the_pages() -> None:
-    found = [number for page in PAGES for number, _ in HEADING.findall(text_of(page))]
-    chapters = [int(number.partition(".")[0]) for number in found]
-    expected = [f"{c}.{chapters[: i + 1].count(c)}" for i, c in enumerate(chapters)]
-    assert found == expected
-    assert chapters == sorted(chapters)
+@pytest.mark.parametrize("page", chapters(), ids=repr)
+def test_a_page_begins_with_two_drills(page: Page) -> None:
+    assert max(asked.minutes for asked in list(page.exercises.values())[:2]) <= 5
 
 
-@pytest.mark.parametrize("page", [page for page in PAGES], ids=lambda page: page.stem)
-def test_a_page_begins_with_two_drills(page: Path) -> None:
-    minutes = [int(minutes) for _, minutes in HEADING.findall(text_of(page))]
-    assert max(minutes[:2]) <= 5
+@pytest.mark.parametrize("page", chapters(), ids=repr)
+def test_what_looks_like_an_exercise_is_one(page: Page) -> None:
+    """A cell that JupyterLab has added is no part of an exercise until it gets its id."""
+    assert page.text.count("**Exercise ") == len(page.exercises)
+    assert sum("check(" in cell.source for cell in page.code) == 2 * len(page.exercises)
 
 
 @pytest.mark.parametrize("number", IN_BOOK)
@@ -88,7 +59,7 @@ class TestInTheBook:
     def test_an_exercise_stands_on_its_own(self, number: str) -> None:
         """It needs the imports of its page and nothing that another cell has made."""
         answers(number)
-        solution = IN_BOOK[number][1][-1].source
+        solution = IN_BOOK[number].exercises[number].solution.source
         assert solution.startswith(f"# Solution of Exercise {number}\n")
 
     def test_the_starter_is_unanswered_and_the_solution_right(self, number: str) -> None:
@@ -97,8 +68,8 @@ class TestInTheBook:
         assert check(number, after).right is True
 
     def test_the_page_shows_both_verdicts(self, number: str) -> None:
-        *_, starter, solution = IN_BOOK[number][1]
-        for cell, verdict in ((starter, "not answered yet."), (solution, "right.")):
+        asked = IN_BOOK[number].exercises[number]
+        for cell, verdict in ((asked.start, "not answered yet."), (asked.solution, "right.")):
             assert cell.source.splitlines()[-1] == f'check("{number}", answer)'
             assert f"{number}: {verdict}" in printed(cell)
 

@@ -11,25 +11,17 @@ from pathlib import Path
 from posixpath import dirname, join, normpath
 from typing import Any
 
-import nbformat
 import pytest
 from bs4 import BeautifulSoup
+from notebook_language import exercises, pages
 from pypdf import PdfReader
 from pypdf.generic import Destination
 
 ROOT = Path(__file__).parents[1]
-CAPTION = re.compile(r"^\*\*((?:Figure|Picture) [\w-]+)\.\*\*", re.MULTILINE)
-SOLUTION = re.compile(r"^# Solution of Exercise ([\d.]+)$", re.MULTILINE)
+CAPTIONS = [caption.title for page in pages().values() for caption in page.all("caption")]
 EPUBCHECK = Path("/usr/bin/epubcheck")
 
 pytestmark = pytest.mark.slow
-
-
-def sources() -> str:
-    """The text and the code of all pages."""
-    notebooks = [nbformat.read(file, 4) for file in sorted((ROOT / "book").glob("*.ipynb"))]
-    texts = [cell.source for notebook in notebooks for cell in notebook.cells]
-    return "\n\n".join([*texts, (ROOT / "book" / "index.md").read_text(encoding="utf-8")])
 
 
 def made(edition: str) -> Path:
@@ -150,20 +142,17 @@ def test_fonts_are_in_the_pdf(pdf: PdfReader) -> None:
 
 def test_the_pdf_has_every_figure_and_solution(texts: list[str]) -> None:
     text = "\n".join(texts)
-    assert {name for name in CAPTION.findall(sources()) if f"{name}." not in text} == set()
+    assert [title for title in CAPTIONS if f"{title}." not in text] == []
     solutions = text[text.rindex("Solutions of the exercises\n1 Introduction") :]
-    missing = [
-        n for n in SOLUTION.findall(sources()) if f"# Solution of Exercise {n}\n" not in solutions
-    ]
-    assert missing == []
+    assert [n for n in exercises() if f"# Solution of Exercise {n}\n" not in solutions] == []
 
 
 def test_the_epub_has_every_figure_and_solution(epub: dict[str, BeautifulSoup]) -> None:
     figures = [figure for page in epub.values() for figure in page.find_all("figure")]
-    assert len(figures) == len(CAPTION.findall(sources()))
+    assert len(figures) == len(CAPTIONS)
     assert all(figure.img["alt"] for figure in figures)
     solutions = epub["book/solutions.xhtml"].find_all(id=re.compile(r"^solution-"))
-    assert len(solutions) == len(SOLUTION.findall(sources()))
+    assert len(solutions) == len(exercises())
 
 
 def test_the_epub_has_mathml_and_nothing_that_needs_a_script(

@@ -4,10 +4,10 @@ import re
 from pathlib import Path
 from typing import Any
 
-import nbformat
 import numpy as np
 import pytest
 from bs4 import BeautifulSoup
+from notebook_language import Page, chapters, pages
 
 from rotedu import scenes
 from rotedu.arcs import angle_between, arc_axis
@@ -25,44 +25,33 @@ from rotedu.orientations import nearest_rotation
 
 ROOT = Path(__file__).parents[1]
 AXE = ROOT / "node_modules" / "axe-core" / "axe.min.js"
-CHAPTERS = sorted((ROOT / "book").glob("0*.ipynb"))
-QUESTION = re.compile(
-    r"^::::\{admonition\} [^\n]+\n:class: question[^\n]*\n(.*?)^::::$", re.M | re.S
-)
-CHOICE = re.compile(r"^:::\{dropdown\} ([^\n]+)\n(.*?)^:::$", re.M | re.S)
 VERDICT = re.compile(r"(Yes|No|Half true)\b")
 
-chapters = pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda chapter: chapter.stem)
-
-
-def text_of(chapter: Path) -> str:
-    cells = nbformat.read(chapter, as_version=4).cells
-    return "\n\n".join(cell.source for cell in cells if cell.cell_type == "markdown")
+of_chapters = pytest.mark.parametrize("chapter", chapters(), ids=repr)
 
 
 def answers(stem: str) -> str:
     """All that the answers on a page say."""
-    [question] = QUESTION.findall(text_of(ROOT / "book" / f"{stem}.ipynb"))
-    return "\n".join(answer for _, answer in CHOICE.findall(question))
+    [question] = pages()[f"{stem}.ipynb"].boxes("question")
+    return "\n".join(choice.body for choice in question.choices)
 
 
 def degrees(angle: Any) -> float:
     return float(np.rad2deg(angle))
 
 
-@chapters
-def test_a_chapter_asks_before_it_tells(chapter: Path) -> None:
+@of_chapters
+def test_a_chapter_asks_before_it_tells(chapter: Page) -> None:
     """The first word of an answer is its verdict, and one choice is right."""
-    questions = QUESTION.findall(text_of(chapter))
+    questions = chapter.boxes("question")
     assert questions
     for question in questions:
-        choices = CHOICE.findall(question)
-        assert 2 <= len(choices) <= 4
-        verdicts = [VERDICT.match(answer) for _, answer in choices]
+        assert 2 <= len(question.choices) <= 4
+        verdicts = [VERDICT.match(choice.body) for choice in question.choices]
         assert [match and match[0] for match in verdicts].count("Yes") == 1
         assert None not in verdicts
         # Class notebooks put choices into HTML, where a formula is not typeset.
-        assert not re.search(r"[$`*\[]", "".join(choice for choice, _ in choices))
+        assert not re.search(r"[$`*\[]", "".join(choice.title for choice in question.choices))
 
 
 class TestWhatTheAnswersSay:
@@ -139,7 +128,7 @@ class TestWhatTheAnswersSay:
             assert abs(axis @ start) < 1e-12
             trip = rotation_matrix(axis, angle_between(start, end)) @ trip
         rolled = f"rolled by {degrees(axis_angle(trip)[1]):.0f}°"
-        asked = text_of(ROOT / "book" / "05-orientations.ipynb")
+        asked = pages()["05-orientations.ipynb"].text
         assert asked.count(rolled) == 3
         assert rolled in answers("05-orientations")
 
@@ -152,12 +141,12 @@ class TestWhatTheAnswersSay:
         assert f"matrix is {matrix:.0f} degrees off, the quaternion {quaternion:.0f}" in said
 
 
-@chapters
-def test_a_page_offers_its_choices_as_native_elements(book: Path, chapter: Path) -> None:
-    html = (book / "book" / f"{chapter.stem}.html").read_text("utf-8")
+@of_chapters
+def test_a_page_offers_its_choices_as_native_elements(book: Path, chapter: Page) -> None:
+    html = (book / "book" / f"{chapter}.html").read_text("utf-8")
     page = BeautifulSoup(html, "html.parser")
     groups = page.select(".question")
-    written = QUESTION.findall(text_of(chapter))
+    written = chapter.boxes("question")
     assert len(groups) == len(written)
     for group, question in zip(groups, written, strict=True):
         assert group["role"] == "group"
@@ -165,7 +154,7 @@ def test_a_page_offers_its_choices_as_native_elements(book: Path, chapter: Path)
         assert name.get_text().endswith("?") or "?" in name.get_text()
         choices = group.find_all("details", recursive=False)
         summaries = [choice.summary.get_text().strip() for choice in choices]
-        assert summaries == [choice for choice, _ in CHOICE.findall(question)]
+        assert summaries == [choice.title for choice in question.choices]
         for choice in choices:
             assert not choice.has_attr("open")
             assert VERDICT.match(choice.select_one(".sd-summary-content").get_text().strip())
@@ -192,8 +181,8 @@ def test_choices_open_by_keyboard_without_scripts(browser: Any, site: str) -> No
 def test_a_finger_can_hit_a_choice(browser: Any, site: str) -> None:
     page = browser.new_page(viewport={"width": 390, "height": 900}, has_touch=True)
     heights = []
-    for chapter in CHAPTERS:
-        page.goto(f"{site}/book/{chapter.stem}.html")
+    for chapter in chapters():
+        page.goto(f"{site}/book/{chapter}.html")
         boxes = page.locator(".question summary, .answer-form :is(input, button)")
         heights += boxes.evaluate_all("all => all.map(box => box.getBoundingClientRect().height)")
     page.close()

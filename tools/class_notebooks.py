@@ -14,33 +14,17 @@ from pathlib import Path
 from typing import Literal
 
 import nbformat
-import yaml
-from markdown_it import MarkdownIt
-from markdown_it.token import Token
-from mdit_py_plugins.colon_fence import colon_fence_plugin
-from mdit_py_plugins.dollarmath import dollarmath_plugin
-from mdit_py_plugins.myst_blocks import myst_block_plugin
 from nbformat import NotebookNode
 from nbformat.v4 import new_code_cell, new_markdown_cell
+from notebook_language import BOOK, ROOT, Block, Page, blocks, notebooks, pages, part_of, tags
 from pybtex.database import parse_file
 
 from rotedu import colors
 
-ROOT = Path(__file__).parents[1]
-BOOK = ROOT / "book"
 CLASS = ROOT / "class"
 
 Reader = Literal["student", "teacher", "nbgrader"]
 
-MYST = MarkdownIt("commonmark").enable("table")
-MYST.use(colon_fence_plugin).use(dollarmath_plugin, allow_labels=True).use(myst_block_plugin)
-
-CAPTION = re.compile(r"\*\*((?:Figure|Picture) [\w-]+)\.\*\*")
-EXERCISE = re.compile(r"^\*\*Exercise ([\d.]+)\*\* \((.+), (\d+) minutes\)", re.MULTILINE)
-SOLUTION = re.compile(r"# Solution of Exercise ([\d.]+)\n")
-DIRECTIVE = re.compile(r"\{(admonition|dropdown)\} (.+)")
-EQUATION = re.compile(r":label: (eq-(.+))\n(?::.*\n)*\n")
-BOX = re.compile(r":class: (\w+).*\n+")
 BOXES = {
     "claim": colors.VECTOR,
     "erratum": colors.AXIS,
@@ -86,40 +70,16 @@ heading *Exercises* and choose *Run All Above Selected Cell*.\
 EXERCISES = "\n\n| Exercise | Kind | Minutes |\n| --- | --- | --- |\n"
 
 
-def blocks(text: str) -> Iterator[tuple[Token, str]]:
-    """Yield the blocks of a text, each with its lines."""
-    lines = text.splitlines()
-    for token in MYST.parse(text):
-        if token.level == 0 and token.map:
-            yield token, "\n".join(lines[slice(*token.map)]).strip()
-
-
-def caption_anchor(source: str) -> str:
-    """Return the name by which links find a caption, or nothing for another paragraph."""
-    caption = CAPTION.match(source)
-    return caption[1].lower().replace(" ", "-") if caption else ""
-
-
-def anchors(text: str) -> Iterator[tuple[str, str]]:
-    """Yield the names that links may use, each with its name on the page of the book."""
-    for token, source in blocks(text):
-        if token.info == "{math}":
-            label = EQUATION.match(token.content)[1]
-            yield label, f"equation-{label}"
-        elif name := token.content if token.type == "myst_target" else caption_anchor(source):
-            yield name, name
-
-
 def coloured(formula: str) -> str:
     """Write out the macros for colours, which other places do not define."""
     return MACRO.sub(lambda m: rf"\textcolor{{{getattr(colors, m[1].upper())}}}", formula)
 
 
-def numbered(equation: str) -> str:
-    """Return an equation with its number, from the options and the formula of a directive."""
-    options = EQUATION.match(equation)
-    formula = coloured(equation[options.end() :].strip())
-    return f'<div id="{options[1]}"></div>\n\n$$\n{formula}\n\\tag{{{options[2]}}}\n$$'
+def numbered(equation: Block) -> str:
+    """Return an equation with its number."""
+    label, formula = equation.anchor, coloured(equation.body)
+    number = label.removeprefix("eq-")
+    return f'<div id="{label}"></div>\n\n$$\n{formula}\n\\tag{{{number}}}\n$$'
 
 
 def quotation(color: str, title: str, body: str) -> str:
@@ -130,11 +90,9 @@ def quotation(color: str, title: str, body: str) -> str:
 
 def class_names() -> dict[str, str]:
     """Name the notebooks of the book so that folders show them in order: 05a-arcs for 05-arcs."""
-    contents = yaml.safe_load((ROOT / "_toc.yml").read_text(encoding="utf-8"))
-    files = [chapter["file"] for part in contents["parts"] for chapter in part["chapters"]]
-    pages = [file.name for file in (ROOT / f"{file}.ipynb" for file in files) if file.exists()]
     names = {}
-    for chapter, group in itertools.groupby(pages, key=lambda page: page.partition("-")[0]):
+    files = [page.name for page in notebooks()]
+    for chapter, group in itertools.groupby(files, key=lambda name: name.partition("-")[0]):
         of_chapter = list(group)
         for letter, page in zip("abcdefgh", of_chapter, strict=False):
             names[page] = page.replace(chapter, chapter + letter) if of_chapter[1:] else page
@@ -157,15 +115,12 @@ class Classroom:
         self.book = book.rstrip("/")
         self.wheel = wheel
         self.names = class_names()
-        self.notebooks = {page: nbformat.read(BOOK / page, as_version=4) for page in self.names}
-        texts = {file.name: file.read_text(encoding="utf-8") for file in BOOK.glob("*.md")}
-        for page, notebook in self.notebooks.items():
-            cells = [cell.source for cell in notebook.cells if cell.cell_type == "markdown"]
-            texts[page] = "\n\n".join(cells)
         self.anchors = {
-            anchor: (page, in_book)
-            for page, text in texts.items()
-            for anchor, in_book in anchors(text)
+            # On the page of the book, equations have names of their own.
+            name: (page.name, f"equation-{name}" if block.kind == "math" else name)
+            for page in pages().values()
+            for block in page.blocks
+            if (name := block.anchor)
         }
         self.sources = parse_file(BOOK / "references.bib").entries
 
@@ -211,44 +166,41 @@ class Classroom:
 
         return INLINE.sub(rewrite, text)
 
-    def directive(self, page: str, token: Token) -> str:
-        """Return a box as a coloured quotation, a folded text as HTML that folds."""
-        if token.info == "{math}":
-            return numbered(token.content)
-        directive = DIRECTIVE.fullmatch(token.info)
-        if directive is None:
-            raise ValueError(f"{page}: cannot write {token.info!r} without MyST")
-        name, title = directive.groups()
-        if name == "dropdown":
-            body = self.markdown(page, token.content)
-            summary = f"<summary>{title}</summary>"
-            return f'<details style="margin: 1em 0">\n{summary}\n\n{body}\n\n</details>'
-        box = BOX.match(token.content)
-        if box is None or box[1] not in BOXES:
-            raise ValueError(f"{page}: the box {title!r} has no class of {', '.join(BOXES)}")
-        body = self.markdown(page, token.content[box.end() :])
-        return quotation(BOXES[box[1]], self.inline(page, title), body)
+    def box(self, page: str, box: Block) -> str:
+        """Return a box as a coloured quotation."""
+        meaning = box.options.get("class", "").partition(" ")[0]
+        if meaning not in BOXES:
+            raise ValueError(f"{page}: the box {box.title!r} has no class of {', '.join(BOXES)}")
+        return quotation(
+            BOXES[meaning], self.inline(page, box.title), self.markdown(page, box.body)
+        )
 
-    def markdown(self, page: str, text: str, *, answered: bool = True) -> str:
-        """Rewrite a text without MyST; without the answer that it begins with, unless answered."""
-        written = []
-        for token, source in blocks(text):
-            match token.type:
-                case "colon_fence" if not answered and not written:
-                    continue
-                case "colon_fence":
-                    written.append(self.directive(page, token))
-                case "math_block":
-                    written.append(f"$$\n{coloured(token.content.strip())}\n$$")
-                case "myst_target":
-                    written.append(f'<div id="{token.content}"></div>')
-                case "fence" | "code_block":
-                    written.append(source)
-                case _:
-                    name = caption_anchor(source)
-                    anchor = f'<a id="{name}"></a>' if name else ""
-                    written.append(anchor + self.inline(page, source))
-        return "\n\n".join(written)
+    def block(self, page: str, block: Block) -> str:
+        """Rewrite a block without MyST."""
+        match block.kind:
+            case "admonition":
+                return self.box(page, block)
+            case "dropdown":
+                body = self.markdown(page, block.body)
+                summary = f"<summary>{block.title}</summary>"
+                return f'<details style="margin: 1em 0">\n{summary}\n\n{body}\n\n</details>'
+            case "math":
+                return numbered(block)
+            case "math_block":
+                return f"$$\n{coloured(block.body.strip())}\n$$"
+            case "myst_target":
+                return f'<div id="{block.title}"></div>'
+            case "caption":
+                return f'<a id="{block.anchor}"></a>{self.inline(page, block.source)}'
+            case "fence" | "code_block":
+                return block.source
+        if block.source.startswith((":::", "```")):
+            raise ValueError(f"{page}: cannot write {block.kind} without MyST")
+        return self.inline(page, block.source)
+
+    def markdown(self, page: str, text: str) -> str:
+        """Rewrite a text without MyST."""
+        return "\n\n".join(self.block(page, block) for block in blocks(text))
 
     def first_cell(self) -> NotebookNode:
         """Return a cell that installs rotedu where it is missing."""
@@ -264,64 +216,54 @@ class Classroom:
             metadata={"jupyter": {"source_hidden": True}},
         )
 
-    def code_cells(self, page: str, cell: NotebookNode) -> Iterator[NotebookNode]:
+    def code_cells(self, page: Page, cell: NotebookNode) -> Iterator[NotebookNode]:
         """Yield a cell with code, or the text of the table that it makes, if that has links."""
-        tags = cell.metadata.get("tags", [])
         table = "".join(output.get("data", {}).get("text/markdown", "") for output in cell.outputs)
         if "](" not in table:
             yield code_cell(cell)
             return
-        if "remove-input" not in tags:
+        if "remove-input" not in tags(cell):
             # Shown by Python, the links of the table would lead nowhere.
             yield code_cell(NotebookNode(cell, source=f"{cell.source};", outputs=[]))
-        yield new_markdown_cell(self.markdown(page, table), id=f"{cell.id}-table")
+        yield new_markdown_cell(self.markdown(page.name, table), id=f"{cell.id}-table")
 
-    def cells(self, page: str, reader: Reader) -> Iterator[NotebookNode]:
+    def cells(self, page: Page, reader: Reader) -> Iterator[NotebookNode]:
         """Yield the cells of a page that a reader gets."""
         yield self.first_cell()
-        solved = ""
-        for cell in self.notebooks[page].cells:
-            tags = cell.metadata.get("tags", [])
-            if "remove-cell" in tags and not (reader == "teacher" and "teacher" in tags):
+        for cell in page.cells:
+            part, number = part_of(cell.id)
+            if "remove-cell" in tags(cell) and not (
+                reader == "teacher" and "teacher" in tags(cell)
+            ):
                 continue
-            if cell.cell_type == "markdown":
-                answered = reader == "teacher" or not solved
-                if text := self.markdown(page, cell.source, answered=answered):
-                    yield new_markdown_cell(text, id=cell.id)
-            solved = solves(cell)
-            if solved and reader == "teacher":
+            if part == "solution" and reader == "nbgrader":
+                yield from marked(cell, number)
+            elif part in ("solution", "why") and reader != "teacher":
+                continue
+            elif cell.cell_type == "markdown":
+                yield new_markdown_cell(self.markdown(page.name, cell.source), id=cell.id)
+            elif part == "solution":
                 yield code_cell(cell)
-            elif solved and reader == "nbgrader":
-                yield from marked(cell, solved)
-            elif cell.cell_type == "code" and not solved:
+            else:
                 yield from self.code_cells(page, cell)
 
-    def notebook(self, page: str, reader: Reader) -> NotebookNode:
+    def notebook(self, page: Page, reader: Reader) -> NotebookNode:
         """Return a page as a notebook for a reader."""
         cells = list(self.cells(page, reader))
         begin = new_markdown_cell(FOR_THE_STUDENT, id="begin")
         # Below the title.
-        cells.insert(2, notes(self.notebooks[page]) if reader == "teacher" else begin)
-        return nbformat.v4.new_notebook(cells=cells, metadata=self.notebooks[page].metadata)
+        cells.insert(2, notes(page) if reader == "teacher" else begin)
+        return nbformat.v4.new_notebook(cells=cells, metadata=page.notebook.metadata)
 
     def write(self, folder: Path, readers: Iterable[Reader] = ("student", "teacher")) -> None:
         """Write a folder for each reader, with nothing else in it."""
         for reader in readers:
             shutil.rmtree(folder / reader, ignore_errors=True)
             (folder / reader).mkdir(parents=True)
-            for page, name in self.names.items():
+            for page in notebooks():
                 notebook = self.notebook(page, reader)
                 nbformat.validate(notebook)
-                nbformat.write(notebook, folder / reader / name)
-
-
-def solves(cell: NotebookNode) -> str:
-    """Return the number of the exercise that a cell solves, or nothing."""
-    tags = {"solution", "hide-cell"} & set(cell.metadata.get("tags", []))
-    first_line = SOLUTION.match(cell.source)
-    if "solution" in tags and not first_line:
-        raise ValueError(f"cell {cell.id}: expected the first line # Solution of Exercise ...")
-    return first_line[1] if tags and first_line else ""
+                nbformat.write(notebook, folder / reader / self.names[page.name])
 
 
 def code_cell(cell: NotebookNode) -> NotebookNode:
@@ -334,10 +276,10 @@ def code_cell(cell: NotebookNode) -> NotebookNode:
     return new_code_cell(cell.source, id=cell.id, metadata=metadata, outputs=outputs)
 
 
-def notes(notebook: NotebookNode) -> NotebookNode:
+def notes(page: Page) -> NotebookNode:
     """Return a cell that tells the teacher what to know about a notebook."""
-    text = "\n".join(cell.source for cell in notebook.cells if cell.cell_type == "markdown")
-    rows = [f"| {' | '.join(exercise)} |" for exercise in EXERCISE.findall(text)]
+    asked = page.exercises.values()
+    rows = [f"| {each.number} | {each.kind} | {each.minutes} |" for each in asked]
     body = FOR_THE_TEACHER + EXERCISES + "\n".join(rows) if rows else FOR_THE_TEACHER
     return new_markdown_cell(quotation(colors.NEUTRAL, "For the teacher", body), id="notes")
 

@@ -2,66 +2,50 @@
 
 import json
 import re
-from pathlib import Path
-from typing import Any
 
 import nbformat
 import pytest
+from notebook_language import Page, notebooks
 
 SHOWN = re.compile(r"\bsource\((?:\w+\.)*(\w+)\)")
 PRIVATE = re.compile(r"_(?!_)")
-NOTEBOOKS = sorted((Path(__file__).parents[1] / "book").glob("*.ipynb"))
 
 
-def code_cells(file: Path) -> list[Any]:
-    notebook = nbformat.read(file, as_version=4)
-    return [cell for cell in notebook.cells if cell.cell_type == "code"]
-
-
-@pytest.mark.parametrize("file", NOTEBOOKS, ids=lambda file: file.stem)
+@pytest.mark.parametrize("page", notebooks(), ids=repr)
 class TestNotebook:
-    def test_is_valid(self, file: Path) -> None:
-        nbformat.validate(nbformat.read(file, as_version=4))
+    def test_is_valid(self, page: Page) -> None:
+        nbformat.validate(page.notebook)
 
-    def test_was_run_from_top_to_bottom(self, file: Path) -> None:
+    def test_was_run_from_top_to_bottom(self, page: Page) -> None:
         """Nbval does not compare a cell without a count."""
-        counts = [cell.execution_count for cell in code_cells(file)]
+        counts = [cell.execution_count for cell in page.code]
         assert counts == list(range(1, len(counts) + 1))
 
-    def test_holds_no_pictures_and_no_errors(self, file: Path) -> None:
-        for cell in code_cells(file):
+    def test_holds_no_pictures_and_no_errors(self, page: Page) -> None:
+        for cell in page.code:
             for output in cell.outputs:
                 assert output.output_type != "error"
                 assert output.get("name") != "stderr"
                 assert not [mime for mime in output.get("data", {}) if mime.startswith("image/")]
 
-    def test_is_folded_in_jupyterlab_as_in_the_book(self, file: Path) -> None:
-        for cell in code_cells(file):
-            tags = set(cell.metadata.get("tags", []))
-            folded = cell.metadata.get("jupyter", {})
-            assert ("source_hidden" in folded) == bool(
-                tags & {"hide-input", "remove-input", "hide-cell"}
-            )
-            assert ("outputs_hidden" in folded) == ("hide-cell" in tags)
-
-    def test_shows_no_private_function(self, file: Path) -> None:
+    def test_shows_no_private_function(self, page: Page) -> None:
         """A listing is a public function; operators are methods with two underscores."""
-        shown = [name for cell in code_cells(file) for name in SHOWN.findall(cell.source)]
+        shown = [name for cell in page.code for name in SHOWN.findall(cell.source)]
         assert [name for name in shown if PRIVATE.match(name)] == []
-        printed = json.dumps([cell.outputs for cell in code_cells(file)])
+        printed = json.dumps([cell.outputs for cell in page.code])
         assert not re.search(r"\bdef _[a-z]", printed)
 
-    def test_names_no_backend_and_no_path(self, file: Path) -> None:
-        for cell in code_cells(file):
+    def test_names_no_backend_and_no_path(self, page: Page) -> None:
+        for cell in page.code:
             for word in ("jupyter_backend", "PYVISTA", "__file__", "os.path", "pathlib"):
                 assert word not in cell.source
 
-    def test_compares_what_it_prints(self, file: Path) -> None:
+    def test_compares_what_it_prints(self, page: Page) -> None:
         """Only pictures and timings may go uncompared."""
         compared = [
             cell
-            for cell in code_cells(file)
+            for cell in page.code
             if cell.outputs and "nbval-ignore-output" not in cell.metadata.get("tags", [])
         ]
-        printed = [cell for cell in code_cells(file) if cell.outputs]
+        printed = [cell for cell in page.code if cell.outputs]
         assert len(compared) >= 0.8 * len(printed) > 0

@@ -2,37 +2,23 @@
 
 200 words take a minute, a line of shown code 5 seconds, a displayed formula 20, a figure 30. Folded
 text counts as if it were open; folded code does not count. Each exercise states its own minutes.
-``python tools/reading_time.py`` prints the count of every page, and writes the minutes into the
-line **Time** of the pages that have one.
+``python tools/reading_time.py`` prints the count of every page; ``tools/derive.py`` writes the
+minutes into the line **Time** of the pages that have one.
 """
 
 import re
+from collections.abc import Iterator
 from math import ceil
-from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
-import nbformat
+from notebook_language import Block, Page, pages, plain, tags, unfolded
 
-BOOK = Path(__file__).parents[1] / "book"
 LOOKED_UP = {"api", "equations", "glossary", "references"}
 SECONDS = {"words": 60 / 200, "lines": 5, "formulas": 20, "figures": 30}
 LIMIT = 30
 
 FOLDED_CODE = {"hide-input", "hide-cell", "remove-input", "remove-cell"}
 FOLDED_OUTPUT = {"remove-output", "remove-cell"}
-EXERCISES = re.compile(r"^## Exercises$.*?(?=^## |\Z)", re.MULTILINE | re.DOTALL)
-EXERCISE = re.compile(r"^\*\*Exercise [\d.]+\*\* \([^)]*?(\d+) minutes?\)", re.MULTILINE)
-TIME = re.compile(r"\*\*Time\*\* .*? for the exercises\.|\*\*Time\*\* \d+ minutes to read\.")
-FIGURE = re.compile(r"^\*\*(?:Figure|Picture) [\w-]+\.\*\*", re.MULTILINE)
-FORMULA = re.compile(r"\$\$.*?\$\$|:::\{math\}.*?:::", re.DOTALL)
-LISTING = re.compile(r"```.*?\n(.*?)```", re.DOTALL)
-# Markup that nobody reads: comments, options and fences of directives, targets of links, roles.
-MARKS = re.compile(
-    r"\A---\n.*?\n---\n|<!--.*?-->|^[:`]{3,}(?:\{[\w-]+\})?|^:[\w-]+:[^\n]*|^\([\w-]+\)=$|\]\([^)]*\)"
-    r"|\{[\w:]+\}|<[^>]*>",
-    re.MULTILINE | re.DOTALL,
-)
-INLINE_FORMULA = re.compile(r"\$[^$]+\$")
 WORD = re.compile(r"[^\s|]*\w[^\s|]*")
 
 
@@ -58,62 +44,55 @@ class Count(NamedTuple):
         return f"**Time** {self.minutes} minutes to read{exercises}."
 
 
-def lines_in(code: str) -> int:
-    """Count the lines that are not empty."""
-    return sum(bool(line.strip()) for line in code.splitlines())
+def shown(page: Page) -> Iterator[Block]:
+    """Yield what a reader sees of a page: texts, code and outputs."""
+    for cell in page.cells:
+        if cell.cell_type == "markdown":
+            yield from () if "remove-cell" in tags(cell) else unfolded(cell.source)
+            continue
+        if not tags(cell) & FOLDED_CODE:
+            yield Block("fence", cell.source, body=cell.source)
+        for output in [] if tags(cell) & FOLDED_OUTPUT else cell.outputs:
+            data = output.get("data", {})
+            if "text/markdown" in data:
+                yield from unfolded(data["text/markdown"])
+            else:
+                printed = output.get("text", data.get("text/plain", ""))
+                yield Block("printed", printed)
 
 
-def shown(cell: Any) -> str:
-    """Return the visible part of a cell, as Markdown."""
-    if cell.cell_type == "markdown":
-        return "" if "remove-cell" in cell.metadata.get("tags", []) else str(cell.source)
-    tags = set(cell.metadata.get("tags", []))
-    parts = [] if tags & FOLDED_CODE else [f"```python\n{cell.source}\n```"]
-    for output in [] if tags & FOLDED_OUTPUT else cell.outputs:
-        data = output.get("data", {})
-        parts.append(data.get("text/markdown", output.get("text", data.get("text/plain", ""))))
-    return "\n\n".join(parts)
+def count(page: Page) -> Count:
+    """Count what there is to read on a page, its section *Exercises* apart."""
+    words = lines = formulas = figures = 0
+    exercises = False
+    for block in shown(page):
+        if block.kind == "heading_open" and block.level == 2:
+            exercises = block.title == "Exercises"
+        if exercises:
+            continue
+        if block.kind in ("fence", "code-cell"):
+            lines += sum(bool(line.strip()) for line in block.body.splitlines())
+        elif block.kind.startswith("math"):
+            formulas += 1
+        elif block.kind not in ("front_matter", "html_block", "myst_target"):
+            figures += block.kind == "caption"
+            prose = block.title if block.kind in ("admonition", "dropdown") else block.source
+            words += len(WORD.findall(prose if block.kind == "printed" else plain(prose)))
+    minutes = sum(exercise.minutes for exercise in page.exercises.values())
+    return Count(words, lines, formulas, figures, minutes)
 
 
-def text_of(page: Path) -> str:
-    """Return the visible part of a page."""
-    if page.suffix == ".md":
-        return page.read_text("utf-8")
-    return "\n\n".join(map(shown, nbformat.read(page, as_version=4).cells))
-
-
-def count(page: Path) -> Count:
-    """Count what there is to read on a page."""
-    text = text_of(page)
-    minutes = sum(map(int, EXERCISE.findall("".join(EXERCISES.findall(text)))))
-    text = EXERCISES.sub("", text)
-    lines = sum(map(lines_in, LISTING.findall(text)))
-    figures = len(FIGURE.findall(text))
-    text = LISTING.sub("", text)
-    formulas = len(FORMULA.findall(text))
-    text = INLINE_FORMULA.sub("formula", FORMULA.sub("", text))
-    return Count(len(WORD.findall(MARKS.sub(" ", text))), lines, formulas, figures, minutes)
-
-
-def pages() -> list[Path]:
+def read_through() -> list[Page]:
     """Return the pages that readers read from top to bottom."""
-    files = sorted([*BOOK.glob("*.ipynb"), *BOOK.glob("*.md")])
-    return [file for file in files if file.stem not in LOOKED_UP]
-
-
-def main() -> None:
-    """Print a line for each page, and update the line **Time** on it."""
-    print(f"{'page':24} words  code  formulas  figures  minutes  exercises")
-    for page in pages():
-        counted = count(page)
-        words, lines, formulas, figures, exercises = counted
-        print(
-            f"{page.stem:24} {words:5} {lines:5} {formulas:9} {figures:8}"
-            f" {counted.minutes:8} {exercises:10}"
-        )
-        text = page.read_text("utf-8")
-        page.write_text(TIME.sub(lambda _, time=counted.time: time, text), "utf-8")
+    return [page for page in pages().values() if page.file.stem not in LOOKED_UP]
 
 
 if __name__ == "__main__":
-    main()
+    print(f"{'page':24} words  code  formulas  figures  minutes  exercises")
+    for page in read_through():
+        counted = count(page)
+        words, lines, formulas, figures, exercises = counted
+        print(
+            f"{page.file.stem:24} {words:5} {lines:5} {formulas:9} {figures:8}"
+            f" {counted.minutes:8} {exercises:10}"
+        )

@@ -1,0 +1,44 @@
+"""What follows from the rest of a page stands in it as the one step writes it."""
+
+import shutil
+from pathlib import Path
+
+import nbformat
+import pytest
+from derive import derive
+from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
+from notebook_language import Page, pages
+
+
+@pytest.mark.parametrize("page", pages().values(), ids=repr)
+def test_nothing_is_left_to_write(page: Page, tmp_path: Path) -> None:
+    """If something is, run `python tools/derive.py`."""
+    copy = Path(shutil.copy(page.file, tmp_path))
+    derive(copy)
+    assert copy.read_text("utf-8") == page.file.read_text("utf-8")
+
+
+def test_what_is_written(tmp_path: Path) -> None:
+    file = tmp_path / "page.ipynb"
+    asked = "**Exercise A.1** (drill, 4 minutes). Why?"
+    cells = [
+        new_markdown_cell("**Time** 9 minutes to read.\n\n:::{math}\n:label: eq-A-1\n\na = b\n:::"),
+        new_code_cell("import this", metadata={"tags": ["hide-input"]}),
+        new_markdown_cell(asked, id="exercise-A-1"),
+        new_code_cell(
+            "answer = ...", id="start-A-1", metadata={"jupyter": {"source_hidden": True}}
+        ),
+        new_code_cell("answer = 42", id="solution-A-1"),
+    ]
+    nbformat.write(new_notebook(cells=cells), file)
+    derive(file)
+    colours, text, imports, _, start, solution = Page(file).cells
+    assert colours.source.count(r"\def\vector#1{\textcolor{##0072b2}{#1}}") == 1
+    assert text.source == (
+        "**Time** 1 minutes to read, 4 for the exercises.\n\n"
+        ":::{math}\n:label: eq-A-1\n:enumerated: true\n:enumerator: A-1\n\na = b\n:::"
+    )
+    assert imports.metadata.jupyter == {"source_hidden": True}
+    assert "jupyter" not in start.metadata
+    assert solution.metadata.tags == ["hide-cell"]
+    assert solution.metadata.jupyter == {"source_hidden": True, "outputs_hidden": True}

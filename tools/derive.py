@@ -1,0 +1,99 @@
+"""Write into the pages what follows from the rest: nothing is run.
+
+The line **Time** takes its minutes from ``reading_time``. Each notebook begins with the macros for
+the colours of its formulas, JupyterLab gets the paper's numbers of the equations, and what the book
+folds, JupyterLab folds. ``make notebooks`` calls this after it has run them.
+"""
+
+import re
+from pathlib import Path
+
+import nbformat
+from nbformat import NotebookNode
+from nbformat.v4 import new_markdown_cell
+from notebook_language import Block, Page, blocks, pages, part_of, tags
+from reading_time import count
+
+from rotedu import colors
+
+TIME = re.compile(r"\*\*Time\*\* .*? for the exercises\.|\*\*Time\*\* \d+ minutes to read\.")
+INKS = ("VECTOR", "AXIS", "RESULT", "CROSS", "WRONG")
+MACROS = {rf"\{ink.lower()}": rf"\textcolor{{#{getattr(colors, ink)}}}{{#1}}" for ink in INKS}
+# MyST in JupyterLab reads the front matter, which other notebooks take for a comment between two
+# rules; MathJax reads the formula. The book leaves the cell out.
+DEFINITIONS = "\n".join(
+    (
+        "---",
+        "<!--: Numbers and colours of formulas, for MyST in JupyterLab and for MathJax",
+        "numbering:",
+        "  equation: false",
+        "math:",
+        *(f"  {macro}: {meaning}" for macro, meaning in MACROS.items()),
+        "# -->",
+        "---",
+        "",
+        "$" + "".join(rf"\def{macro}#1{{{meaning}}}" for macro, meaning in MACROS.items()) + "$",
+    )
+)
+FOLDED = {
+    "hide-input": ["source"],
+    "remove-input": ["source"],
+    "hide-cell": ["source", "outputs"],
+}
+PROMPTS = {"code_prompt_show": "Show the solution", "code_prompt_hide": "Hide the solution"}
+KERNEL = {
+    "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
+    "language_info": {"name": "python"},
+}
+
+
+def define_colours(cells: list[NotebookNode]) -> None:
+    """Begin a notebook with the macros of its formulas."""
+    if cells[0].id != "colours":
+        cells.insert(0, new_markdown_cell(id="colours"))
+    cells[0].update(source=DEFINITIONS, metadata={"tags": ["remove-cell"]})
+
+
+def numbered(equation: Block) -> str:
+    """Return an equation with the options by which JupyterLab gives it the paper's number."""
+    number = equation.anchor.removeprefix("eq-")
+    options = equation.options | {"enumerated": "true", "enumerator": number}
+    lines = "".join(f":{name}: {value}\n" for name, value in options.items())
+    return f":::{{math}}\n{lines}\n{equation.body}\n:::"
+
+
+def fold(cell: NotebookNode) -> None:
+    """Fold solutions in the book, and in JupyterLab what the book folds."""
+    if part_of(cell.id)[0] == "solution":
+        cell.metadata["tags"] = sorted(tags(cell) | {"hide-cell"})
+        cell.metadata["mystnb"] = cell.metadata.get("mystnb", {}) | PROMPTS
+    cell.metadata.pop("jupyter", None)
+    hidden = {f"{part}_hidden": True for tag in tags(cell) for part in FOLDED.get(tag, [])}
+    if hidden:
+        cell.metadata["jupyter"] = hidden
+
+
+def derive(file: Path) -> None:
+    """Bring a page up to date."""
+    page = Page(file)
+    if file.suffix == ".md":
+        file.write_text(TIME.sub(count(page).time, page.text), "utf-8")
+        return
+    define_colours(page.cells)
+    for cell in page.cells:
+        if cell.cell_type == "code":
+            fold(cell)
+            continue
+        for block in blocks(cell.source):
+            if block.kind == "math":
+                cell.source = cell.source.replace(block.source, numbered(block))
+    for cell in page.cells:
+        if cell.cell_type == "markdown":
+            cell.source = TIME.sub(count(page).time, cell.source)
+    page.notebook.metadata = KERNEL
+    nbformat.write(page.notebook, file)
+
+
+if __name__ == "__main__":
+    for page in pages().values():
+        derive(page.file)

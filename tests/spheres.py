@@ -38,12 +38,12 @@ def where(points: Array) -> Array:
     return np.asarray(np.degrees(np.arctan2(points @ m[1], points @ m[0])))
 
 
-def close(actual: Any, desired: Any, atol: float = 1e-14) -> None:
-    np.testing.assert_allclose(actual, desired, rtol=0, atol=atol)
+def close(actual: Any, desired: Any, atol: float = 1e-14, case: object = "") -> None:
+    np.testing.assert_allclose(actual, desired, rtol=0, atol=atol, err_msg=str(case))
 
 
-def on_the_sphere(points: Array, atol: float = 1e-15) -> None:
-    close(np.linalg.norm(points, axis=-1), 1, atol)
+def on_the_sphere(points: Array, atol: float = 1e-15, case: object = "") -> None:
+    close(np.linalg.norm(points, axis=-1), 1, atol, case)
 
 
 PAIRS = random_units(2, 500, 3)

@@ -2,7 +2,7 @@
 
 import math
 import warnings
-from itertools import pairwise
+from itertools import pairwise, product
 from typing import Any
 
 import numpy as np
@@ -128,24 +128,23 @@ class TestClosedCurve:
         by_hand = np.concatenate([de_casteljau(c, u) for c in segments(points, fraction)])
         close(closed_curve(points, 10, fraction), by_hand, 1e-13)
 
-    @pytest.mark.parametrize("d", [2, 3, 4])
-    @pytest.mark.parametrize(("theta", "dtype"), LENGTHS_AND_DTYPES)
-    def test_arcs_of_any_length(self, theta: float, dtype: Any, d: int) -> None:
+    def test_arcs_of_any_length(self) -> None:
         # Fraction 0 gives the control points P, P, Q, Q, and the angle follows 3 u^2 - 2 u^3.
-        single = dtype == np.float32
-        u, rng = np.arange(20) / 20, np.random.default_rng(d)
-        for _ in range(10):
+        u, rng = np.arange(20) / 20, np.random.default_rng(5)
+        for case in product(LENGTHS_AND_DTYPES, [2, 3, 4], range(10)):
+            (theta, dtype), d, _ = case
+            single = dtype == np.float32
             p, x, *others = np.linalg.qr(rng.normal(size=(d, d)))[0].T
             q = np.cos(theta) * p + np.sin(theta) * x
             between = p + q + (others[0] if others else x / 2)
             points = np.array([p, q, between / np.linalg.norm(between)], dtype)
             found = closed_curve(points, 20, 0)
-            assert found.dtype == dtype
-            on_the_sphere(found, 2e-6 if single else 4e-15)
+            assert found.dtype == dtype, case
+            on_the_sphere(found, 2e-6 if single else 4e-15, case)
             turn = (theta * (3 * u**2 - 2 * u**3))[:, None]
             # The rounding of the points matters more near pi.
             rounding = (1e-6 if single else 2e-15) / min(1, np.pi - theta)
-            close(found[:20], np.cos(turn) * p + np.sin(turn) * x, rounding)
+            close(found[:20], np.cos(turn) * p + np.sin(turn) * x, rounding, case)
 
     @pytest.mark.parametrize("size", [1e-16, 1e-12, 1e-9, 1e-8, 1e-7, 1e-5, 1e-3, 0.1, 0.5])
     @pytest.mark.parametrize("fraction", FRACTIONS)

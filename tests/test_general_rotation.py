@@ -13,7 +13,6 @@ from hypothesis.extra.numpy import arrays
 from scipy.spatial.transform import Rotation
 from symbolic import matrix, symbolic, vanishes
 
-from rotedu import general_rotation as general
 from rotedu.cost import OperationCount, count
 from rotedu.errors import DegenerateError
 from rotedu.general_rotation import (
@@ -369,46 +368,16 @@ class TestSinglePrecision:
         assert angle == 0
 
 
-GOOD: dict[Any, dict[str, Any]] = {
-    rotation_u: {"angle": 1},
-    rotation_v: {"angle": 1},
-    rotation_w: {"angle": 1},
-    matrix_from_euler_angles: {"u": 1, "v": 1, "w": 1},
-    quaternion_from_euler_angles: {"u": 1, "v": 1, "w": 1},
-    axis_angle_from_euler_angles: {"u": 1, "v": 1, "w": 1},
-    euler_angles: {"matrix": np.eye(3)},
-    homogeneous: {"matrix": np.eye(3)},
-    translation: {"v": [1, 2, 3]},
-    scaling: {"s": [1, 2, 3]},
-    shearing: {"uv": 1, "uw": 1, "vu": 1, "vw": 1, "wu": 1, "wv": 1},
-    reflection: {"normal": [1, 2, 3]},
-    perspective: {"distance": 1},
-}
-ARGUMENTS = [(f, name) for f, arguments in GOOD.items() for name in arguments]
-
-
 class TestRefusals:
-    @pytest.mark.parametrize(("f", "name"), ARGUMENTS)
-    def test_not_finite_and_not_numbers(self, f: Any, name: str) -> None:
-        for bad in [np.nan, np.inf]:
-            value = np.array(GOOD[f][name], float)
-            value[(-1,) * value.ndim] = bad
-            with pytest.raises(ValueError, match=f"^{name} must be finite in float64; got {bad}"):
-                f(**GOOD[f] | {name: value})
-        for text in ["text", [None, None, 1j], True]:
-            with pytest.raises(ValueError, match=f"^{name} must be an array of real numbers"):
-                f(**GOOD[f] | {name: text})
-
     @pytest.mark.parametrize(
-        ("f", "shape"),
+        ("f", "name", "shape"),
         [
-            (translation, r"\(..., 3\)"),
-            (scaling, r"\(\) or \(..., 3\)"),
-            (reflection, r"\(..., 3\)"),
+            (translation, "v", r"\(..., 3\)"),
+            (scaling, "s", r"\(\) or \(..., 3\)"),
+            (reflection, "normal", r"\(..., 3\)"),
         ],
     )
-    def test_not_vectors(self, f: Any, shape: str) -> None:
-        (name,) = GOOD[f]
+    def test_not_vectors(self, f: Any, name: str, shape: str) -> None:
         with pytest.raises(ValueError, match=rf"^{name} must have shape {shape}; got .*\(2, 4\)"):
             f(np.ones((2, 4)))
 
@@ -423,14 +392,9 @@ class TestRefusals:
         with pytest.raises(ValueError, match=r"^u and v and w must broadcast"):
             matrix_from_euler_angles([1, 2], [1, 2, 3], 0)
 
-    def test_zeros(self) -> None:
-        with pytest.raises(ValueError, match=r"^normal must not be the zero vector; got zeros$"):
-            reflection([0, 0, 0])
+    def test_zero_distance(self) -> None:
         with pytest.raises(ValueError, match=r"^distance must not be zero; got 0 at index \(1,\)$"):
             perspective([1, 0])
-
-    def test_everything_public_is_tested_here(self) -> None:
-        assert {f.__name__ for f in GOOD} | {"compose"} == set(general.__all__)
 
 
 class TestProofs:

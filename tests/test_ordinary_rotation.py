@@ -1,7 +1,8 @@
 """Section 3: (3-1), (3-2), (3-3) and the inverse, against sympy, scipy and their own laws."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from fractions import Fraction
+from itertools import product
 from typing import Any
 
 import numpy as np
@@ -335,18 +336,13 @@ class TestManyPoints:
             close(single, few, 2e-5)
 
     @pytest.mark.parametrize("matrix", matrices)
-    @pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf])
-    @pytest.mark.parametrize("coordinate", [0, 1, 2])
-    def test_one_that_is_not_finite_is_found(
-        self, matrix: Array, value: float, coordinate: int
-    ) -> None:
-        points = self.points.copy()
-        points[100_000, 1, coordinate] = value
-        wrong = (
-            rf"points must be finite in float64; got {value} at index \(100000, 1, {coordinate}\)"
-        )
-        with pytest.raises(ValueError, match=wrong):
-            transform(matrix, points)
+    def test_one_that_is_not_finite_is_found(self, matrix: Array) -> None:
+        for value, coordinate in product([np.nan, np.inf, -np.inf], [0, 1, 2]):
+            points = self.points.copy()
+            points[100_000, 1, coordinate] = value
+            wrong = rf"must be finite in float64; got {value} at index \(100000, 1, {coordinate}\)"
+            with pytest.raises(ValueError, match=f"^points {wrong}"):
+                transform(matrix, points)
 
     def test_one_that_is_sent_to_infinity_is_found(self) -> None:
         points = self.points.copy()
@@ -483,60 +479,19 @@ class TestExtremeAxes:
         close(rotation_matrix(diagonal, 1.0), rotation_matrix([1, 1, 1], 1.0), 0)
 
 
-GOOD: dict[Callable[..., Any], dict[str, Any]] = {
-    rotate: {"points": [1, 2, 3], "axis": [0, 0, 1], "angle": 1},
-    rotation_matrix: {"axis": [0, 0, 1], "angle": 1},
-    transform: {"matrix": np.eye(3), "points": [1, 2, 3]},
-    axis_angle: {"matrix": np.eye(3)},
-    sixteen_products: {"matrix": np.eye(3)},
-}
-NOT_NUMBERS: list[Any] = [
-    "text",
-    None,
-    [None, 1, 2],
-    {},
-    [{}, {}, {}],
-    [[1], [2, 3]],
-    ["1", "2", "3"],
-]
-NOT_NUMBERS += [[1j, 0, 0], [True, False, True], [10**400, 0, 0], np.array(["2020"], "M8[D]")]
-BAD_NUMBER = "must be an array of real numbers; got"
-
-
-def cases(bad: list[Any]) -> list[Any]:
-    return [
-        pytest.param(f, name, value, id=f"{f.__name__}-{name}-{str(value)[:20]}")
-        for f, arguments in GOOD.items()
-        for name in arguments
-        for value in bad
-    ]
-
-
 class TestRefusals:
-    @pytest.mark.parametrize(("f", "name", "value"), cases(NOT_NUMBERS))
-    def test_not_numbers(self, f: Any, name: str, value: Any) -> None:
-        with pytest.raises(ValueError, match=f"^{name} {BAD_NUMBER}") as caught:
-            f(**GOOD[f] | {name: value})
-        assert not isinstance(caught.value, DegenerateError)
-
-    @pytest.mark.parametrize(("f", "name", "value"), cases([np.nan, np.inf, -np.inf]))
-    def test_not_finite(self, f: Any, name: str, value: float) -> None:
-        bad = np.array(GOOD[f][name], float)
-        bad[(-1,) * bad.ndim] = value
-        place = "" if bad.ndim == 0 else r" at index \(2,( 2)?\)?"
-        with pytest.raises(
-            ValueError, match=f"^{name} must be finite in float64; got {value}{place}"
-        ):
-            f(**GOOD[f] | {name: bad})
-
     @pytest.mark.parametrize("shape", [(), (0,), (2,), (4,), (3, 4), (3, 1)])
-    @pytest.mark.parametrize(
-        ("f", "name"), [(rotate, "points"), (rotate, "axis"), (rotation_matrix, "axis")]
-    )
-    def test_not_vectors(self, f: Any, name: str, shape: tuple[int, ...]) -> None:
+    def test_not_vectors(self, shape: tuple[int, ...]) -> None:
+        for name, f in {
+            "points": lambda x: rotate(x, [0, 0, 1], 1),
+            "axis": lambda x: rotate([1, 2, 3], x, 1),
+        }.items():
+            with pytest.raises(ValueError) as caught:  # noqa: PT011
+                f(np.ones(shape))
+            assert str(caught.value) == f"{name} must have shape (..., 3); got shape {shape}"
         with pytest.raises(ValueError) as caught:  # noqa: PT011
-            f(**GOOD[f] | {name: np.ones(shape)})
-        assert str(caught.value) == f"{name} must have shape (..., 3); got shape {shape}"
+            rotation_matrix(np.ones(shape), 1)
+        assert str(caught.value) == f"axis must have shape (..., 3); got shape {shape}"
 
     @pytest.mark.parametrize("shape", [(), (3,), (3, 4), (4, 3), (2, 2), (3, 3, 4), (5, 5)])
     def test_not_matrices(self, shape: tuple[int, ...]) -> None:
@@ -564,12 +519,11 @@ class TestRefusals:
         with pytest.raises(ValueError, match=r"^points must have shape \(..., 3\); got .*\(\)"):
             transform(np.eye(3), np.float64(1))
 
-    @pytest.mark.parametrize("f", [rotate, rotation_matrix])
-    def test_zero_axis(self, f: Any) -> None:
+    def test_zero_axis(self) -> None:
         with pytest.raises(ValueError, match=r"^axis must not be the zero vector; got zeros$"):
-            f(**GOOD[f] | {"axis": [0, 0, 0.0]})
+            rotate([1, 2, 3], [0, 0, 0.0], 1)
         with pytest.raises(ValueError, match=r"^axis must not be .* at index \(1,\)$"):
-            f(**GOOD[f] | {"axis": [[0, 0, 1], [0, 0, 0], [0, 0, 0]]})
+            rotation_matrix([[0, 0, 1], [0, 0, 0], [0, 0, 0]], 1)
 
     def test_shapes_that_do_not_broadcast(self) -> None:
         with pytest.raises(ValueError, match=r"^points and axis and angle must broadcast over"):

@@ -332,41 +332,18 @@ class TestCounts:
 class TestRefusals:
     q = Quaternion(1, [2, 3, 4])
 
-    @pytest.mark.parametrize("value", ["text", None, [None], 1j, True, {}, [[1], [2, 3]]])
-    def test_not_numbers(self, value: Any) -> None:
-        bad = "must be an array of real numbers; got|must be finite in float64; got nan"
-        with pytest.raises(ValueError, match=f"^w {bad}"):
-            Quaternion(value, [1, 2, 3])
-        with pytest.raises(ValueError, match=f"^v {bad}"):
-            Quaternion(1, value)
-        with pytest.raises(ValueError, match=f"^angle {bad}"):
-            rotate_about_u([1, 2, 3], value)
-        with pytest.raises(ValueError, match=f"^points {bad}"):
-            self.q.rotate(value)
+    def test_a_factor_that_is_not_finite(self) -> None:
+        with pytest.raises(ValueError, match=r"^scalar must be finite in float64; got nan"):
+            _ = self.q * np.nan
 
-    @pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf])
-    def test_not_finite(self, value: float) -> None:
-        match = f"must be finite in float64; got {value}"
-        for name, call in {
-            "w": lambda: Quaternion(value, [1, 2, 3]),
-            "v": lambda: Quaternion(1, [1, 2, value]),
-            "axis": lambda: Quaternion.from_axis_angle([1, value, 0], 1),
-            "angle": lambda: Quaternion.from_axis_angle([1, 0, 0], value),
-            "matrix": lambda: Quaternion.from_matrix(np.full((3, 3), value)),
-            "points": lambda: self.q.rotate([value, 1, 2]),
-            "scalar": lambda: self.q * value,
-        }.items():
-            with pytest.raises(ValueError, match=f"^{name} {match}"):
-                call()
-
-    @pytest.mark.parametrize("other", ["text", None, [1, 2], (1,), {}])
     @pytest.mark.parametrize("name", ["add", "sub", "mul", "truediv"])
-    def test_operands_that_are_not_numbers(self, name: str, other: Any) -> None:
+    def test_operands_that_are_not_numbers(self, name: str) -> None:
         operation = getattr(operator, name)
-        with pytest.raises(TypeError):
-            operation(self.q, other)
-        with pytest.raises(TypeError):
-            operation(other, self.q)
+        for other in ["text", None, [1, 2], (1,), {}]:
+            with pytest.raises(TypeError):
+                operation(self.q, other)
+            with pytest.raises(TypeError):
+                operation(other, self.q)
 
     def test_numpy_does_not_take_them_apart(self) -> None:
         with pytest.raises(TypeError):

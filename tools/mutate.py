@@ -81,8 +81,8 @@ def edits(module: str) -> Iterator[Edit]:
 
 def tests_of(module: str) -> list[str]:
     """Return the tests of a module; a module that serves all others also runs their tests."""
-    served = MODULES if module.startswith("_") else []
-    names = dict.fromkeys(f"tests/test_{name.strip('_')}.py" for name in [module, *served])
+    others = MODULES if module.startswith("_") else ["arguments"]
+    names = dict.fromkeys(f"tests/test_{name.strip('_')}.py" for name in [module, *others])
     return [name for name in names if (ROOT / name).exists()]
 
 

@@ -7,8 +7,10 @@ edits that no test notices, and returns 1 unless tools/equivalent.toml expects a
 of the same operator in the same function.
 """
 
+import math
 import os
 import re
+import resource
 import shutil
 import sys
 import tempfile
@@ -86,8 +88,10 @@ def tests_of(module: str) -> list[str]:
     return [name for name in names if (ROOT / name).exists()]
 
 
-def run_tests(tests: list[str]) -> None:
+def run_tests(tests: list[str], seconds: int) -> None:
     """Run tests in this process until one fails, and exit with the result."""
+    # Seconds of a processor: other work on the machine must not count.
+    resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds))
     for stream in (1, 2):
         os.dup2(os.open(os.devnull, os.O_WRONLY), stream)
     # There is no need to shrink a failing example.
@@ -97,12 +101,10 @@ def run_tests(tests: list[str]) -> None:
     os._exit(pytest.main([*options, *tests]))
 
 
-def passes(tests: list[str], seconds: float | None = None) -> bool:
+def passes(tests: list[str], seconds: int = resource.RLIM_INFINITY) -> bool:
     """Tell whether tests pass in time, in a process of their own."""
-    process = FORK.Process(target=run_tests, args=(tests,))
+    process = FORK.Process(target=run_tests, args=(tests, seconds))
     process.start()
-    process.join(seconds)
-    process.kill()
     process.join()
     return process.exitcode == 0
 
@@ -123,7 +125,7 @@ def copy_package(folder: str) -> None:
         import_module(name)
 
 
-def survives(edit: Edit, seconds: float) -> bool:
+def survives(edit: Edit, seconds: int) -> bool:
     """Make an edit, and tell whether the tests of its module still pass."""
     file = Path("rotedu", f"{edit.module}.py")
     source = file.read_text("utf-8")
@@ -140,7 +142,7 @@ def check(module: str, pool: ProcessPoolExecutor) -> list[Edit]:
     if not pool.submit(passes, tests_of(module)).result():
         sys.exit(f"{module}: the tests fail before anything is edited")
     # An edited loop may never end.
-    limit = 10 * (monotonic() - start)
+    limit = 10 * math.ceil(monotonic() - start)
     tried = list(edits(module))
     results = zip(tried, pool.map(survives, tried, repeat(limit)), strict=True)
     unnoticed = sorted(edit for edit, alive in results if alive)

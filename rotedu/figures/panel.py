@@ -64,9 +64,13 @@ def text_of(output: Output) -> str:
     value = output.value
     if isinstance(value, str):
         return value
-    numbers = np.atleast_1d(np.asarray(value, float))
-    rows = np.atleast_2d(numbers)
-    lines = [" ".join(f"{_plain(x, output.digits):.{output.digits}f}" for x in row) for row in rows]
+    rows = [
+        [f"{_plain(x, output.digits):.{output.digits}f}" for x in row]
+        for row in np.atleast_2d(np.asarray(value, float))
+    ]
+    # The columns of a matrix are of one width.
+    width = max(len(x) for row in rows for x in row) if len(rows) > 1 else 0
+    lines = [" ".join(x.rjust(width) for x in row) for row in rows]
     return "\n".join(lines).replace("-", "\N{MINUS SIGN}") + output.unit
 
 

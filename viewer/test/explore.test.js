@@ -1,0 +1,260 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { drag, figure, liveScene, tell } from "./dom.js";
+import { explore } from "../src/explore.js";
+
+const PANEL = `<p class="explorable-status" role="status"></p>
+  <form class="explorable-panel"><fieldset disabled>
+  <input type="range" name="u" min="0" max="1" step="any">
+  <input type="range" name="v" min="0" max="2" step="any">
+  <output name="sum" data-digits="2" data-unit="" data-loud="no"></output>
+  <button type="button" data-action="reset">Reset</button>
+  <button type="button" data-action="link">Link</button></fieldset></form>`;
+const NUMBER = { kind: "number", step: 0.01, stride: 0.1, plays: 0 };
+const INPUTS = {
+  u: { ...NUMBER, low: 0, high: 1 },
+  v: { ...NUMBER, low: 0, high: 2 },
+};
+const frame = (u, v) => ({ parts: { ball: { at: [u, v, 0] } }, labels: {}, outputs: { sum: u + v }, charts: {} });
+const START = { u: 0.25, v: 1 };
+
+/** A figure with a model, or with what is given instead. */
+function shown({ data = {}, models = { add: ({ u, v }) => frame(u, v) }, python } = {}) {
+  const element = figure(PANEL);
+  const scene = element.querySelector(".scene");
+  const live = liveScene(scene);
+  const made = {
+    name: "some-figure",
+    inputs: INPUTS,
+    start: START,
+    model: "add",
+    constants: {},
+    frame: frame(START.u, START.v),
+    grid: [],
+    ...data,
+  };
+  const hand = explore(element, live, made, models, python);
+  const find = (selector) => element.querySelector(selector);
+  const write = (name, value) => {
+    find(`[name=${name}]`).value = value;
+    tell(find(`[name=${name}]`), "input");
+  };
+  const values = () => JSON.parse(element.dataset.values);
+  const status = () => find(".explorable-status").textContent;
+  return { element, scene, live, hand, find, write, values, status };
+}
+
+/** What a figure says on the console, while something is done. */
+function complaints(action) {
+  const said = [];
+  const { error } = console;
+  console.error = (text) => said.push(text);
+  try {
+    action();
+  } finally {
+    console.error = error;
+  }
+  return said;
+}
+
+test("a figure tells its values at once, and draws nothing that is there already", () => {
+  const { live, values, find } = shown();
+  assert.deepEqual(values(), { ...START, sum: 1.25 });
+  assert.equal(find("output").textContent, "1.25");
+  assert.deepEqual(live.applied, []);
+});
+
+test("what the hand changes is computed, shown and told", () => {
+  const { live, write, values, find } = shown();
+  write("v", "1.5");
+  assert.deepEqual(live.applied, [frame(0.25, 1.5)]);
+  assert.deepEqual(values(), { u: 0.25, v: 1.5, sum: 1.75 });
+  assert.equal(find("output").textContent, "1.75");
+  assert.equal(find(".scene-hint"), null);
+});
+
+test("a model is given the constants of its figure, and may correct inputs", () => {
+  const add = ({ u, v }, { more }) => ({ ...frame(u, v + more), inputs: { v: 0.5 } });
+  const data = { constants: { more: 0.125 }, frame: frame(0.25, 1.125) };
+  const { write, values } = shown({ data, models: { add } });
+  write("u", "0.5");
+  assert.deepEqual(values(), { u: 0.5, v: 0.5, sum: 1.625 });
+});
+
+test("a model that differs from Python leaves a figure that only turns", () => {
+  const cases = [
+    [{ outputs: { sum: 1.2501 } }, "differs from Python in sum"],
+    [{ outputs: {} }, "does not compute sum"],
+    [{ parts: { ball: { at: [0.25, 1] } } }, "differs from Python in ball"],
+    [{ parts: { ball: { at: null } } }, "differs from Python in ball"],
+    [{ parts: { ball: { hidden: true } } }, "differs from Python in ball"],
+    [{ labels: { P: [0, 0, 0] } }, "differs from Python in P"],
+    [{ charts: { speeds: { one: [0, 1] } } }, "differs from Python in speeds"],
+  ];
+  for (const [wrong, what] of cases) {
+    const models = { add: ({ u, v }) => ({ ...frame(u, v), ...wrong }) };
+    let made;
+    const said = complaints(() => (made = shown({ models })));
+    assert.deepEqual(said, [`some-figure: the model add ${what}; the figure only turns`]);
+    made.hand.set({ u: 1 });
+    made.hand.receive({ frame: frame(1, 1) });
+    assert.deepEqual(made.live.applied, []);
+    assert.ok(made.find("fieldset").disabled);
+  }
+  assert.match(complaints(() => shown({ models: {} }))[0], /the model add is missing/);
+});
+
+test("a model may differ from Python by what rounding leaves, and say less", () => {
+  const models = { add: ({ u, v }) => ({ parts: {}, outputs: { sum: u + v + 1e-6 } }) };
+  assert.deepEqual(complaints(() => shown({ models })), []);
+});
+
+test("stored frames are found by their inputs, the first of the grid changing last", () => {
+  const grid = [["v", 3], ["u", 2]];
+  const frames = [0, 1, 2].flatMap((v) => [0, 1].map((u) => frame(u, v)));
+  const data = { model: "", grid, frames, start: { u: 0, v: 1 }, frame: frame(0, 1) };
+  const { live, write, values } = shown({ data });
+  write("u", "0.7");
+  write("v", "1.6");
+  assert.deepEqual(values(), { u: 1, v: 2, sum: 3 });
+  write("u", "0.4");
+  assert.deepEqual(live.applied, [frame(1, 1), frame(1, 2), frame(0, 2)]);
+});
+
+test("stored frames need not begin at zero", () => {
+  const frames = [-1, 0, 1].map((u) => frame(u, 1));
+  const inputs = { u: { ...NUMBER, low: -1, high: 1 } };
+  const data = { model: "", inputs, grid: [["u", 3]], frames, start: { u: 0.2 }, frame: frame(0, 1) };
+  const { values, live } = shown({ data });
+  assert.deepEqual(values(), { u: 0, sum: 1 });
+  assert.deepEqual(live.applied, [frame(0, 1)]);
+});
+
+/** A model that refuses where u is 1. */
+function refusing({ u, v }) {
+  if (u === 1) throw Object.assign(new Error("p and q are antipodal"), { name: "DegenerateError" });
+  return frame(u, v);
+}
+
+test("a geometry without an answer keeps the last picture, pale, and says why", () => {
+  const { live, scene, write, values, status, find } = shown({ models: { add: refusing } });
+  write("u", "0.5");
+  write("u", "1");
+  assert.equal(status(), "P and q are antipodal.");
+  assert.ok(scene.hasAttribute("data-refused"));
+  assert.equal(find("output").textContent, "–");
+  assert.deepEqual(values(), { u: 1, v: 1, refused: "p and q are antipodal" });
+  assert.equal(live.applied.length, 1);
+  write("u", "0.75");
+  assert.equal(status(), "");
+  assert.ok(!scene.hasAttribute("data-refused"));
+  assert.deepEqual(values(), { u: 0.75, v: 1, sum: 1.75 });
+});
+
+test("any other error is one", () => {
+  const add = ({ u, v }) => {
+    if (u === 1) throw new RangeError("no");
+    return frame(u, v);
+  };
+  const { hand } = shown({ models: { add } });
+  assert.throws(() => hand.set({ u: 1 }), RangeError);
+});
+
+test("reset brings inputs and camera back, and says so once the hand rests", ({ mock }) => {
+  mock.timers.enable({ apis: ["setTimeout"] });
+  const { live, write, find, values, status } = shown();
+  write("u", "1");
+  find("[data-action=reset]").click();
+  assert.deepEqual(values(), { ...START, sum: 1.25 });
+  assert.equal(live.resets, 1);
+  assert.equal(status(), "");
+  mock.timers.tick(500);
+  assert.equal(status(), "Reset");
+  find("[data-action=reset]").click();
+  write("u", "0.5");
+  mock.timers.tick(500);
+  assert.equal(status(), "");
+});
+
+test("the address leads to the state, and the state follows the address", () => {
+  const { write, find, status, values } = shown();
+  write("u", "0.5");
+  find("[data-action=link]").click();
+  assert.equal(location.hash, "#explore-some-figure?u=0.5");
+  assert.equal(status(), "The address of this page now leads to this state.");
+  assert.deepEqual(shown().values(), { u: 0.5, v: 1, sum: 1.5 });
+  history.replaceState(null, "", "#explore-some-figure?v=0.5");
+  dispatchEvent(new Event("hashchange"));
+  assert.deepEqual(values(), { u: 0.25, v: 0.5, sum: 0.75 });
+  history.replaceState(null, "", "#explore-another?v=0");
+  dispatchEvent(new Event("hashchange"));
+  assert.deepEqual(values(), { u: 0.25, v: 0.5, sum: 0.75 });
+  history.replaceState(null, "", "#");
+});
+
+const POINTS = {
+  inputs: { p: { kind: "points", names: ["P", "Q"], length: 2, reach: 1 } },
+  start: { p: [[0, -2, 0], [0, 0, 2]] },
+};
+const pointed = ({ p }) => ({ parts: {}, labels: {}, outputs: { sum: p[0][0] }, charts: {} });
+
+test("a dragged point keeps its length; the status line says where it lies", ({ mock }) => {
+  mock.timers.enable({ apis: ["setTimeout"] });
+  const data = { ...POINTS, frame: pointed(POINTS.start) };
+  const { scene, hand, values, status } = shown({ data, models: { add: pointed } });
+  const handle = scene.querySelector("[data-handle=p-0]");
+  drag(handle, 25, 0);
+  const [[x, y], q] = values().p;
+  assert.ok(Math.abs(x - 1) < 1e-6 && Math.abs(y + Math.sqrt(3)) < 1e-6);
+  assert.deepEqual(q, [0, 0, 2]);
+  mock.timers.tick(500);
+  assert.equal(status(), handle.getAttribute("aria-label"));
+  hand.set({ p: [[3, 0, 0], [0, 0, 2]] });
+  assert.deepEqual(values().p, [[2, 0, 0], [0, 0, 2]]);
+});
+
+test("a single point is scaled, too, unless it may have any length", () => {
+  for (const [length, wanted] of [[2, [0, 2, 0]], [0, [0, 5, 0]]]) {
+    const inputs = { p: { kind: "points", names: "P", length, reach: 1 } };
+    const add = () => frame(0, 1);
+    const data = { inputs, start: { p: [2, 0, 0] }, frame: frame(0, 1) };
+    const { hand, values } = shown({ data, models: { add } });
+    hand.set({ p: [0, 5, 0] });
+    assert.deepEqual(values().p, wanted);
+  }
+});
+
+/** Python in a notebook, which keeps what it is asked and told. */
+function notebook(values) {
+  const python = { values, asked: [], told: [] };
+  python.ask = (inputs) => python.asked.push(inputs);
+  python.tell = (inputs) => python.told.push(inputs);
+  return python;
+}
+
+test("in a notebook the figure starts where Python is, and tells it what the hand does", () => {
+  const python = notebook({ u: 0.5, v: 1 });
+  const { hand, write, values, live } = shown({ python });
+  assert.deepEqual(values(), { u: 0.5, v: 1, sum: 1.5 });
+  assert.equal(live.applied.length, 1);
+  hand.set({ u: 0.75 });
+  assert.deepEqual(python.told, []);
+  write("v", "0");
+  assert.deepEqual(python.told, [{ u: 0.75, v: 0 }]);
+});
+
+test("without a model Python is asked for one frame at a time, and for the last", () => {
+  const python = notebook(START);
+  const { hand, write, values, status } = shown({ data: { model: "" }, python });
+  for (const u of ["0.5", "0.6", "0.7"]) write("u", u);
+  assert.deepEqual(python.asked, [{ u: 0.5, v: 1 }]);
+  hand.receive({ frame: frame(0.5, 1) });
+  assert.deepEqual(python.asked.slice(1), [{ u: 0.7, v: 1 }]);
+  hand.receive({ refused: "no answer" });
+  assert.equal(status(), "No answer.");
+  assert.equal(python.asked.length, 2);
+  write("u", "0.8");
+  hand.receive({ frame: frame(0.8, 1) });
+  assert.deepEqual(values(), { u: 0.8, v: 1, sum: 1.8 });
+  assert.equal(python.asked.length, 3);
+});

@@ -1,0 +1,242 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { calm, figure, tell, tick } from "./dom.js";
+import { bindPanel } from "../src/panel.js";
+
+const PANEL = `<form class="explorable-panel"><fieldset disabled>
+  <input type="range" name="u" min="0" max="2" step="any">
+  <input type="number" name="u-number" min="0" max="2" step="any">
+  <button type="button" data-action="play" data-input="u">Play</button>
+  <button type="button" data-action="step" data-input="u">Step</button>
+  <input type="range" name="v" min="-1" max="1" step="any">
+  <input type="number" name="v-number" min="-1" max="1" step="any">
+  <input type="checkbox" name="on">
+  <input type="radio" name="way" value="short"><input type="radio" name="way" value="long">
+  <button type="button" data-action="add" data-input="points">Add</button>
+  <button type="button" data-action="remove" data-input="points">Remove</button>
+  <output name="speed" data-digits="2" data-unit="°" data-loud="no"></output>
+  <output name="fits" data-digits="2" data-unit="" data-loud="no"></output>
+  <output name="matrix" data-digits="1" data-unit="" data-loud="no"></output>
+  <figure data-chart="heights" data-over="u" data-x="0 2" data-y="-1 1">
+    <svg viewBox="0 0 320 96"><path data-curve="one" d=""/><path data-curve="two" d=""/>
+    <line data-mark="" x1="0" x2="0"/></svg>
+    <div class="explorable-marks"><span>P</span><span hidden>Q</span></div></figure>
+  <button type="button" data-action="reset">Reset</button>
+  <button type="button" data-action="link">Link</button>
+</fieldset></form>`;
+const SPECS = {
+  u: { kind: "number", low: 0, high: 2, step: 0.01, stride: 0.25, plays: 4 },
+  v: { kind: "number", low: -1, high: 1, step: 1, stride: 0.25, plays: 0 },
+  on: { kind: "switch" },
+  way: { kind: "choice", options: ["short", "long"] },
+  points: { kind: "points", names: ["P", "Q", "R"], least: 2, most: 3 },
+};
+const START = { u: 0.5, v: 0, on: false, way: "short", points: [[1, 0, 0], [0, 1, 0]] };
+const NONE = { outputs: {} };
+
+/** A bound panel, its inputs, and what it has asked for. */
+function bound(start = {}) {
+  const element = figure(PANEL);
+  const state = { inputs: { ...START, ...start }, asked: [], said: [] };
+  const actions = {
+    change(changes, spoken) {
+      state.asked.push(changes);
+      Object.assign(state.inputs, changes);
+      if (spoken) state.said.push(spoken());
+    },
+    reset: () => state.asked.push("reset"),
+    link: () => state.asked.push("link"),
+  };
+  const panel = bindPanel(element, SPECS, () => state.inputs, actions);
+  const find = (selector) => element.querySelector(selector);
+  const press = (action) => find(`[data-action=${action}]`).click();
+  const write = (name, value) => {
+    find(`[name="${name}"]`).value = value;
+    tell(find(`[name="${name}"]`), "input");
+  };
+  return { element, state, panel, find, press, write };
+}
+
+test("a panel is switched on once it is bound", () => {
+  assert.ok(!bound().find("fieldset").disabled);
+});
+
+test("each slider moves its own input, also by the number beside it, within its bounds", () => {
+  const { state, write } = bound();
+  write("u", "1.5");
+  write("v", "-0.5");
+  write("u-number", "0.25");
+  write("v-number", "7");
+  write("v-number", "-7");
+  write("u-number", "");
+  assert.deepEqual(state.asked, [{ u: 1.5 }, { v: -0.5 }, { u: 0.25 }, { v: 1 }, { v: -1 }]);
+});
+
+test("a switch and a choice say what they are", () => {
+  const { state, find } = bound();
+  for (const selector of ["[name=on]", "[value=long]"]) {
+    find(selector).checked = true;
+    tell(find(selector), "input");
+  }
+  assert.deepEqual(state.asked, [{ on: true }, { way: "long" }]);
+});
+
+test("controls show the inputs, but not the field in which somebody writes", () => {
+  const { panel, find } = bound();
+  const values = { ...START, u: 1.234, v: -1, on: true, way: "long" };
+  panel.show(values, NONE);
+  const shown = ["u", "u-number", "v", "v-number"].map((name) => find(`[name="${name}"]`).value);
+  assert.deepEqual(shown, ["1.234", "1.23", "-1", "-1"]);
+  assert.ok(find("[name=on]").checked);
+  const ways = () => ["short", "long"].map((way) => find(`[value=${way}]`).checked);
+  assert.deepEqual(ways(), [false, true]);
+  find("[name=u-number]").focus();
+  panel.show({ ...values, u: 1, on: false, way: "short" }, NONE);
+  assert.equal(find("[name=u-number]").value, "1.23");
+  assert.equal(find("[name=u]").value, "1");
+  assert.ok(!find("[name=on]").checked);
+  assert.deepEqual(ways(), [true, false]);
+});
+
+test("numbers, texts and matrices are written as Python writes them", () => {
+  const { panel, find } = bound();
+  const text = (name) => find(`output[name=${name}]`).textContent;
+  const loud = () => find("output[name=fits]").classList.contains("explorable-loud");
+  panel.show(START, { outputs: { speed: -1.236, fits: "no", matrix: [[1, -10.04], [0, -0.04]] } });
+  assert.equal(text("speed"), "−1.24°");
+  assert.equal(text("fits"), "no");
+  assert.ok(loud());
+  assert.equal(text("matrix"), "  1.0 −10.0\n  0.0   0.0");
+  panel.show(START, { outputs: { speed: -0.001, fits: "yes", matrix: [1, 2] } });
+  assert.equal(text("speed"), "0.00°");
+  assert.ok(!loud());
+  assert.equal(text("matrix"), "1.0 2.0");
+  panel.withhold();
+  assert.deepEqual(["speed", "fits", "matrix"].map(text), ["–", "–", "– –"]);
+});
+
+test("what rises in a curve rises on the chart", () => {
+  const { panel, find } = bound();
+  const d = (curve) => find(`[data-curve=${curve}]`).getAttribute("d");
+  panel.show(START, { outputs: {}, charts: { heights: { one: [-1, 0, 0.5], two: null } } });
+  assert.equal(d("one"), "M0.0,96.0 160.0,48.0 320.0,24.0");
+  assert.equal(d("two"), "");
+});
+
+test("each curve has its own path, in pieces of one width", () => {
+  const { panel, find } = bound();
+  const d = (curve) => find(`[data-curve=${curve}]`).getAttribute("d");
+  const hidden = () => [...find(".explorable-marks").children].map((mark) => mark.hidden);
+  panel.show(START, { outputs: {}, charts: { heights: { two: [[-1, 0], [1, 0]] } } });
+  assert.equal(d("one"), "");
+  assert.equal(d("two"), "M0.0,96.0 160.0,48.0M160.0,0.0 320.0,48.0");
+  assert.deepEqual(hidden(), [false, false]);
+  panel.show(START, { outputs: {}, charts: { heights: { two: [0, 0] } } });
+  assert.deepEqual(hidden(), [false, true]);
+});
+
+test("an arrow stands in the middle of what a chart cuts off, at its edge", () => {
+  const { panel, find } = bound();
+  panel.show(START, { outputs: {}, charts: { heights: { one: [0, 2, 2, 0, -3] } } });
+  const arrows = find("[data-curve=one]").getAttribute("d").split("M").slice(2);
+  assert.deepEqual(arrows, ["116.0,7.0 120.0,0.0 124.0,7.0", "316.0,89.0 320.0,96.0 324.0,89.0"]);
+  const [, line] = find("[data-curve=one]").getAttribute("d").split("M");
+  assert.equal(line, "0.0,48.0 80.0,-4.8 160.0,-4.8 240.0,48.0 320.0,100.8");
+});
+
+test("the mark of a chart stands at the value of its input", () => {
+  const { panel, find } = bound();
+  panel.show({ ...START, u: 1.5, v: 1 }, NONE);
+  const mark = find("[data-mark]");
+  assert.deepEqual([mark.getAttribute("x1"), mark.getAttribute("x2")], ["240", "240"]);
+});
+
+test("points are added in the widest gap and taken from the end, as long as there may be so many", () => {
+  const { state, panel, find, press } = bound({ points: [[1, 0, 0], [0.6, 0.8, 0]] });
+  const may = () => ["add", "remove"].map((action) => !find(`[data-action=${action}]`).disabled);
+  panel.show(state.inputs, NONE);
+  assert.deepEqual(may(), [true, false]);
+  press("add");
+  const [, added] = state.inputs.points;
+  assert.equal(state.inputs.points.length, 3);
+  assert.ok(Math.abs(Math.hypot(...added) - 1) < 1e-12);
+  assert.ok(Math.abs(added[1] / added[0] - 0.5) < 1e-12);
+  panel.show(state.inputs, NONE);
+  assert.deepEqual(may(), [false, true]);
+  press("remove");
+  assert.deepEqual(state.inputs.points, [[1, 0, 0], added]);
+  assert.deepEqual(state.said, ["Point added", "Point removed"]);
+});
+
+test("the widest gap may be the last", () => {
+  const points = [[1, 0, 0], [0.8, 0.6, 0], [0, 1, 0], [-1, 0, 0]];
+  const { state, press } = bound({ points });
+  press("add");
+  assert.deepEqual(state.inputs.points.slice(0, 4), points);
+  const close = [[1, 0, 0], [0.8, 0.6, 0], [0.6, 0.8, 0]];
+  const other = bound({ points: close.map(([x, y]) => [2 * x, 2 * y, 0]) });
+  other.press("add");
+  const [x, y] = other.state.inputs.points[3];
+  assert.ok(Math.abs(Math.hypot(x, y) - 2) < 1e-12);
+  assert.ok(Math.abs(y / x - 0.5) < 1e-12);
+});
+
+test("buttons for the whole figure", () => {
+  const { state, press } = bound();
+  press("reset");
+  press("link");
+  assert.deepEqual(state.asked, ["reset", "link"]);
+});
+
+test("a step goes on to the next stride, and from the end to the beginning", () => {
+  const { state, press } = bound({ u: 0.6 });
+  for (let i = 0; i < 7; i++) press("step");
+  const steps = state.asked.map(({ u }) => u);
+  assert.deepEqual(steps, [0.75, 1, 1.25, 1.5, 1.75, 2, 0]);
+});
+
+test("play goes on from here in its time, rests at the end, starts over, and stops", () => {
+  const { state, find, press } = bound({ u: 1.5 });
+  press("play");
+  assert.equal(find("[data-action=play]").textContent, "Pause");
+  for (const time of [1000, 1500, 2500, 3000, 4100, 4200]) tick(time);
+  const near = (mine, wanted) => assert.ok(Math.abs(mine - wanted) < 1e-9, `${mine}, not ${wanted}`);
+  [1.5, 1.75, 2, 2, 0, 0.05].forEach((u, i) => near(state.asked[i].u, u));
+  press("play");
+  assert.equal(find("[data-action=play]").textContent, "Play");
+  tick(5000);
+  assert.equal(state.asked.length, 6);
+});
+
+test("play begins anew from the end", () => {
+  const { state, press } = bound({ u: 2 });
+  press("play");
+  tick(0);
+  assert.deepEqual(state.asked, [{ u: 0 }]);
+});
+
+test("play stops where the hand moves something, and where the figure leaves the screen", () => {
+  for (const stop of [
+    ({ write }) => write("v", "0.5"),
+    ({ press }) => press("reset"),
+    ({ element }) => (element.getBoundingClientRect = () => ({ top: -300, bottom: -1 })),
+    ({ element }) => (element.getBoundingClientRect = () => ({ top: 801, bottom: 900 })),
+  ]) {
+    const panel = bound();
+    panel.press("play");
+    tick(0);
+    stop(panel);
+    const { length } = panel.state.asked;
+    tick(100);
+    tick(200);
+    assert.equal(panel.state.asked.length, length);
+    assert.equal(panel.find("[data-action=play]").textContent, "Play");
+  }
+});
+
+test("without motion there is nothing to play", () => {
+  calm.matches = true;
+  assert.ok(bound().find("[data-action=play]").hidden);
+  calm.matches = false;
+  assert.ok(!bound().find("[data-action=play]").hidden);
+});

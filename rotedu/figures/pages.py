@@ -58,11 +58,7 @@ class SceneRenderer:
             return None
         content = json.loads(data.content) if isinstance(data.content, str) else data.content
         node = scene_node(renderer, content)
-        return [
-            scene_by_hand_node(renderer, content["spec"], node)
-            if "spec" in content
-            else node
-        ]
+        return [scene_by_hand_node(renderer, content["spec"], node) if "spec" in content else node]
 
 
 def scene_by_hand_node(renderer: Any, content: dict[str, Any], node: scene) -> scene_by_hand:

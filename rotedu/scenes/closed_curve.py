@@ -1,5 +1,6 @@
 """Scenes of Chapter 5, closed curve: de Casteljau's arcs, the curve of Figure 8, a camera."""
 
+from collections.abc import Mapping
 from itertools import pairwise
 
 import numpy as np
@@ -335,44 +336,91 @@ def camera_by_hand(
     """
     p = np.asarray(targets, float)
     p = p / np.linalg.norm(p, axis=1, keepdims=True)
-    after = np.roll(p, -1, axis=0)
-    a, b = control_points(p)
-    arcs, curves = np.stack([p, after], axis=1), np.stack([p, a, np.roll(b, -1, axis=0), after], 1)
-    t = np.arange(LEG) / LEG
-    ways = {
-        "arcs": de_casteljau(arcs[:, np.newaxis], t).reshape(-1, 3),
-        "curve": closed_curve(p, LEG),
-    }
-    legs = arcs if path == "arcs" else curves
-    leg = min(int(4 * u), 3)
-    within = 4 * u - leg
-    ahead = de_casteljau(legs[leg], within)
+    legs = legs_between(p)
+    leg = min(int(len(p) * u), len(p) - 1)
+    taken, within = legs[path][leg], len(p) * u - leg
+    ahead = de_casteljau(taken, within)
     vertical = up = upright(ahead)
     if roll == "carried along":
-        passed = ways[path][: min(int(4 * LEG * u), 4 * LEG - 1) + 1]
-        up = carried(upright(p[0]), [*passed, ahead])
+        up = carried(upright(p[0]), [*way_along(legs[path])[: samples_until(u)], ahead])
 
     plotter = new_scene(eye=(5.1, -0.3, 2.3), target=(0, 0, 0.02))
     add_sphere(plotter)
+    add_horizon(plotter, ride)
+    add_paths(plotter, legs, path, ride)
+    add_targets(plotter, p, ride)
+    add_camera(plotter, ahead, up, vertical, ride)
+
+    velocity = motion(taken, within)[0]
+    rolled = np.arctan2(np.cross(vertical, up) @ ahead, vertical @ up)
+    spin = spin_of_upright(ahead, velocity) if roll == "kept upright" else 0
+    speed = np.linalg.norm(velocity)
+    read_out(plotter, "rolled", np.degrees(rolled), "turned against upright", 0, "°")
+    read_out(plotter, "spin", np.degrees(spin), "spin about line of sight", 0, "°/s")
+    read_out(plotter, "speed", np.degrees(speed), "speed", 0, "°/s")
+    show_motion(plotter, legs, path)
+    describe(
+        plotter,
+        "A see-through sphere with a camera at its centre, a horizon and a darker lower half."
+        " Purple arcs join four blue points, a door, a clock, a window and a desk, with a corner at"
+        " each point. A green curve runs through the same points without a corner. The path that"
+        " the camera does not take is thin. An orange frame"
+        " on the sphere shows the picture that the camera takes and which side of it is up; a grey"
+        " frame shows how an upright camera would hold it.",
+    )
+    return plotter
+
+
+Legs = Mapping[str, NDArray[np.float64]]
+
+
+def legs_between(p: NDArray[np.float64]) -> Legs:
+    """Return control points from target to target, for both paths: shapes (n, 2, 3), (n, 4, 3)."""
+    after = np.roll(p, -1, axis=0)
+    a, b = control_points(p)
+    curves = np.stack([p, a, np.roll(b, -1, axis=0), after], axis=1)
+    return {"arcs": np.stack([p, after], axis=1), "curve": curves}
+
+
+def way_along(legs: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Sample a path, each leg at `LEG` points from its start on: shape (n * LEG, 3)."""
+    return de_casteljau(legs[:, np.newaxis], np.arange(LEG) / LEG).reshape(-1, 3)
+
+
+def samples_until(u: float) -> int:
+    """Return how many samples of the way round lie before a place on it."""
+    samples = LEG * len(CAMERA_SEES)
+    return min(int(samples * u), samples - 1) + 1
+
+
+def add_horizon(plotter: pyvista.Plotter, ride: bool) -> None:
+    """Add a darker lower half, meridians, parallels and a horizon, with names for a rider."""
     ground = pyvista.Sphere(start_phi=90, theta_resolution=48, phi_resolution=16)
     ground.points *= JUST_INSIDE / np.linalg.norm(ground.points, axis=1, keepdims=True)
     plotter.add_mesh(ground, color=NEUTRAL, opacity=0.35, smooth_shading=True, pickable=False)
     add_lines(plotter, GRID, NEUTRAL, radius=0.002, name="grid")
-    add_line(
-        plotter, turning((1, 0, 0), (0, 0, 1), 2 * np.pi), NEUTRAL, radius=0.005, name="horizon"
-    )
+    horizon = turning((1, 0, 0), (0, 0, 1), 2 * np.pi)
+    add_line(plotter, horizon, NEUTRAL, radius=0.005, name="horizon")
     for k in range(HORIZONS):
         # Halfway between two meridians.
         azimuth = 2 * np.pi * (k + 1 / 4) / HORIZONS
         place = 0.98 * np.array([np.cos(azimuth), np.sin(azimuth), 0.06])
         add_label(plotter, place if ride else None, "horizon", name=f"horizon {k}")
     add_label(plotter, (0.06, 0, 0.98) if ride else None, "straight up")
+
+
+def add_paths(plotter: pyvista.Plotter, legs: Legs, path: str, ride: bool) -> None:
+    """Add the path that the camera takes, and the other one, thin, unless it rides along."""
     for name, color in (("arcs", CROSS), ("curve", RESULT)):
-        way = [*ways[name], p[0]]
+        way = way_along(legs[name])
+        way = np.vstack([way, way[:1]])
         add_line(plotter, way, color, 0.014, name=name).visibility = name == path
         other = add_line(plotter, way, color, 0.004, name=f"other {name}")
         other.visibility = not ride and name != path
-    # Labels stay clear of the path and of the side of the picture that is up.
+
+
+def add_targets(plotter: pyvista.Plotter, p: NDArray[np.float64], ride: bool) -> None:
+    """Add the targets; their names stay clear of the path and of the upper side of the picture."""
     away = p - p.mean(axis=0)
     away -= np.sum(away * p, axis=1, keepdims=True) * p
     away /= np.maximum(np.linalg.norm(away, axis=1, keepdims=True), STEP)
@@ -382,44 +430,42 @@ def camera_by_hand(
         add_point(plotter, target, VECTOR, 0.036, name=name)
         add_label(plotter, place, name, VECTOR)
 
+
+def add_camera(
+    plotter: pyvista.Plotter,
+    ahead: NDArray[np.float64],
+    up: NDArray[np.float64],
+    vertical: NDArray[np.float64],
+    ride: bool,
+) -> None:
+    """Add a camera and the frame of its picture, upright and as it is; a rider sees none of it."""
     pose = np.eye(4)
     pose[:3, :3] = np.column_stack([ahead, np.cross(up, ahead), up])
-    body = camera([1, 0, 0])
     name = place_part(plotter, "camera", matrix=pose.T.ravel())
-    seen = [plotter.add_mesh(body, color=NEUTRAL, pickable=False, user_matrix=pose, name=name)]
-    corners = picture(ahead, vertical)
-    seen.append(add_line(plotter, [*corners, corners[0]], NEUTRAL, 0.008, name="upright"))
-    top = ahead + HEIGHT * vertical
-    seen.append(add_arrow(plotter, top, top + 0.16 * vertical, NEUTRAL, 0.011, name="upright up"))
-    corners = picture(ahead, up)
-    seen.append(add_line(plotter, [*corners, corners[0]], AXIS, 0.01, name="picture"))
+    body = camera([1, 0, 0])
+    level, corners = picture(ahead, vertical), picture(ahead, up)
+    level_top, top = (ahead + HEIGHT * side for side in (vertical, up))
     edges = [[ORIGIN, corner] for corner in corners]
-    seen.append(add_lines(plotter, edges, AXIS, radius=0.004, name="edges"))
-    top = ahead + HEIGHT * up
-    seen.append(add_arrow(plotter, top, top + 0.28 * up, AXIS, name="up"))
-    for actor in seen:
-        actor.visibility = not ride
+    for part in (
+        plotter.add_mesh(body, color=NEUTRAL, pickable=False, user_matrix=pose, name=name),
+        add_line(plotter, [*level, level[0]], NEUTRAL, 0.008, "upright"),
+        add_arrow(plotter, level_top, level_top + 0.16 * vertical, NEUTRAL, 0.011, "upright up"),
+        add_line(plotter, [*corners, corners[0]], AXIS, 0.01, "picture"),
+        add_lines(plotter, edges, AXIS, 0.004, "edges"),
+        add_arrow(plotter, top, top + 0.28 * up, AXIS, name="up"),
+    ):
+        part.visibility = not ride
     add_label(plotter, None if ride else top + 0.36 * up, "up", AXIS)
 
+
+def show_motion(plotter: pyvista.Plotter, legs: Legs, path: str) -> None:
+    """Show the bends of a path, the speed on both, and the spin of an upright camera."""
     t = np.linspace(0, 1, LEG // 2 + 1)
-    velocities = {
-        "arcs": motion(arcs[:, np.newaxis], t)[0],
-        "curve": motion(curves[:, np.newaxis], t)[0],
-    }
+    velocities = {name: motion(control[:, np.newaxis], t)[0] for name, control in legs.items()}
     velocity = velocities[path]
-    velocity_here = motion(legs[leg], within)[0]
-    spin = spin_of_upright(ahead, velocity_here) if roll == "kept upright" else 0
-    spins = spin_of_upright(de_casteljau(legs[:, np.newaxis], t), velocity)
-    arriving, leaving = np.roll(velocity[:, -1], 1, axis=0), velocity[:, 0]
-    speed = np.linalg.norm(velocity_here)
-    across = np.linalg.norm(np.cross(arriving, leaving), axis=1)
-    bends = np.arctan2(across, np.sum(arriving * leaving, axis=1))
-    rolled = np.arctan2(np.cross(vertical, up) @ ahead, vertical @ up)
-    read_out(plotter, "rolled", np.degrees(rolled), "turned against upright", 0, "°")
-    read_out(plotter, "spin", np.degrees(spin), "spin about line of sight", 0, "°/s")
-    read_out(plotter, "speed", np.degrees(speed), "speed", 0, "°/s")
-    named = zip(CAMERA_SEES, np.degrees(bends), strict=True)
-    read_out(plotter, "bends", ", ".join(f"{name} {bend:.0f}°" for name, bend in named), "bends")
+    spins = spin_of_upright(de_casteljau(legs[path][:, np.newaxis], t), velocity)
+    bends = zip(CAMERA_SEES, np.degrees(bends_between(velocity)), strict=True)
+    read_out(plotter, "bends", ", ".join(f"{name} {bend:.0f}°" for name, bend in bends), "bends")
     draw_chart(
         plotter,
         "speeds",
@@ -442,16 +488,24 @@ def camera_by_hand(
         colors={"spin": AXIS, "marks": VECTOR},
         marks=CAMERA_SEES,
     )
-    describe(
-        plotter,
-        "A see-through sphere with a camera at its centre, a horizon and a darker lower half."
-        " Purple arcs join four blue points, a door, a clock, a window and a desk, with a corner at"
-        " each point. A green curve runs through the same points without a corner. The path that"
-        " the camera does not take is thin. An orange frame"
-        " on the sphere shows the picture that the camera takes and which side of it is up; a grey"
-        " frame shows how an upright camera would hold it.",
-    )
-    return plotter
+
+
+def bends_between(velocity: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the angle by which a closed path bends at the start of each leg, from its velocities.
+
+    Parameters
+    ----------
+    velocity : ndarray, shape (n, m, 3)
+        Velocities along each leg, the first and the last at its ends.
+
+    Returns
+    -------
+    ndarray, shape (n,)
+        Angles in radians; where the path stands still, 0.
+    """
+    arriving, leaving = np.roll(velocity[:, -1], 1, axis=0), velocity[:, 0]
+    across = np.linalg.norm(np.cross(arriving, leaving), axis=1)
+    return np.asarray(np.arctan2(across, np.sum(arriving * leaving, axis=1)))
 
 
 def picture(ahead: NDArray[np.float64], up: NDArray[np.float64]) -> list[NDArray[np.float64]]:

@@ -22,6 +22,7 @@ const SPOON = 0.8;
 const STEP = 1e-4;
 const IDENTITY = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
 const NAMES = ["angles", "slerp", "nlerp"];
+const PIECES = spread(33);
 const BACK = [0.48, -0.74, 0.47];
 const RIGHT = unit(cross([0, 0, 1], BACK));
 const UP = cross(BACK, RIGHT);
@@ -36,29 +37,23 @@ const pose = (angles) => matrixFromEulerAngles(...angles.map((angle) => angle / 
 const column = (matrix, k) => matrix.map((row) => row[k]);
 const scaled = (factor, v) => combine(factor, v, 0, v);
 
-/** Tell whether slerp knows a way; two shortest ways lead through a half turn. */
-function isUnique(end) {
-  try {
-    slerpRotations(IDENTITY, end, 0);
-    return true;
-  } catch (error) {
-    if (error instanceof DegenerateError) return false;
-    throw error;
-  }
-}
-
-/** The three ways to a pose, as functions of t, null if there is none, and the angle of the shortest. */
+/** The ways to a pose, as functions of t: `three_ways`, only the first if the pose is half a turn away. */
 function threeWays(angles) {
   const end = pose(angles);
+  const byAngles = (t) => pose(scaled(t, angles));
+  try {
+    slerpRotations(IDENTITY, end, 0);
+  } catch (error) {
+    if (error instanceof DegenerateError) return [byAngles];
+    throw error;
+  }
   const { axis, angle } = axisAngle(end);
   const q = quaternionFromMatrix(end);
-  const free = [
+  return [
+    byAngles,
     (t) => rotationMatrix(axis, t * angle),
     (t) => quaternionMatrix(combine(1 - t, [1, 0, 0, 0], t, q)),
   ];
-  const unique = isUnique(end);
-  const ways = [(t) => pose(scaled(t, angles)), ...(unique ? free : [null, null])];
-  return { ways, angle: unique ? DEGREES * angle : null };
 }
 
 /** The angle between orientations that are close together. */
@@ -121,43 +116,40 @@ export function eulerAngles({ u, v, w, tilt, t }, { noWay }) {
   // What was not tilted keeps its angles, also where others lead to the same pose.
   const angles = tilt ? nearestAngles(tilted, set) : set;
   const now = scaled(t, angles);
-  const { ways, angle } = threeWays(angles);
-  const steps = spread(33);
+  const ways = threeWays(angles);
+  const here = ways.map((way) => way(t));
   const { parts, labels } = gimbals(now, PLACES[0]);
-  ways.forEach((way, k) => {
-    const three = ["spoon", "path", "tip"].map((part) => `${NAMES[k]} ${part}`);
-    if (!way) return three.forEach((name) => (parts[name] = { hidden: true }));
+  NAMES.forEach((name, k) => {
+    const three = [`${name} spoon`, `${name} path`, `${name} tip`];
+    for (const part of three) parts[part] = { hidden: !ways[k] };
+    if (!ways[k]) return;
     const tip = (turn) => combine(1, PLACES[k], SPOON, column(turn, 0));
-    const here = way(t);
-    const turn = here.map((row) => scaled(SPOON, row));
-    parts[three[0]] = { matrix: placed(turn, PLACES[k]), hidden: false };
-    parts[three[1]] = { paths: [steps.map((x) => tip(way(x)))], hidden: false };
-    parts[three[2]] = { at: tip(here), hidden: false };
+    const [spoon, path, point] = three.map((part) => parts[part]);
+    spoon.matrix = placed(here[k].map((row) => scaled(SPOON, row)), PLACES[k]);
+    path.paths = [PIECES.map((x) => tip(ways[k](x)))];
+    point.at = tip(here[k]);
   });
 
-  const here = pose(now);
   const [moreU, lessU, moreW] = [[1, 0, 0], [-1, 0, 0], [0, 0, 1]].map((change) =>
     pose(combine(1, now, 1, change)),
   );
-  const apart = Math.min(degreesBetween(moreU, moreW), degreesBetween(lessU, moreW));
-  const change = tilted.flatMap((row, i) => combine(1, row, -1, level[i]));
-  const path = steps.map((x) => ways[0](t * x));
+  const path = PIECES.map((x) => ways[0](t * x));
   const turned = path.slice(1).map((turn, i) => degreesBetween(path[i], turn));
-  const speeds = ways.map(
-    (way) => way && steps.map((x) => degreesBetween(way(x - STEP), way(x + STEP)) / (2 * STEP)),
+  const [byAngles, slerp = null, nlerp = null] = ways.map((way) =>
+    PIECES.map((x) => degreesBetween(way(x - STEP), way(x + STEP)) / (2 * STEP)),
   );
   return {
     parts,
     labels,
     outputs: {
-      apart,
+      apart: Math.min(degreesBetween(moreU, moreW), degreesBetween(lessU, moreW)),
       rings: angles,
       ring_change: largest(combine(1, angles, -1, set)),
-      entry_change: largest(change),
+      entry_change: largest(tilted.flatMap((row, i) => combine(1, row, -1, level[i]))),
       by_angles: turned.reduce((sum, x) => sum + x),
-      by_slerp: angle === null ? noWay : t * angle,
-      matrix: here,
+      by_slerp: here[1] ? DEGREES * axisAngle(here[1]).angle : noWay,
+      matrix: here[0],
     },
-    charts: { speeds: { "three angles": speeds[0], slerp: speeds[1], nlerp: speeds[2] } },
+    charts: { speeds: { "three angles": byAngles, slerp, nlerp } },
   };
 }

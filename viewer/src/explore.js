@@ -9,7 +9,6 @@ import { bindPanel } from "./panel.js";
 
 // Frames are stored with six digits.
 const ROUNDING = 2e-6;
-const SAME = 1e-12;
 const QUIET = 500;
 
 /**
@@ -26,6 +25,8 @@ export function explore(element, live, data, models, python) {
   if (data.model && !reproduces(model, data)) return { set() {}, receive() {} };
 
   const scene = element.querySelector(".scene");
+  // The status line stands where the hint was.
+  const hint = scene.querySelector(".scene-hint");
   const status = element.querySelector(".explorable-status");
   let inputs = structuredClone({ ...data.start, ...python?.values });
   if (data.frames) inputs = stored(data, inputs);
@@ -33,8 +34,6 @@ export function explore(element, live, data, models, python) {
   let refused = "";
   let timer;
 
-  /** The status line stands where the hint was. */
-  const makeRoom = () => scene.querySelector(".scene-hint")?.remove();
   const write = (text) => {
     clearTimeout(timer);
     status.textContent = text;
@@ -44,30 +43,20 @@ export function explore(element, live, data, models, python) {
     clearTimeout(timer);
     timer = setTimeout(() => write(text()), QUIET);
   };
-  const tell = (frame) => {
-    panel.show(inputs, frame);
-    finish(frame.outputs);
-  };
+  /** Show a frame everywhere; a refusal keeps the last picture, pale. */
   const show = (frame) => {
-    refused = "";
-    write("");
+    refused = frame.refused ?? "";
+    write(refused && `${refused[0].toUpperCase()}${refused.slice(1)}.`);
     inputs = { ...inputs, ...frame.inputs };
-    live.apply(frame);
-    tell(frame);
-  };
-  const finish = (outputs) => {
     scene.toggleAttribute("data-refused", Boolean(refused));
-    handles.update(inputs);
+    if (refused) hint?.remove();
+    // The scene has come as it is at the start.
+    else if (frame !== data.frame) live.apply(frame);
+    panel.show(inputs, frame);
+    if (refused) panel.withhold();
+    handles.update();
+    const { outputs = { refused } } = frame;
     element.dataset.values = JSON.stringify({ ...inputs, ...outputs });
-  };
-  /** A geometry without an answer keeps the last one, pale. */
-  const refuse = (error) => {
-    refused = error.message;
-    makeRoom();
-    write(`${refused[0].toUpperCase()}${refused.slice(1)}.`);
-    panel.show(inputs, { outputs: {}, charts: {} });
-    panel.withhold();
-    finish({ refused });
   };
   /** Ask Python for one frame at a time. */
   const ask = () => {
@@ -75,30 +64,26 @@ export function explore(element, live, data, models, python) {
     asked = inputs;
     python.ask(inputs);
   };
-  const receive = ({ frame, refused: why }) => {
+  const receive = ({ frame, refused }) => {
     const behind = asked !== inputs;
     asked = null;
-    if (frame) show(frame);
-    else refuse({ message: why });
+    show(frame ?? { refused });
     if (behind) ask();
   };
-  const update = () => {
-    if (!model && python) return ask();
+  const set = (changes) => {
+    inputs = { ...inputs, ...changes };
+    if (data.frames) inputs = stored(data, inputs);
+    if (!model) return python ? ask() : show(storedFrame(data, inputs));
     try {
-      show(model ? model(inputs, data.constants) : storedFrame(data, inputs));
+      show(model(inputs, data.constants));
     } catch (error) {
       if (error.name !== "DegenerateError") throw error;
-      refuse(error);
+      show({ refused: error.message });
     }
-  };
-  const set = (changes) => {
-    inputs = { ...inputs, ...scaled(data.inputs, changes) };
-    if (data.frames) inputs = stored(data, inputs);
-    update();
   };
   /** What the hand does, unlike what Python sets, is told to Python. */
   const change = (changes, spoken) => {
-    makeRoom();
+    hint?.remove();
     set(changes);
     python?.tell(inputs);
     if (!refused && spoken) say(spoken);
@@ -109,7 +94,7 @@ export function explore(element, live, data, models, python) {
     say(() => "Reset");
   };
   const link = () => {
-    makeRoom();
+    hint?.remove();
     // A new address that the figure does not follow: it is there already.
     history.replaceState(null, "", `#explore-${data.name}?${toText(inputs, data.start)}`);
     write("The address of this page now leads to this state.");
@@ -121,31 +106,13 @@ export function explore(element, live, data, models, python) {
     const wanted = fromText(location.hash, data);
     if (wanted) set({ ...data.start, ...wanted });
   };
-  // The scene has come as it is at the start.
-  if (JSON.stringify(inputs) === JSON.stringify(data.start)) tell(data.frame);
-  else update();
+  if (JSON.stringify(inputs) === JSON.stringify(data.start)) show(data.frame);
+  else set({});
   if (!python) {
     follow();
     addEventListener("hashchange", follow);
   }
   return { set, receive };
-}
-
-/** Give points the length that they must have. */
-function scaled(specs, changes) {
-  const right = (point, length) => {
-    const size = Math.hypot(...point);
-    // What has the length already stays exactly as it is.
-    if (!length || Math.abs(size - length) < SAME) return point;
-    return point.map((x) => (x * length) / size);
-  };
-  return Object.fromEntries(
-    Object.entries(changes).map(([name, value]) => {
-      const { kind, length } = specs[name];
-      if (kind !== "points") return [name, value];
-      return [name, Array.isArray(value[0]) ? value.map((p) => right(p, length)) : right(value, length)];
-    }),
-  );
 }
 
 /** Tell whether a model computes what Python has stored with the figure. */

@@ -28,7 +28,7 @@ export function fromText(hash, { name, inputs, start }) {
   return found;
 }
 
-function read(text, { kind, low, high, options, names, least, most }, start) {
+function read(text, { kind, low, high, options, names, least, most, length }, start) {
   if (kind === "number") {
     const number = Number(text);
     return number >= low && number <= high ? number : undefined;
@@ -38,7 +38,9 @@ function read(text, { kind, low, high, options, names, least, most }, start) {
   const points = text.split(" ").map((point) => point.split(",").map(Number));
   const sound = points.every((p) => p.length === 3 && p.every(Number.isFinite) && Math.hypot(...p) > 0);
   if (!sound) return undefined;
-  if (!Array.isArray(start[0])) return points.length === 1 ? points[0] : undefined;
-  const enough = points.length >= (least || names.length) && points.length <= (most || names.length);
-  return enough ? points : undefined;
+  // The digits of an address do not give points quite the length that they must have.
+  const right = points.map((p) => p.map((x) => (length ? (x * length) / Math.hypot(...p) : x)));
+  if (!Array.isArray(start[0])) return right.length === 1 ? right[0] : undefined;
+  const enough = right.length >= (least || names.length) && right.length <= (most || names.length);
+  return enough ? right : undefined;
 }

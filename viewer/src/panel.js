@@ -25,6 +25,7 @@ export function bindPanel(element, specs, now, { change, reset, link }) {
     spec,
     inputs: all(`input[name="${name}"]`),
     field: form.elements[`${name}-number`],
+    digits: decimals(spec.step),
     buttons: all(`[data-input="${name}"]`),
   }));
   const charts = new Map(all("[data-chart]").map((chart) => [chart.dataset.chart, bindChart(chart)]));
@@ -56,17 +57,15 @@ export function bindPanel(element, specs, now, { change, reset, link }) {
   for (const button of all("[data-action=play]")) button.hidden = calm.matches;
 
   return {
-    show(values, { outputs, charts: drawn = {} }) {
-      for (const { name, spec, inputs, field, buttons } of controls) {
+    show(values, { outputs = {}, charts: drawn = {} }) {
+      for (const { name, spec, inputs, field, digits, buttons } of controls) {
         const value = values[name];
         for (const input of inputs) {
           if (spec.kind === "switch") input.checked = value;
           else if (spec.kind === "choice") input.checked = input.value === value;
           else input.value = value;
         }
-        if (field && field !== document.activeElement) {
-          field.value = value.toFixed(decimals(spec.step));
-        }
+        if (field && field !== document.activeElement) field.value = value.toFixed(digits);
         if (spec.most) {
           const [add, remove] = buttons;
           add.disabled = value.length >= spec.most;
@@ -78,8 +77,7 @@ export function bindPanel(element, specs, now, { change, reset, link }) {
         output.textContent = text(value, output.dataset);
         output.classList.toggle("explorable-loud", value === output.dataset.loud);
       }
-      for (const [name, curves] of Object.entries(drawn)) charts.get(name).draw(curves);
-      for (const { over, mark } of charts.values()) mark(values[over]);
+      for (const [name, chart] of charts) chart.draw(drawn[name] ?? {}, values[chart.over]);
     },
     withhold() {
       for (const output of all("output")) output.textContent = output.textContent.replace(/\S+/g, "–");
@@ -100,14 +98,12 @@ function bindChart(chart) {
   const here = chart.querySelector("[data-mark]");
   return {
     over,
-    draw(curves) {
+    draw(curves, value) {
       for (const [curve, heights] of Object.entries(curves)) {
         const pieces = Array.isArray(heights?.[0]) ? heights : [heights ?? []];
         lines.get(curve).setAttribute("d", path(pieces, box));
         marks.forEach((mark, i) => (mark.hidden = i >= pieces.length));
       }
-    },
-    mark(value) {
       const at = ((value - first) / (last - first)) * width;
       here.setAttribute("x1", at);
       here.setAttribute("x2", at);

@@ -48,8 +48,8 @@ export async function show(element, file, context, { width, height, alt }) {
   const watchers = [];
   let view = null;
   let resting = false;
-  const look = () => {
-    if (view) return ride(rider, view, canvas);
+  /** Fit the lens to where the camera has gone and to the shape of the picture. */
+  const aim = () => {
     camera.updateMatrixWorld();
     const { near, far } = clipping(camera.position.distanceTo(around.center), around.radius);
     const aspect = canvas.width / canvas.height;
@@ -61,11 +61,10 @@ export async function show(element, file, context, { width, height, alt }) {
     );
     camera.fov = widened(angle, now, before);
     camera.updateProjectionMatrix();
-    return camera;
   };
   const drawNow = () => {
     if (resting) return;
-    const eye = look();
+    const eye = view ? ride(rider, view, canvas) : camera;
     sortSeeThrough(objects, eye);
     draw(scene, eye, canvas);
     placeLabels(labels, eye, surfaces);
@@ -87,6 +86,7 @@ export async function show(element, file, context, { width, height, alt }) {
     fitted = now;
     Object.assign(canvas, size);
     scaleWidths(objects, Math.min(canvas.width / width, canvas.height / height));
+    aim();
     drawNow();
   };
 
@@ -99,7 +99,10 @@ export async function show(element, file, context, { width, height, alt }) {
   const reset = () => controls.reset();
   const { tools, hint } = createTools({ reset, full });
   element.append(tools, hint);
-  controls.addEventListener("change", redraw);
+  controls.addEventListener("change", () => {
+    aim();
+    redraw();
+  });
   controls.addEventListener("start", () => hint.remove());
   canvas.addEventListener("keydown", () => hint.remove());
   const observer = new ResizeObserver(fit);
@@ -131,8 +134,11 @@ export async function show(element, file, context, { width, height, alt }) {
     canvas,
     /** Show a frame: move parts and labels, and take another view or the reader's own. */
     apply({ parts: moved, labels: moving, view: taken = null }) {
-      // What moves may come nearer to the camera than anything did at the start.
-      around.radius = Math.max(around.radius, MOVING * radius);
+      if (around.radius === radius) {
+        // What moves may come nearer to the camera than anything did at the start.
+        around.radius = MOVING * radius;
+        aim();
+      }
       view = taken;
       for (const [name, change] of Object.entries(moved)) move(parts.get(name), change);
       for (const [name, position] of Object.entries(moving)) named.get(name).position = position;

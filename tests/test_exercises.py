@@ -97,8 +97,10 @@ class TestCheck:
                 wrong = asked.judge(example) if callable(result) else part.judge(result)
                 assert wrong is not None
                 assert [wrong.first, wrong.second] == hint
-            far = 1.37 * np.array(part.right, float) + 0.79 if part.example is None else None
-            other = asked.judge(part.example) if far is None else part.judge(far)
+            if part.example is None:
+                other = part.judge(1.37 * np.array(part.right) + 0.79)
+            else:
+                other = asked.judge(part.example)
             assert other is part.otherwise
             hints.update((wrong.first, wrong.second) for wrong in (*part.mistakes, part.otherwise))
         assert len(hints) >= 2

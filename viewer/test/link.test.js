@@ -29,11 +29,12 @@ test("the address holds what differs from the start, and gives it back", () => {
   assert.equal(toText(FIGURE.start, FIGURE.start), "");
 });
 
-test("points from an address have their length, whatever its digits", () => {
-  const one = { kind: "points", names: "N", length: 2 };
-  const figure = { ...FIGURE, inputs: { ...FIGURE.inputs, one } };
-  const { one: point } = fromText("#explore-some-figure?one=0,0.3,0.4", figure);
-  point.forEach((x, i) => assert.ok(Math.abs(x - [0, 1.2, 1.6][i]) < 1e-12, `${point}`));
+test("points from an address have their length, unless they may have any", () => {
+  for (const [length, wanted] of [[2, [0, 1.2, 1.6]], [0, [0, 0.3, 0.4]]]) {
+    const inputs = { one: { kind: "points", names: "N", length } };
+    const { one } = fromText("#explore-some-figure?one=0,0.3,0.4", { ...FIGURE, inputs });
+    one.forEach((x, i) => assert.ok(Math.abs(x - wanted[i]) < 1e-12, `${one}`));
+  }
 });
 
 test("an address that makes no sense changes nothing", () => {

@@ -34,8 +34,12 @@ audit: book .venv/browser ## weigh the pages; Lighthouse and axe judge them
 bench: $(READY) ## measure speed beside other packages (one minute)
 	$(BIN)/python benchmarks/run.py
 
-mutate: $(READY) ## break the mathematics and see whether the tests notice (an hour)
+mutate: $(READY) ## break mathematics and viewer, see whether tests notice (an hour)
 	$(BIN)/python tools/mutate.py
+	$(BIN)/npm ci --no-audit --no-fund --ignore-scripts
+	$(BIN)/pytest tests/test_sphere_js.py tests/test_explorables.py
+	CASES="$(CURDIR)/_build/cases" $(BIN)/node \
+	    node_modules/@stryker-mutator/core/bin/stryker.js run viewer/stryker.json
 
 lab: $(READY) $(VIEWER) ## open the notebooks in JupyterLab, with figures that turn
 	$(BIN)/jupyter lab book

@@ -37,20 +37,42 @@ test("points from an address have their length, unless they may have any", () =>
   }
 });
 
+test("an address may name the ends of what there is, and rounds", () => {
+  const read = (text) => fromText(`#explore-some-figure?${text}`, FIGURE);
+  assert.deepEqual(read("u=0"), { u: 0 });
+  assert.deepEqual(read("u=1&on=false"), { u: 1, on: false });
+  for (const points of ["1,0,0 0,1,0", "1,0,0 0,1,0 0,0,1"]) {
+    assert.equal(read(`points=${points}`).points.join(" "), points);
+  }
+  assert.equal(toText({ ...FIGURE.start, u: 1 / 3 }, FIGURE.start), "u=0.33333");
+});
+
+test("without other bounds there are as many points as names", () => {
+  const figure = { ...FIGURE, inputs: { points: { kind: "points", names: ["P", "Q"] } } };
+  const read = (text) => fromText(`#explore-some-figure?points=${text}`, figure);
+  assert.equal(read("1,0,0"), null);
+  assert.equal(read("1,0,0 0,1,0 0,0,1"), null);
+  assert.deepEqual(read("1,0,0 0,1,0"), { points: [[1, 0, 0], [0, 1, 0]] });
+});
+
 test("an address that makes no sense changes nothing", () => {
   for (const text of [
     "u=2",
+    "u=-1",
     "u=x",
     "way=round",
     "other=1",
     "one=0,0,0",
     "one=1,2",
+    "one=1,0,0 0,1,0",
     "points=1,0,0",
     "points=1,0,0 0,1,0 0,0,1 1,1,0",
     "points=1,0,0 0,x,0",
+    "points=1,0,0 0,1,0 0,0,0",
   ]) {
     assert.equal(fromText(`#explore-some-figure?${text}`, FIGURE), null, text);
   }
   assert.equal(fromText("#explore-another?u=0.1", FIGURE), null);
   assert.equal(fromText("#some-figure", FIGURE), null);
+  assert.equal(fromText("#explore-some-figure", FIGURE), null);
 });

@@ -60,6 +60,12 @@ for (const { spec, cases } of figures) {
       assert.deepEqual([mine.error, mine.message], [error, message], where);
       if (error) continue;
       compare(mine.value, frame, where);
+      const { view } = mine.value;
+      assert.equal(Boolean(view), Boolean(inputs.ride), where);
+      // Who rides along looks where the camera of the scene looks.
+      const pose = frame.parts.camera?.matrix;
+      const seen = view && { eye: [0, 0, 0], target: pose.slice(0, 3), up: pose.slice(8, 11) };
+      if (view) assert.equal(difference(seen, view, allowed, where), "");
       // What a model corrects, it shows as it shows what was given.
       compare(model({ ...inputs, ...mine.value.inputs }, spec.constants), frame, `${where}, corrected`);
     }

@@ -79,6 +79,7 @@ ON_ONE_CIRCLE = {"points": [[1, 0, 0], [0, 1, 0], [0.2, -0.5, 0.8]], "one_circle
 HALF_A_TURN = [{"v": -90.0, "t": 0.25}, {"u": 180.0, "v": 90.0, "w": 0.0, "t": 0.25}]
 OPPOSITE = [{"what": "orientations", "turn": turn, "flip": turn == 0} for turn in (360.0, 0.0)]
 SPECIAL = {
+    "camera_by_hand": [{"ride": True}, {"ride": True, "roll": "carried along", "u": 0.9}],
     "control_points_by_hand": [ON_ONE_CIRCLE, {"printed_double": True, "step": 3.5}],
     "euler_angles_by_hand": HALF_A_TURN,
     "slerp_by_hand": OPPOSITE,

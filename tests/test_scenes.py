@@ -152,6 +152,19 @@ def test_no_turn_maps_the_letter_f_to_its_mirror_image() -> None:
         assert distances.min(axis=1).max() > 0.05
 
 
+@pytest.mark.parametrize(
+    ("misprints", "wrong"),
+    [([], []), (["printed_axis"], [1, 2, 3]), (["printed_double"], [3])],
+)
+def test_what_a_misprint_makes_wrong_is_red(misprints: list[str], wrong: list[int]) -> None:
+    plotter = scenes.control_points_by_hand(**dict.fromkeys(misprints, True))
+    inks = [colors.CROSS, colors.CROSS, colors.RESULT, colors.RESULT]
+    names = construction.REFLECTED, construction.MIDDLE, construction.A, construction.B
+    for k, (name, ink) in enumerate(zip(names, inks, strict=True)):
+        meant = pyvista.Color(colors.WRONG if k in wrong else ink)
+        assert {plotter.actors[part].prop.color for part in (name, f"path {k}")} == {meant}
+
+
 def test_construction_of_figures_3_to_7_is_that_of_control_points() -> None:
     points = np.random.default_rng(3).normal(size=(3, 3))
     found = construction.neighbours(points)

@@ -21,11 +21,12 @@ import pytest
 from browser import free_port
 from jupyter_server.gateway.gateway_client import GatewayClient
 from nbclient import NotebookClient
+from notebook_language import notebooks
 from set_up import OLDEST
 from uv import find_uv_bin
 
 ROOT = Path(__file__).parents[1]
-NOTEBOOKS = sorted(file.name for file in (ROOT / "book").glob("*.ipynb"))
+NOTEBOOKS = [page.name for page in notebooks()]
 THROUGH_A_SERVER = "jupyter_server.gateway.managers.GatewayKernelManager"
 
 pytestmark = pytest.mark.slow

@@ -12,10 +12,10 @@ from notebook_language import Page, pages
 
 @pytest.mark.parametrize("page", pages().values(), ids=repr)
 def test_nothing_is_left_to_write(page: Page, tmp_path: Path) -> None:
-    """If something is, run `python tools/derive.py`."""
     copy = Path(shutil.copy(page.file, tmp_path))
     derive(copy)
-    assert copy.read_text("utf-8") == page.file.read_text("utf-8")
+    written = copy.read_text("utf-8") == page.file.read_text("utf-8")
+    assert written, f"{page.name} is not up to date: run .venv/bin/python tools/derive.py"
 
 
 def test_what_is_written(tmp_path: Path) -> None:

@@ -262,8 +262,9 @@ def chapters() -> list[Page]:
 @functools.cache
 def exercises() -> dict[str, Exercise]:
     """Return the exercises of all pages by number."""
-    found = [exercise for page in chapters() for exercise in page.exercises.values()]
-    named = {exercise.number: exercise for exercise in found}
-    if len(named) < len(found):
-        raise ValueError(f"expected each number once, got {[e.number for e in found]}")
-    return named
+    found: dict[str, Exercise] = {}
+    for page in chapters():
+        if twice := found.keys() & page.exercises.keys():
+            raise ValueError(f"{page.name}: expected numbers of its own, got {sorted(twice)} again")
+        found |= page.exercises
+    return found

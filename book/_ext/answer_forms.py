@@ -5,7 +5,6 @@ scripts there is no form, and the text is complete.
 """
 
 import json
-import re
 from typing import Any
 
 import numpy as np
@@ -13,9 +12,8 @@ from docutils import nodes
 from sphinx.application import Sphinx
 from sphinx.transforms.post_transforms import SphinxPostTransform
 
+from cells import code_cells, part_of_exercise
 from rotedu.edition.exercises.judging import EXERCISES, Exercise, Part
-
-CHECK = re.compile(r'^check\("([\d.]+)", answer\)$', re.MULTILINE)
 
 
 class answer_form(nodes.General, nodes.Element):  # noqa: N801 (docutils names nodes so)
@@ -59,14 +57,11 @@ class AddForms(SphinxPostTransform):
     builders = ("html",)
 
     def run(self, **_: Any) -> None:
-        """Find the cells by their last line; solutions end with the same one, but are folded."""
-        for cell in list(self.document.findall(nodes.container)):
-            if cell.get("nb_element") != "cell_code" or "tag_hide-cell" in cell["classes"]:
-                continue
-            source = next(iter(cell.findall(nodes.literal_block)), None)
-            check = source and CHECK.search(source.astext())
-            if check and EXERCISES[check[1]].fields:
-                cell.parent.insert(cell.parent.index(cell) + 1, form_of(EXERCISES[check[1]]))
+        """Find the starter cells whose exercises ask for numbers."""
+        for cell in code_cells(self.document):
+            part, number = part_of_exercise(cell)
+            if part == "start" and EXERCISES[number].fields:
+                cell.parent.insert(cell.parent.index(cell) + 1, form_of(EXERCISES[number]))
 
 
 def visit_answer_form(writer: Any, node: answer_form) -> None:

@@ -14,21 +14,13 @@ from sphinx.transforms import SphinxTransform
 from sphinx.transforms.post_transforms import SphinxPostTransform
 from sphinx.util.nodes import NodeMatcher
 
+from cells import caption_of
 from rotedu.figures.pages import scene, scene_by_hand
 
-BEGINNING = re.compile(r"((?:Figure|Picture) [\w-]+)\.")
 STYLES = Path(__file__).parents[1] / "_static" / "book.css"
 # In rem. docutils takes no variables of CSS for a size.
 TEXT_WIDTH = float(re.search(r"--measure: ([\d.]+)rem;", STYLES.read_text("utf-8"))[1])
 SHAPE = re.compile(r'viewBox="0 0 ([\d.]+) ([\d.]+)"')
-
-
-def title_of(paragraph: nodes.Element) -> str | None:
-    """Return the title, such as ``Picture 3-a``, if the paragraph is a caption."""
-    # MyST puts an empty text before a word in bold.
-    first = next((child for child in paragraph.children if child.astext()), None)
-    match = BEGINNING.match(first.astext()) if isinstance(first, nodes.strong) else None
-    return match[1] if match else None
 
 
 class NameCaptions(SphinxTransform):
@@ -39,7 +31,7 @@ class NameCaptions(SphinxTransform):
     def apply(self, **_: Any) -> None:
         """Register the captions of a page with Sphinx's standard domain."""
         for paragraph in self.document.findall(nodes.paragraph):
-            if title := title_of(paragraph):
+            if title := caption_of(paragraph):
                 name = nodes.make_id(title)
                 paragraph["ids"].append(name)
                 standard = self.env.domains["std"]
@@ -54,12 +46,12 @@ class BuildFigures(SphinxPostTransform):
 
     def run(self, **_: Any) -> None:
         """Move the last picture of a cell and the caption below it into one figure."""
-        captions = [p for p in self.document.findall(nodes.paragraph) if title_of(p)]
+        captions = [p for p in self.document.findall(nodes.paragraph) if caption_of(p)]
         for caption in captions:
             cell = caption.parent[caption.parent.index(caption) - 1]
             pictures = list(cell.findall(NodeMatcher(scene))) or list(cell.findall(nodes.image))
             if not pictures:
-                raise ValueError(f"{title_of(caption)}: no picture above the caption")
+                raise ValueError(f"{caption_of(caption)}: no picture above the caption")
             picture = pictures[-1]
             if isinstance(picture.parent, scene_by_hand):
                 picture = picture.parent

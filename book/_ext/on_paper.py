@@ -28,13 +28,11 @@ from sphinx.util.nodes import inline_all_toctrees
 from sphinxcontrib import katex
 
 import rotedu
-from captions import title_of
+from cells import caption_of, code_cells, exercise_of, part_of_exercise
 
 ON_PAPER = ("singlehtml", "epub")
 SOLUTIONS = "book/solutions"
 SOLUTIONS_TITLE = "Solutions of the exercises"
-SOLUTION = re.compile(r"# Solution of Exercise ([\d.]+)\n")
-EXERCISE = re.compile(r"Exercise ([\d.]+)$")
 LINK = re.compile(r"</?a\b[^>]*>")
 UNANSWERED = "not answered yet."
 PAPER = Path(__file__).parents[1] / "_paper"
@@ -52,17 +50,6 @@ def link(target: str, text: str, *content: nodes.Node) -> nodes.reference:
     return nodes.reference("", text, *content, refuri=target, internal=True)
 
 
-def cells(tree: nodes.Node) -> list[nodes.Element]:
-    """Return all cells with code."""
-    return [node for node in tree.findall(nodes.container) if node.get("nb_element") == "cell_code"]
-
-
-def number_of(cell: nodes.Element) -> str | None:
-    """Return the number of the exercise that a cell solves."""
-    match = SOLUTION.match(cell[0].astext()) if cell.get("hide_mode") == "all" else None
-    return match[1] if match else None
-
-
 def is_dropdown(node: nodes.Node) -> bool:
     """Tell whether a node is a folded text of sphinx-design."""
     return isinstance(node, nodes.container) and node.get("design_component") == "dropdown"
@@ -70,7 +57,7 @@ def is_dropdown(node: nodes.Node) -> bool:
 
 def belongs_to_solution(node: nodes.Node) -> bool:
     """Tell whether a node is the reason of a solution, or the caption of its picture."""
-    return is_dropdown(node) or (isinstance(node, nodes.paragraph) and bool(title_of(node)))
+    return is_dropdown(node) or (isinstance(node, nodes.paragraph) and bool(caption_of(node)))
 
 
 def opened(dropdown: nodes.Element) -> nodes.Element:
@@ -90,12 +77,13 @@ def take_solutions(tree: nodes.Element, back: str, forth: str) -> list[nodes.sec
     back, forth : str
         What the addresses of an exercise and of a solution begin with.
     """
-    for start in list(tree.findall(nodes.strong)):
-        if (match := EXERCISE.match(start.astext())) and isinstance(start.parent, nodes.paragraph):
-            start.parent["ids"].append(name_of("exercise", match[1]))
+    for paragraph in tree.findall(nodes.paragraph):
+        if number := exercise_of(paragraph):
+            paragraph["ids"].append(name_of("exercise", number))
     sections = []
-    for cell in cells(tree):
-        if number := number_of(cell):
+    for cell in code_cells(tree):
+        part, number = part_of_exercise(cell)
+        if part == "solution":
             around, at = cell.parent, cell.parent.index(cell)
             reasons = list(takewhile(belongs_to_solution, around[at + 1 :]))
             around[at : at + 1 + len(reasons)] = [
@@ -288,7 +276,7 @@ class UnfoldForPaper(SphinxPostTransform):
                 head.parent.remove(head)
         for dropdown in list(self.document.findall(is_dropdown)):
             dropdown.replace_self(opened(dropdown))
-        for cell in cells(self.document):
+        for cell in code_cells(self.document):
             hidden = cell.attributes.pop("hide_mode", None)
             if hidden in ("input", "input+output"):
                 cell.remove(cell[0])

@@ -19,6 +19,7 @@ FRAME = (
     "book/_ext/**/*",
     "book/_paper/**/*",
     "book/_static/**/*",
+    "tools/notebook_language.py",
     "viewer/**/*",
     "rotedu/scenes/*.js",
     # Every page links to it.

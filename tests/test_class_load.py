@@ -6,8 +6,7 @@ import re
 import shutil
 import subprocess
 import sys
-import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -16,20 +15,11 @@ import requests
 import websocket
 from browser import free_port
 from jupyter_client.session import Session
+from servers import PATIENCE, until
 
 ROOT = Path(__file__).parents[1]
 NOTEBOOK = "03-ordinary-rotation.ipynb"
 STUDENTS = [f"student{number:02}" for number in range(1, 31)]
-PATIENCE = 300  # seconds
-
-
-def until(done: Callable[[], bool], what: str) -> None:
-    """Ask again and again."""
-    end = time.monotonic() + PATIENCE
-    while not done():
-        if time.monotonic() > end:
-            raise TimeoutError(f"{what}: not there after {PATIENCE} seconds")
-        time.sleep(1)
 
 
 @pytest.fixture

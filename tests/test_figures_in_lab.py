@@ -4,11 +4,7 @@ import base64
 import io
 import json
 import os
-import subprocess
 import sys
-import time
-import urllib.error
-import urllib.request
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -16,8 +12,8 @@ from typing import Any
 import nbformat
 import numpy as np
 import pytest
-from browser import free_port
 from PIL import Image
+from servers import jupyterlab
 from test_figures_in_browser import (
     CONTEXTS,
     INK,
@@ -75,33 +71,13 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture(scope="module")
 def lab(folder: Path) -> Iterator[str]:
     """JupyterLab with its factory settings."""
-    port = free_port()
-    options = ["--no-browser", f"--port={port}", "--IdentityProvider.token=", "--allow-root"]
-    # For the tests: the commands of JupyterLab's menus.
-    options.append("--LabApp.expose_app_in_browser=True")
     home = {"HOME": str(folder), "JUPYTER_CONFIG_DIR": str(folder / "configuration")}
-    environment = {
-        name: value for name, value in os.environ.items() if name != "PYVISTA_JUPYTER_BACKEND"
-    }
-    with (folder / "lab.log").open("w") as log:
-        server = subprocess.Popen(
-            [sys.executable, "-m", "jupyterlab", *options],
-            cwd=folder,
-            env=environment | home,
-            stdout=log,
-            stderr=log,
-        )
-    url = f"http://127.0.0.1:{port}"
-    for _ in range(120):
-        try:
-            urllib.request.urlopen(f"{url}/api", timeout=30)
-        except urllib.error.URLError:
-            time.sleep(0.5)
-        else:
-            break
-    yield url
-    server.terminate()
-    server.wait()
+    env = os.environ | home
+    env.pop("PYVISTA_JUPYTER_BACKEND", None)
+    # For the tests: the commands of JupyterLab's menus.
+    menus = "--LabApp.expose_app_in_browser=True"
+    with jupyterlab(sys.executable, folder, menus, env=env) as url:
+        yield url
 
 
 @pytest.fixture

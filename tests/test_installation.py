@@ -8,20 +8,17 @@ import os
 import shutil
 import subprocess
 import sys
-import time
 import tomllib
-import urllib.error
-import urllib.request
 import zipfile
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import nbformat
 import pytest
-from browser import free_port
 from jupyter_server.gateway.gateway_client import GatewayClient
 from nbclient import NotebookClient
 from notebook_language import notebooks
+from servers import get, jupyterlab
 from set_up import OLDEST
 from uv import find_uv_bin
 
@@ -141,31 +138,11 @@ def test_a_notebook_runs_elsewhere(
     NotebookClient(notebook, timeout=300, kernel_name="python3", resources=place).execute()
 
 
-def get(url: str) -> str:
-    return urllib.request.urlopen(url, timeout=30).read().decode()
-
-
 @pytest.fixture
 def lab(install: Callable[..., Path], folder: Path) -> Iterator[str]:
-    """JupyterLab, as `jupyter lab` starts it, without a browser window."""
-    port = free_port()
     # jupyter_server's client for another server sends neither token nor cookie on its socket.
-    open_to_all = ["--IdentityProvider.token=", "--ServerApp.disable_check_xsrf=True"]
-    options = ["--no-browser", f"--port={port}", *open_to_all]
-    if hasattr(os, "geteuid") and os.geteuid() == 0:
-        options.append("--allow-root")
-    server = subprocess.Popen([install("[lab]"), "-m", "jupyterlab", *options], cwd=folder)
-    url = f"http://127.0.0.1:{port}"
-    for _ in range(120):
-        try:
-            get(f"{url}/api")
-        except urllib.error.URLError:
-            time.sleep(0.5)
-        else:
-            break
-    yield url
-    server.terminate()
-    server.wait()
+    with jupyterlab(install("[lab]"), folder, "--ServerApp.disable_check_xsrf=True") as url:
+        yield url
 
 
 def test_jupyterlab_opens_and_runs_a_notebook(lab: str, folder: Path) -> None:

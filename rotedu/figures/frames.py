@@ -72,8 +72,11 @@ def shown(plotter: pyvista.Plotter) -> Shown:
 
 def new_name(taken: Mapping[str, Any], name: str) -> str:
     """Return a name, followed by a number if the scene has another part with this name."""
-    names = [name, *(f"{name} {k}" for k in range(2, len(taken) + 2))]
-    return next(name for name in names if name not in taken)
+    new, number = name, 1
+    while new in taken:
+        number += 1
+        new = f"{name} {number}"
+    return new
 
 
 def place_part(plotter: pyvista.Plotter, name: str, **place: Any) -> str:

@@ -279,11 +279,13 @@ def euler_angles_by_hand(
     names, colors = ("angles", "slerp", "nlerp"), (CROSS, RESULT, NEUTRAL)
 
     steps = np.linspace(0, 1, 33)
-    ways = three_ways(angles, steps)
-    here = [turns[0] for turns in three_ways(angles, [t])]
+    # For each way the pose at t, the path, and what comes just before and after its places.
+    times = np.concatenate([[t], steps, steps - STEP, steps + STEP])
+    here, ways, before, after = np.split(three_ways(angles, times), (1, 34, 67), axis=1)
     unique = len(ways) == len(names)
     for k, (name, color, place) in enumerate(zip(names, colors, places, strict=True)):
-        path, turn = (ways[k], here[k]) if unique else (ways[0], here[0])
+        exists = unique or k == 0
+        path, turn = (ways[k], here[k, 0]) if exists else (ways[0], here[0, 0])
         if name != "angles":
             ball = pyvista.Sphere(
                 radius=SPOON, center=tuple(place), theta_resolution=48, phi_resolution=32
@@ -295,8 +297,8 @@ def euler_angles_by_hand(
             add_line(plotter, place + SPOON * path[:, :, 0], color, 0.014, name=f"{name} path"),
             add_point(plotter, place + SPOON * turn[:, 0], color, 0.045, name=f"{name} tip"),
         ):
-            part.visibility = unique or k == 0
-    texts = ("three angles", "slerp", "nlerp")
+            part.visibility = exists
+    texts = ("three angles", *names[1:])
     below = (1.75, 0.95, 0.95)
     for text, color, place, far in zip(texts, (CROSS, RESULT, "black"), places, below, strict=True):
         add_label(plotter, place - far * up, text, color)
@@ -307,26 +309,24 @@ def euler_angles_by_hand(
     change = abs(tilted - level).max()
     read_out(plotter, "entry_change", change, "it changes a matrix entry by up to", 3)
     read_out(plotter, "rings", angles, "the rings end at u, v, w", 1, "°")
-    read_out(plotter, "matrix", here[0], "matrix of the three angles")
+    read_out(plotter, "matrix", here[0, 0], "matrix of the three angles")
     path = pose(np.multiply.outer(t * steps, angles))
     turned = degrees_between(path[:-1], path[1:]).sum()
     read_out(plotter, "by_angles", turned, "three angles turn the spoon through", 0, "°")
-    by_slerp = degrees_between(np.eye(3), here[1]) if unique else NO_WAY
+    by_slerp = degrees_between(np.eye(3), here[1, 0]) if unique else NO_WAY
     read_out(plotter, "by_slerp", by_slerp, "slerp turns it through", 0, "°")
     nearby = pose(now + np.array([(1, 0, 0), (-1, 0, 0), (0, 0, 1)]))
     apart = degrees_between(nearby[:2], nearby[2]).min()
     read_out(plotter, "apart", apart, "1° of w replaces 1° of u to within", 2, "°")
-    before, after = (three_ways(angles, steps + h) for h in (-STEP, STEP))
-    speeds = [degrees_between(p, q) / (2 * STEP) for p, q in zip(before, after, strict=True)]
     draw_chart(
         plotter,
         "speeds",
-        dict(zip_longest(("three angles", "slerp", "nlerp"), speeds)),
+        dict(zip_longest(texts, degrees_between(before, after) / (2 * STEP))),
         over="t",
         x=(0, 1),
         y=(0, 200),
         label="speed, degrees for a step of 1 in t",
-        colors=dict(zip(("three angles", "slerp", "nlerp"), colors, strict=True)),
+        colors=dict(zip(texts, colors, strict=True)),
         dashed=("nlerp",),
     )
     describe(
@@ -345,7 +345,7 @@ def pose(angles: ArrayLike) -> NDArray[np.float64]:
     return np.asarray(matrix_from_euler_angles(u, v, w)[..., :3, :3])
 
 
-def three_ways(angles: NDArray[np.float64], t: ArrayLike) -> list[NDArray[np.float64]]:
+def three_ways(angles: NDArray[np.float64], t: ArrayLike) -> NDArray[np.float64]:
     """Turn from the start to a pose by its three angles, by slerp and by nlerp.
 
     Parameters
@@ -357,22 +357,18 @@ def three_ways(angles: NDArray[np.float64], t: ArrayLike) -> list[NDArray[np.flo
 
     Returns
     -------
-    list of ndarray, shape (n, 3, 3)
-        The orientations on each of the ways; only the first if the pose is half a turn away, where
-        slerp and nlerp have two shortest ways.
+    ndarray, shape (3, n, 3, 3)
+        The orientations on each of the ways; only the first, shape (1, n, 3, 3), if the pose is
+        half a turn away, where slerp and nlerp have two shortest ways.
     """
     end = pose(angles)
     by_angles = pose(np.multiply.outer(t, angles))
     try:
         by_slerp = slerp_rotations(np.eye(3), end, t)
     except DegenerateError:
-        return [by_angles]
+        return by_angles[np.newaxis]
     q = nlerp([1, 0, 0, 0], Quaternion.from_matrix(end).components, t)
-    return [
-        by_angles,
-        by_slerp,
-        Quaternion(q[:, 0], q[:, 1:]).matrix(),
-    ]
+    return np.stack([by_angles, by_slerp, Quaternion(q[:, 0], q[:, 1:]).matrix()])
 
 
 def degrees_between(before: NDArray[np.float64], after: NDArray[np.float64]) -> NDArray[np.float64]:

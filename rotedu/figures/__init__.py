@@ -30,7 +30,9 @@ Use in another book
        plotter.show()
 
 5. For a slider, write a function of a number that returns a scene, and show it with
-   ``explore(function, u=(0, 1))``. `frames` says what may differ between its scenes.
+   ``explore(function, u=(0, 1))``. `frames` says what may differ between its scenes. The models
+   of figures with handles come into the bundle in ``viewer/by-hand.js`` and
+   ``viewer/notebook.js``; the viewer itself knows none.
 
 A label may hold a formula between dollar signs. Meshes added with ``pickable=False`` never hide the
 labels behind them. A scene raises a `ValueError` if the viewer could not show it like the poster:

@@ -38,7 +38,7 @@ export function addHandles(scene, live, specs, now, change) {
       handle.tabIndex = -1;
       handle.setAttribute("aria-hidden", "true");
       drag(handle, layer, live, point, put, alongPlane);
-      return () => place(handle, live, point(), true);
+      return () => cover(handle, live, point(), true);
     });
   if ((groups.length || grips.length) && hint) hint.textContent = HINT;
 
@@ -46,7 +46,7 @@ export function addHandles(scene, live, specs, now, change) {
   const listed = (value) => (Array.isArray(value[0]) ? value : [value]);
   const coverAll = () => {
     for (const { name, spec, handles } of groups) {
-      listed(now()[name]).forEach((point, i) => place(handles[i], live, scaled(point, spec.reach)));
+      listed(now()[name]).forEach((point, i) => cover(handles[i], live, scaled(point, spec.reach)));
     }
     for (const coverGrip of grips) coverGrip();
   };
@@ -108,7 +108,7 @@ function scaled(point, factor) {
 }
 
 /** Put a handle over its point; a point on the far side of a sphere cannot be caught. */
-function place(handle, live, point, onPlane = false) {
+function cover(handle, live, point, onPlane = false) {
   const { left, top, riding } = live.project(point);
   handle.style.left = `${100 * left}%`;
   handle.style.top = `${100 * top}%`;

@@ -2,12 +2,11 @@
 
 import re
 from collections.abc import Iterator
-from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
 import pytest
-from notebook_language import blocks, chapters, pages
+from notebook_language import captions_by_hand, chapters, pages
 from test_figures_in_browser import AT_REST
 
 TEXT = pages()["teaching.md"].text
@@ -65,11 +64,7 @@ def test_the_marks_make_a_hundred() -> None:
 
 
 def test_every_figure_that_answers_the_hand_cures_something() -> None:
-    names = set()
-    for page in chapters():
-        for cell, below in pairwise(page.cells):
-            if re.match(r"explore\(scenes\.\w+_by_hand\b", cell.source):
-                names.add(next(blocks(below.source)).anchor)
+    names = {caption.anchor for caption in captions_by_hand()}
     assert names
     cures = {
         target

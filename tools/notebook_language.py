@@ -9,6 +9,7 @@ import functools
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from itertools import pairwise
 from pathlib import Path
 
 import nbformat
@@ -268,3 +269,13 @@ def exercises() -> dict[str, Exercise]:
             raise ValueError(f"{page.name}: expected numbers of its own, got {sorted(twice)} again")
         found |= page.exercises
     return found
+
+
+def captions_by_hand() -> list[Block]:
+    """Return the captions of all figures that answer the hand."""
+    return [
+        next(blocks(below.source))
+        for page in chapters()
+        for cell, below in pairwise(page.cells)
+        if cell.source.startswith("explore(scenes.")
+    ]

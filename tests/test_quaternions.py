@@ -271,8 +271,9 @@ class TestArray:
         assert rows == [len("Quaternion(")]
         assert repr(two).splitlines()[-1].startswith(" " * 12 + "[")
 
-    def test_operators_keep_their_names(self) -> None:
+    def test_methods_keep_their_names(self) -> None:
         assert Quaternion.__mul__.__name__ == "__mul__"
+        assert Quaternion.matrix.__name__ == "matrix"
         assert not hasattr(I, "__dict__")
 
     def test_single_precision(self) -> None:

@@ -7,7 +7,7 @@ READY := .venv/made-by-$(shell $(PYTHON) -c 'import sys; print("python%d.%d" % s
 # The viewer for notebooks.
 VIEWER := rotedu/figures/static/figure.js
 
-.PHONY: book test test-slow audit bench mutate lab class pdf epub notebooks lock clean help
+.PHONY: book test test-slow audit bench mutate newest lab class pdf epub notebooks lock clean help
 .DEFAULT_GOAL := help
 
 help: ## list the targets
@@ -40,6 +40,9 @@ mutate: $(READY) ## break mathematics and viewer, see whether tests notice (an h
 	$(BIN)/pytest tests/test_sphere_js.py tests/test_explorables.py
 	CASES="$(CURDIR)/_build/cases" $(BIN)/node \
 	    node_modules/@stryker-mutator/core/bin/stryker.js run viewer/stryker.json
+
+newest: book ## build the book with the newest Sphinx and compare the pages
+	$(BIN)/python tools/newest.py
 
 lab: $(READY) $(VIEWER) ## open the notebooks in JupyterLab, with figures that turn
 	$(BIN)/jupyter lab book

@@ -25,6 +25,8 @@ AXE = ROOT / "node_modules" / "axe-core" / "axe.min.js"
 TOLERANCE, TOLERANCE_INSIDE = 1.0, 4.0
 MANY = 18
 Open = Callable[..., Any]
+# The size of a poster, if the device has two pixels for each of the page.
+LIKE_A_POSTER = ".scene { width: 45rem !important; max-width: none !important; }"
 # A theme without styles of its own, so everything visible comes with the scenes.
 CONFIGURATION = """
 extensions = ["browser_libraries", "myst_nb", "rotedu.figures.pages", "sphinxcontrib.katex"]
@@ -85,6 +87,7 @@ LABELS = """(element) => [...element.querySelectorAll(".scene-label")].map((labe
     const { left, top, width, height } = label.getBoundingClientRect();
     const box = element.getBoundingClientRect();
     return {
+        name: label.dataset.label,
         text: label.textContent,
         seen: getComputedStyle(label).visibility === "visible",
         left: (left + width / 2 - box.left) / box.width,
@@ -229,6 +232,17 @@ def difference(a: np.ndarray, b: np.ndarray) -> float:
     return float(np.abs(on_white(a) - on_white(b)).mean())
 
 
+def largest_difference(a: np.ndarray, b: np.ndarray, side: int = 16) -> float:
+    """The largest difference of the mean colours of two pictures on white, square by square."""
+    rows, columns = (length // side for length in a.shape[:2])
+    squares = (rows, side, columns, side, 3)
+    means = [
+        on_white(picture)[: rows * side, : columns * side].reshape(squares).mean(axis=(1, 3))
+        for picture in (a, b)
+    ]
+    return float(np.abs(np.subtract(*means)).max())
+
+
 def inside(a: np.ndarray, b: np.ndarray, depth: int = 3) -> np.ndarray:
     """The places where both pictures show something, some pixels away from any edge."""
     both = (a[..., 3] > 0) & (b[..., 3] > 0)
@@ -307,9 +321,7 @@ def test_scenes_of_the_book_live(book: Path, site: str, open_page: Open, which: 
     for name in names:
         page = open_page(f"{site}/{name}", CONTEXTS, device_scale_factor=2)
         # Use the poster's own size, because scaling would blur its edges.
-        page.add_style_tag(
-            content=".scene { width: 45rem !important; max-width: none !important; }"
-        )
+        page.add_style_tag(content=LIKE_A_POSTER)
         scenes = page.locator(".scene").all()
         for i, scene in enumerate(scenes if which == "all" else scenes[:1]):
             where = f"{name}, scene {i}"

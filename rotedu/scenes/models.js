@@ -1,8 +1,8 @@
 /* The models of the scenes that answer the hand, by the names that `explorable` gives them. */
-export { slerp } from "./arcs.js";
-export { camera, closedCurve } from "./closed_curve.js";
-export { controlPoints } from "./control_points.js";
-export { eulerAngles } from "./general_rotation.js";
-export { figure1 } from "./ordinary_rotation.js";
-export { carriedAround } from "./orientations.js";
-export { twoMirrors } from "./quaternions.js";
+export * from "./arcs.js";
+export * from "./closed_curve.js";
+export * from "./control_points.js";
+export * from "./general_rotation.js";
+export * from "./ordinary_rotation.js";
+export * from "./orientations.js";
+export * from "./quaternions.js";

@@ -2,7 +2,6 @@
 
 import json
 import os
-import re
 import shutil
 import subprocess
 import sys
@@ -15,6 +14,7 @@ import requests
 import websocket
 from browser import free_port
 from jupyter_client.session import Session
+from notebook_language import blocks, pages
 from servers import PATIENCE, until
 
 ROOT = Path(__file__).parents[1]
@@ -28,9 +28,9 @@ def hub(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[str]:
     checkout = tmp_path / "checkout"
     made = shutil.ignore_patterns(".*_cache", ".git", ".venv", "_build", "node_modules")
     shutil.copytree(ROOT, checkout, ignore=made)
-    page = (checkout / "book" / "run-a-class.md").read_text("utf-8")
-    section = page.partition("(jupyterhub)=")[2].replace("/opt/class", str(tmp_path))
-    install, configuration = re.findall(r"^```(?:python)?\n(.+?)^```", section, re.M | re.S)[:2]
+    section = pages()["run-a-class.md"].text.partition("(jupyterhub)=")[2]
+    listings = [block.body for block in blocks(section) if block.kind == "fence"]
+    install, configuration = (each.replace("/opt/class", str(tmp_path)) for each in listings[:2])
     monkeypatch.delenv("PYVISTA_JUPYTER_BACKEND", raising=False)
     monkeypatch.setenv("PATH", str(Path(sys.executable).parent), prepend=os.pathsep)
     monkeypatch.setenv("PATH", str(tmp_path / "bin"), prepend=os.pathsep)

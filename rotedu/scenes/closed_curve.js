@@ -1,5 +1,5 @@
 /* Models of `rotedu.scenes.closed_curve`. */
-import { DEGREES, ORIGIN, arcs, spread } from "./parts.js";
+import { DEGREES, ORIGIN, arcs, columns, spread } from "./parts.js";
 import {
   arcAxis,
   bisect,
@@ -22,6 +22,7 @@ const NAMED = 5;
 const SAMPLES = 25;
 // Of `camera_by_hand`.
 const LEG = 24;
+const TIMES = Array.from({ length: LEG }, (_, i) => i / LEG);
 const HORIZONS = 6;
 const [WIDTH, HEIGHT] = [0.21, 0.14];
 const ANGLE = 60;
@@ -106,79 +107,110 @@ function beside(polygon, i, middle) {
 /** `camera_by_hand` */
 export function camera({ targets, path, roll, ride, u }, { seen }) {
   const p = targets.map(unit);
-  const after = p.map((_, i) => p[(i + 1) % p.length]);
-  const { a, b } = controlPoints(p);
-  const arcs = p.map((point, i) => [point, after[i]]);
-  const curves = p.map((point, i) => [point, a[i], b[(i + 1) % p.length], after[i]]);
-  const t = Array.from({ length: LEG }, (_, i) => i / LEG);
+  const legs = legsBetween(p);
   const ways = {
-    arcs: arcs.flatMap((leg) => t.map((x) => deCasteljau(leg, x))),
+    arcs: legs.arcs.flatMap((arc) => TIMES.map((t) => deCasteljau(arc, t))),
     curve: curveThrough(p, LEG),
   };
-  const legs = path === "arcs" ? arcs : curves;
-  const leg = Math.min(Math.floor(4 * u), 3);
-  const within = 4 * u - leg;
-  const ahead = deCasteljau(legs[leg], within);
+  const leg = Math.min(Math.floor(p.length * u), p.length - 1);
+  const [taken, within] = [legs[path][leg], p.length * u - leg];
+  const ahead = deCasteljau(taken, within);
   const vertical = upright(ahead);
   let up = vertical;
   if (roll === "carried along") {
-    const passed = Math.min(Math.floor(4 * LEG * u), 4 * LEG - 1) + 1;
-    up = carried(upright(p[0]), [...ways[path].slice(0, passed), ahead]);
+    up = carried(upright(p[0]), [...ways[path].slice(0, samplesUntil(u)), ahead]);
   }
-
-  const corners = picture(ahead, up);
-  const level = picture(ahead, vertical);
   const top = combine(1, ahead, HEIGHT, up);
-  const levelTop = combine(1, ahead, HEIGHT, vertical);
-  const parts = {
-    camera: { matrix: [...ahead, 0, ...cross(up, ahead), 0, ...up, 0, ...ORIGIN, 1], hidden: ride },
-    upright: { paths: [[...level, level[0]]], hidden: ride },
-    "upright up": { from: levelTop, to: combine(1, levelTop, 0.16, vertical), hidden: ride },
-    picture: { paths: [[...corners, corners[0]]], hidden: ride },
-    edges: { paths: corners.map((corner) => [ORIGIN, corner]), hidden: ride },
-    up: { from: top, to: combine(1, top, 0.28, up), hidden: ride },
+  const middle = p.reduce((sum, q) => combine(1, sum, 1 / p.length, q), ORIGIN);
+  const named = (place) => Object.fromEntries(seen.map((name, i) => [name, place(p[i])]));
+  const { velocity } = motion(taken, within);
+  const { bends, charts } = motions(legs, path);
+  return {
+    parts: {
+      ...paths(ways, path, ride),
+      ...named((at) => ({ at })),
+      ...cameraAndFrames(ahead, up, vertical, ride),
+    },
+    labels: {
+      ...horizon(ride),
+      ...named((point) => outside(point, middle, ride)),
+      up: ride ? null : combine(1, top, 0.36, up),
+    },
+    outputs: {
+      rolled: DEGREES * Math.atan2(dot(cross(vertical, up), ahead), dot(vertical, up)),
+      spin: roll === "kept upright" ? DEGREES * spinOfUpright(ahead, velocity) : 0,
+      speed: DEGREES * length(velocity),
+      bends: seen.map((name, i) => `${name} ${(DEGREES * bends[i]).toFixed(0)}°`).join(", "),
+    },
+    charts,
+    view: ride ? { eye: ORIGIN, target: ahead, up, angle: ANGLE } : null,
   };
-  for (const [name, way] of Object.entries(ways)) {
-    const paths = [[...way, p[0]]];
-    parts[name] = { paths, hidden: name !== path };
-    parts[`other ${name}`] = { paths, hidden: ride || name === path };
-  }
-  const labels = { up: ride ? null : combine(1, top, 0.36, up) };
+}
+
+/** Control points from target to target, for both paths: `legs_between`. */
+function legsBetween(p) {
+  const after = p.map((_, i) => p[(i + 1) % p.length]);
+  const { a, b } = controlPoints(p);
+  return {
+    arcs: p.map((point, i) => [point, after[i]]),
+    curve: p.map((point, i) => [point, a[i], b[(i + 1) % p.length], after[i]]),
+  };
+}
+
+/** How many samples of the way round lie before a place on it: `samples_until`. */
+const samplesUntil = (u) => Math.min(Math.floor(4 * LEG * u), 4 * LEG - 1) + 1;
+
+/** Labels for a rider: `add_horizon`. */
+function horizon(ride) {
+  const labels = { "straight up": ride ? [0.06, 0, 0.98] : null };
   for (let k = 0; k < HORIZONS; k++) {
     const azimuth = (2 * Math.PI * (k + 1 / 4)) / HORIZONS;
     const place = [Math.cos(azimuth), Math.sin(azimuth), 0.06].map((x) => 0.98 * x);
     labels[`horizon ${k}`] = ride ? place : null;
   }
-  labels["straight up"] = ride ? [0.06, 0, 0.98] : null;
-  const middle = p.reduce((sum, q) => combine(1, sum, 1 / p.length, q), ORIGIN);
-  seen.forEach((name, i) => {
-    parts[name] = { at: p[i] };
-    labels[name] = outside(p[i], middle, ride);
-  });
+  return labels;
+}
 
-  const times = spread(LEG / 2 + 1);
-  const velocities = (way) => way.map((leg) => times.map((x) => motion(leg, x).velocity));
-  const speeds = (rows) => rows.map((row) => row.map((v) => DEGREES * length(v)));
-  const driven = { arcs: velocities(arcs), curve: velocities(curves) };
-  const velocityHere = motion(legs[leg], within).velocity;
-  const spins = driven[path].map((row, i) =>
-    row.map((v, k) => DEGREES * spinOfUpright(deCasteljau(legs[i], times[k]), v)),
-  );
-  const bends = driven[path].map((row, i) => angle(driven[path].at(i - 1).at(-1), row[0]));
+/** Both paths, each thick and thin: `add_paths`. */
+function paths(ways, path, ride) {
+  const parts = {};
+  for (const [name, way] of Object.entries(ways)) {
+    const paths = [[...way, way[0]]];
+    parts[name] = { paths, hidden: name !== path };
+    parts[`other ${name}`] = { paths, hidden: ride || name === path };
+  }
+  return parts;
+}
+
+/** A camera and the frame of its picture, upright and as it is: `add_camera`. */
+function cameraAndFrames(ahead, up, vertical, hidden) {
+  const [level, corners] = [vertical, up].map((side) => picture(ahead, side));
+  const [levelTop, top] = [vertical, up].map((side) => combine(1, ahead, HEIGHT, side));
   return {
-    parts,
-    labels,
-    outputs: {
-      rolled: DEGREES * Math.atan2(dot(cross(vertical, up), ahead), dot(vertical, up)),
-      spin: roll === "kept upright" ? DEGREES * spinOfUpright(ahead, velocityHere) : 0,
-      speed: DEGREES * length(velocityHere),
-      bends: seen.map((name, i) => `${name} ${(DEGREES * bends[i]).toFixed(0)}°`).join(", "),
-    },
+    camera: { matrix: columns([ahead, cross(up, ahead), up]), hidden },
+    upright: { paths: [[...level, level[0]]], hidden },
+    "upright up": { from: levelTop, to: combine(1, levelTop, 0.16, vertical), hidden },
+    picture: { paths: [[...corners, corners[0]]], hidden },
+    edges: { paths: corners.map((corner) => [ORIGIN, corner]), hidden },
+    up: { from: top, to: combine(1, top, 0.28, up), hidden },
+  };
+}
+
+/** The bends of a path, the speed on both, and the spin of an upright camera: `show_motion`. */
+function motions(legs, path) {
+  const t = spread(LEG / 2 + 1);
+  const velocities = (way) => way.map((leg) => t.map((x) => motion(leg, x).velocity));
+  const speeds = (rows) => rows.map((row) => row.map((v) => DEGREES * length(v)));
+  const driven = { arcs: velocities(legs.arcs), curve: velocities(legs.curve) };
+  const spin = driven[path].map((row, i) =>
+    row.map((v, k) => DEGREES * spinOfUpright(deCasteljau(legs[path][i], t[k]), v)),
+  );
+  return {
+    bends: driven[path].map((row, i) => angle(driven[path].at(i - 1).at(-1), row[0])),
     charts: {
       speeds: { arcs: speeds(driven.arcs), curve: speeds(driven.curve) },
-      spins: { spin: spins },
+      spins: { spin },
     },
-    view: ride ? { eye: ORIGIN, target: ahead, up, angle: ANGLE } : null,
   };
 }
 

@@ -337,17 +337,21 @@ def camera_by_hand(
     p = np.asarray(targets, float)
     p = p / np.linalg.norm(p, axis=1, keepdims=True)
     legs = legs_between(p)
+    ways = {
+        "arcs": de_casteljau(legs["arcs"][:, np.newaxis], np.arange(LEG) / LEG).reshape(-1, 3),
+        "curve": closed_curve(p, LEG),
+    }
     leg = min(int(len(p) * u), len(p) - 1)
     taken, within = legs[path][leg], len(p) * u - leg
     ahead = de_casteljau(taken, within)
     vertical = up = upright(ahead)
     if roll == "carried along":
-        up = carried(upright(p[0]), [*way_along(legs[path])[: samples_until(u)], ahead])
+        up = carried(upright(p[0]), [*ways[path][: samples_until(u)], ahead])
 
     plotter = new_scene(eye=(5.1, -0.3, 2.3), target=(0, 0, 0.02))
     add_sphere(plotter)
     add_horizon(plotter, ride)
-    add_paths(plotter, legs, path, ride)
+    add_paths(plotter, ways, path, ride)
     add_targets(plotter, p, ride)
     add_camera(plotter, ahead, up, vertical, ride)
 
@@ -371,20 +375,15 @@ def camera_by_hand(
     return plotter
 
 
-Legs = Mapping[str, NDArray[np.float64]]
+Paths = Mapping[str, NDArray[np.float64]]
 
 
-def legs_between(p: NDArray[np.float64]) -> Legs:
+def legs_between(p: NDArray[np.float64]) -> Paths:
     """Return control points from target to target, for both paths: shapes (n, 2, 3), (n, 4, 3)."""
     after = np.roll(p, -1, axis=0)
     a, b = control_points(p)
     curves = np.stack([p, a, np.roll(b, -1, axis=0), after], axis=1)
     return {"arcs": np.stack([p, after], axis=1), "curve": curves}
-
-
-def way_along(legs: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Sample a path, each leg at `LEG` points from its start on: shape (n * LEG, 3)."""
-    return de_casteljau(legs[:, np.newaxis], np.arange(LEG) / LEG).reshape(-1, 3)
 
 
 def samples_until(u: float) -> int:
@@ -409,11 +408,10 @@ def add_horizon(plotter: pyvista.Plotter, ride: bool) -> None:
     add_label(plotter, (0.06, 0, 0.98) if ride else None, "straight up")
 
 
-def add_paths(plotter: pyvista.Plotter, legs: Legs, path: str, ride: bool) -> None:
+def add_paths(plotter: pyvista.Plotter, ways: Paths, path: str, ride: bool) -> None:
     """Add the path that the camera takes, and the other one, thin, unless it rides along."""
     for name, color in (("arcs", CROSS), ("curve", RESULT)):
-        way = way_along(legs[name])
-        way = np.vstack([way, way[:1]])
+        way = [*ways[name], ways[name][0]]
         add_line(plotter, way, color, 0.014, name=name).visibility = name == path
         other = add_line(plotter, way, color, 0.004, name=f"other {name}")
         other.visibility = not ride and name != path
@@ -458,7 +456,7 @@ def add_camera(
     add_label(plotter, None if ride else top + 0.36 * up, "up", AXIS)
 
 
-def show_motion(plotter: pyvista.Plotter, legs: Legs, path: str) -> None:
+def show_motion(plotter: pyvista.Plotter, legs: Paths, path: str) -> None:
     """Show the bends of a path, the speed on both, and the spin of an upright camera."""
     t = np.linspace(0, 1, LEG // 2 + 1)
     velocities = {name: motion(control[:, np.newaxis], t)[0] for name, control in legs.items()}

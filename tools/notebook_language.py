@@ -27,9 +27,9 @@ from nbformat.v4 import new_markdown_cell, new_notebook
 ROOT = Path(__file__).parents[1]
 BOOK = ROOT / "book"
 
-PART = re.compile(r"(exercise|start|solution|why)-(\w+)-(\w+)")
+PART = re.compile(r"(exercise|start|solution|why)-(\w+)-(\d+)")
 CAPTION = re.compile(r"((?:Figure|Picture) \w+(?:-\w+)?)\.")
-EXERCISE = re.compile(r"Exercise (\w+\.\w+)")
+EXERCISE = re.compile(r"Exercise (\w+\.\d+)")
 QUESTION = re.compile(rf"\*\*{EXERCISE.pattern}\*\* \((.+), (\d+) minutes?\)\.")
 DIRECTIVE = re.compile(r"\{([\w-]+)\} *(.*)")
 OPTIONS = re.compile(r"(?::[\w-]+:.*\n)*")
@@ -60,31 +60,14 @@ def exercise_number(bold: str) -> str:
 
 @dataclass(frozen=True)
 class Block:
-    """A part of a text, such as a paragraph or a box.
+    """A part of a text, such as a paragraph or a box."""
 
-    Attributes
-    ----------
-    kind : str
-        The name of a directive, such as ``admonition``, ``dropdown`` or ``math``; ``caption``; else
-        the type of markdown-it's token, such as ``heading_open`` or ``myst_target``.
-    source : str
-        Its lines.
-    title : str
-        What a directive, a heading, a caption or a target is called.
-    body : str
-        What is inside a directive, a formula or a listing.
-    options : dict of str to str
-        The options of a directive.
-    level : int
-        The level of a heading.
-    """
-
-    kind: str
-    source: str
-    title: str = ""
-    body: str = ""
-    options: dict[str, str] = field(default_factory=dict)
-    level: int = 0
+    kind: str  #: ``caption``, or the name of a directive, else the type of markdown-it's token
+    source: str  #: its lines
+    title: str = ""  #: what a directive, a heading, a caption or a target is called
+    body: str = ""  #: what is inside a directive, a formula or a listing
+    options: dict[str, str] = field(default_factory=dict)  #: of a directive
+    level: int = 0  #: of a heading
 
     @property
     def anchor(self) -> str:

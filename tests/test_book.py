@@ -161,11 +161,11 @@ def visits(browser: Any, site: str, pages: dict[str, BeautifulSoup]) -> dict[str
                 return seen.filter((image) => !image.naturalWidth).map((image) => image.src);
             }"""
         )
+        page.evaluate("for (const box of document.querySelectorAll('details')) box.open = true")
         too_wide = {}
         for width in (1440, 390):
             page.set_viewport_size({"width": width, "height": 900})
             too_wide[width] = page.evaluate("document.documentElement.scrollWidth - innerWidth")
-        page.evaluate("for (const box of document.querySelectorAll('details')) box.open = true")
         page.evaluate("new Promise(done => requestAnimationFrame(() => setTimeout(done)))")
         unreachable, reachable = page.evaluate(
             """() => {

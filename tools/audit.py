@@ -3,8 +3,7 @@
 ``python tools/audit.py`` serves _build/html compressed, as a web server does. It measures for every
 page its weight on a first visit and for readers who come from the front page, its number of
 elements, its scores in Lighthouse (mobile preset) and the findings of axe at two widths in both
-themes. It prints a table, then what dragging costs (`tools/drag.py`) and each finding, and returns
-1 if a page misses a budget.
+themes. It prints a table, then each finding, and returns 1 if a page misses a budget.
 Name pages to judge only those: ``python tools/audit.py index 03``.
 """
 
@@ -19,7 +18,6 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import bundle
-import drag
 from browser import CHROMIUM_FLAGS, QuietHandler, installed_chromium, launch, node, serve
 from playwright.sync_api import Browser, Page, Request
 
@@ -46,13 +44,11 @@ SCROLL = """async () => {
 }"""
 AXE = """async () => {
     document.querySelectorAll("details").forEach(details => { details.open = true; });
-    const found = (await axe.run()).violations.map(({id, nodes}) => {
+    return (await axe.run()).violations.map(({id, nodes}) => {
         const places = nodes.map(node => node.target.join(" "));
         const more = places.length > 3 ? ` and ${places.length - 3} more` : "";
         return `axe ${id}: ${places.slice(0, 3).join(", ")}${more}`;
     });
-    const wide = document.documentElement.scrollWidth - innerWidth;
-    return wide > 0 ? [...found, `the page is ${wide} pixels too wide`] : found;
 }"""
 
 
@@ -100,25 +96,16 @@ def pages(wanted: list[str]) -> Iterator[str]:
 
 
 def weigh(browser: Browser, url: str, host: str) -> tuple[dict[str, int], int, list[str]]:
-    """Return the bytes of each file that a page loads, its elements, and what goes wrong on it."""
+    """Return the bytes of each file that a page loads, its elements, and what its console says."""
     page = browser.new_page()
     page.add_init_script(SAVE_DATA)
     requests: list[Request] = []
     findings: list[str] = []
     page.on("requestfinished", lambda r: requests.append(r))
     page.on(
-        "request",
-        lambda r: (
-            r.url.startswith((host, "data:", "blob:"))
-            or findings.append(f"request to another host: {r.url}")
-        ),
-    )
-    page.on("requestfailed", lambda r: findings.append(f"request failed: {r.url}"))
-    page.on(
         "console",
         lambda m: m.type in ("error", "warning") and findings.append(f"console: {m.text}"),
     )
-    page.on("pageerror", lambda error: findings.append(f"script: {error}"))
     page.goto(url, wait_until="networkidle")
     page.evaluate(SCROLL)
     page.wait_for_load_state("networkidle")
@@ -132,7 +119,7 @@ def weigh(browser: Browser, url: str, host: str) -> tuple[dict[str, int], int, l
 
 
 def run_axe(browser: Browser, url: str) -> list[str]:
-    """Return axe's findings and any sideways scrolling, at all widths in both themes."""
+    """Return axe's findings at all widths in both themes."""
     findings: dict[str, list[str]] = {}
     for width, height in WIDTHS.items():
         for theme in THEMES:
@@ -202,7 +189,6 @@ def main() -> int:
             row = [f"{first:.0f}", f"{after:.0f}", elements, *scores.values(), len(findings)]
             print(f"{path:34}{''.join(f'{value:>15}' for value in row)}", flush=True)
             missed += [f"{path}: {finding}" for finding in findings]
-        print(*drag.weights(HTML / "_static" / "scene"), drag.frames(browser, host), sep="\n")
     print("\n".join(missed))
     if not missed:
         print("All budgets are met.")

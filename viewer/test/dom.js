@@ -13,7 +13,7 @@ Object.assign(globalThis, {
   location,
   history,
   innerHeight: 800,
-  matchMedia: () => calm,
+  matchMedia: (query) => (query === "(prefers-reduced-motion: reduce)" ? calm : {}),
   addEventListener: window.addEventListener.bind(window),
   dispatchEvent: window.dispatchEvent.bind(window),
   Event: window.Event,

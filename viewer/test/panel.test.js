@@ -4,12 +4,14 @@ import { calm, figure, tell, tick } from "./dom.js";
 import { bindPanel } from "../src/panel.js";
 
 const PANEL = `<form class="explorable-panel"><fieldset disabled>
-  <input type="range" name="u" min="0" max="2" step="any">
-  <input type="number" name="u-number" min="0" max="2" step="any">
+  <input type="range" name="u" min="1" max="3" step="any">
+  <input type="number" name="u-number" min="1" max="3" step="any">
   <button type="button" data-action="play" data-input="u">Play</button>
   <button type="button" data-action="step" data-input="u">Step</button>
   <input type="range" name="v" min="-1" max="1" step="any">
   <input type="number" name="v-number" min="-1" max="1" step="any">
+  <button type="button" data-action="play" data-input="v">Play</button>
+  <input name="of no figure">
   <input type="checkbox" name="on">
   <input type="radio" name="way" value="short"><input type="radio" name="way" value="long">
   <button type="button" data-action="add" data-input="points">Add</button>
@@ -17,7 +19,7 @@ const PANEL = `<form class="explorable-panel"><fieldset disabled>
   <output name="speed" data-digits="2" data-unit="°" data-loud="no"></output>
   <output name="fits" data-digits="2" data-unit="" data-loud="no"></output>
   <output name="matrix" data-digits="1" data-unit="" data-loud="no"></output>
-  <figure data-chart="heights" data-over="u" data-x="0 2" data-y="-1 1">
+  <figure data-chart="heights" data-over="u" data-x="1 3" data-y="-1 1">
     <svg viewBox="0 0 320 96"><path data-curve="one" d=""/><path data-curve="two" d=""/>
     <line data-mark="" x1="0" x2="0"/></svg>
     <div class="explorable-marks"><span>P</span><span hidden>Q</span></div></figure>
@@ -25,13 +27,13 @@ const PANEL = `<form class="explorable-panel"><fieldset disabled>
   <button type="button" data-action="link">Link</button>
 </fieldset></form>`;
 const SPECS = {
-  u: { kind: "number", low: 0, high: 2, step: 0.01, stride: 0.25, plays: 4 },
-  v: { kind: "number", low: -1, high: 1, step: 1, stride: 0.25, plays: 0 },
+  u: { kind: "number", low: 1, high: 3, step: 0.01, stride: 0.25, plays: 4 },
+  v: { kind: "number", low: -1, high: 1, step: 1, stride: 0.25, plays: 2 },
   on: { kind: "switch" },
   way: { kind: "choice", options: ["short", "long"] },
   points: { kind: "points", names: ["P", "Q", "R"], least: 2, most: 3 },
 };
-const START = { u: 0.5, v: 0, on: false, way: "short", points: [[1, 0, 0], [0, 1, 0]] };
+const START = { u: 1.5, v: 0, on: false, way: "short", points: [[1, 0, 0], [0, 1, 0]] };
 const NONE = { outputs: {} };
 
 /** A bound panel, its inputs, and what it has asked for. */
@@ -63,13 +65,14 @@ test("a panel is switched on once it is bound", () => {
 
 test("each slider moves its own input, also by the number beside it, within its bounds", () => {
   const { state, write } = bound();
-  write("u", "1.5");
+  write("u", "2.5");
   write("v", "-0.5");
-  write("u-number", "0.25");
+  write("u-number", "1.25");
   write("v-number", "7");
   write("v-number", "-7");
   write("u-number", "");
-  assert.deepEqual(state.asked, [{ u: 1.5 }, { v: -0.5 }, { u: 0.25 }, { v: 1 }, { v: -1 }]);
+  write("of no figure", "1");
+  assert.deepEqual(state.asked, [{ u: 2.5 }, { v: -0.5 }, { u: 1.25 }, { v: 1 }, { v: -1 }]);
 });
 
 test("a switch and a choice say what they are", () => {
@@ -146,7 +149,7 @@ test("an arrow stands in the middle of what a chart cuts off, at its edge", () =
 
 test("the mark of a chart stands at the value of its input", () => {
   const { panel, find } = bound();
-  panel.show({ ...START, u: 1.5, v: 1 }, NONE);
+  panel.show({ ...START, u: 2.5, v: 1 }, NONE);
   const mark = find("[data-mark]");
   assert.deepEqual([mark.getAttribute("x1"), mark.getAttribute("x2")], ["240", "240"]);
 });
@@ -181,38 +184,55 @@ test("the widest gap may be the last", () => {
   assert.ok(Math.abs(y / x - 0.5) < 1e-12);
 });
 
-test("buttons for the whole figure", () => {
-  const { state, press } = bound();
+test("buttons for the whole figure; the form itself does nothing", () => {
+  const { state, find, press } = bound();
   press("reset");
   press("link");
+  find("fieldset").click();
   assert.deepEqual(state.asked, ["reset", "link"]);
+  assert.ok(tell(find("form"), "submit").defaultPrevented);
 });
 
 test("a step goes on to the next stride, and from the end to the beginning", () => {
-  const { state, press } = bound({ u: 0.6 });
+  const { state, press } = bound({ u: 1.6 });
   for (let i = 0; i < 7; i++) press("step");
   const steps = state.asked.map(({ u }) => u);
-  assert.deepEqual(steps, [0.75, 1, 1.25, 1.5, 1.75, 2, 0]);
+  assert.deepEqual(steps, [1.75, 2, 2.25, 2.5, 2.75, 3, 1]);
 });
 
 test("play goes on from here in its time, rests at the end, starts over, and stops", () => {
-  const { state, find, press } = bound({ u: 1.5 });
+  const { state, find, press } = bound({ u: 2.5 });
   press("play");
   assert.equal(find("[data-action=play]").textContent, "Pause");
   for (const time of [1000, 1500, 2500, 3000, 4100, 4200]) tick(time);
   const near = (mine, wanted) => assert.ok(Math.abs(mine - wanted) < 1e-9, `${mine}, not ${wanted}`);
-  [1.5, 1.75, 2, 2, 0, 0.05].forEach((u, i) => near(state.asked[i].u, u));
+  [2.5, 2.75, 3, 3, 1, 1.05].forEach((u, i) => near(state.asked[i].u, u));
   press("play");
   assert.equal(find("[data-action=play]").textContent, "Play");
   tick(5000);
   assert.equal(state.asked.length, 6);
+  press("play");
+  tick(6000);
+  near(state.asked[6].u, 1.05);
+});
+
+test("only one input plays", () => {
+  const { element, state } = bound();
+  const [first, second] = element.querySelectorAll("[data-action=play]");
+  first.click();
+  tick(0);
+  second.click();
+  assert.deepEqual([first, second].map(({ textContent }) => textContent), ["Play", "Pause"]);
+  tick(0);
+  tick(500);
+  assert.deepEqual(state.asked, [{ u: 1.5 }, { v: 0 }, { v: 0.5 }]);
 });
 
 test("play begins anew from the end", () => {
-  const { state, press } = bound({ u: 2 });
+  const { state, press } = bound({ u: 3 });
   press("play");
   tick(0);
-  assert.deepEqual(state.asked, [{ u: 0 }]);
+  assert.deepEqual(state.asked, [{ u: 1 }]);
 });
 
 test("play stops where the hand moves something, and where the figure leaves the screen", () => {

@@ -52,7 +52,7 @@ const addForm = (place) => {
     const numbers = texts.map(read);
     if (!numbers.every(Number.isFinite)) return [null, `Expected ${expects}.`];
     const hint = judge(numbers, parts);
-    if (!hint) return [true, `Right. ${because}`];
+    if (!hint) return [true, `Right. ${because}`.trim()];
     const [first, second] = hint;
     const again = hinted === first;
     hinted = first;

@@ -72,7 +72,10 @@ test("lines follow their paths; with as many points they are written over", () =
   assert.ok(geometry.attributes.position.version > version);
   assert.ok(geometry.attributes.normal.version > 0);
   assert.equal(geometry.boundingSphere, null);
+  let disposed = false;
+  geometry.addEventListener("dispose", () => (disposed = true));
   move(part, { paths: [[[0, 0, 0], [0, 0, 1], [0, 0, 3]]] });
+  assert.ok(disposed);
   assert.notEqual(part.objects[0].geometry, geometry);
   near([Math.max(...along(2))], [3]);
 });
@@ -115,12 +118,25 @@ test("a part without normals gets none", () => {
 
 test("a part takes its matrix, and what hides labels goes with it", () => {
   const part = square();
-  const rest = new Float32Array(SQUARE);
+  const rest = new Float32Array([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 2]);
   part.surface = { rest, positions: rest.slice() };
-  const matrix = new Matrix4().set(0, -1, 0, 5, 1, 0, 0, 6, 0, 0, 1, 7, 0, 0, 0, 1).toArray();
+  const matrix = new Matrix4().set(0, -1, 0, 5, 1, 0, 0, 6, 0, 0, 2, 7, 0, 0, 0, 1).toArray();
   for (let i = 0; i < 2; i++) {
     move(part, { matrix });
     for (const object of part.objects) near(object.matrix.elements, matrix);
-    near(part.surface.positions, [5, 6, 7, 5, 7, 7, 4, 7, 7, 4, 6, 7]);
+    near(part.surface.positions, [5, 6, 7, 5, 7, 7, 4, 7, 7, 4, 6, 11]);
   }
+});
+
+test("a part that hides nothing takes its matrix, too", () => {
+  const part = square();
+  const matrix = new Matrix4().makeTranslation(1, 2, 3).toArray();
+  move(part, { matrix });
+  near(part.objects[1].matrix.elements, matrix);
+});
+
+test("lines of one width, which have another material, keep their color", () => {
+  const objects = [{ material: { uniforms: {} } }];
+  move({ objects, place: {} }, { color: [0, 0, 0] });
+  assert.deepEqual(objects, [{ material: { uniforms: {} } }]);
 });

@@ -144,6 +144,27 @@ test("a point on the far side cannot be caught, and none while the reader rides 
   assert.ok(!handle("points-0").hidden);
 });
 
+test("a near eye sees less than half of the sphere", () => {
+  const { live, state, handle } = scene();
+  live.eye = () => [0, -2, 0];
+  for (const [y, behind] of [[-0.6, false], [-0.4, true]]) {
+    state.inputs.points[0] = [Math.sqrt(1 - y * y), y, 0];
+    live.draw();
+    assert.equal(handle("points-0").hasAttribute("data-behind"), behind);
+  }
+});
+
+test("who presses a handle holds it, and the page does not move", () => {
+  const { handle } = scene();
+  const [held, focused] = [[], []];
+  handle("points-0").setPointerCapture = (id) => held.push(id);
+  handle("points-0").focus = (options) => focused.push(options);
+  const place = { button: 0, pointerId: 7, clientX: 50, clientY: 60 };
+  assert.ok(tell(handle("points-0"), "pointerdown", place).defaultPrevented);
+  assert.deepEqual(held, [7]);
+  assert.deepEqual(focused, [{ preventScroll: true }]);
+});
+
 test("handles come and go with their points", () => {
   const { state, handles, element, handle } = scene();
   state.inputs.points = [...START.points, [0, 0, 1]];

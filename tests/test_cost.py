@@ -47,13 +47,6 @@ class TestCountsOfTheAudit:
     def test_rodrigues_formula_3_1_second_line(self) -> None:
         assert count(rotate, POINT, AXIS, ANGLE) == OperationCount(19, 12, trigonometric=2)
 
-    def test_affine_matrix(self) -> None:
-        assert count(transform, homogeneous((0, 0, 0, 1)), POINT) == OperationCount(9, 9)
-
-    def test_projective_matrix(self) -> None:
-        matrix = homogeneous((0, 0, 1, 5))
-        assert count(transform, matrix, POINT) == OperationCount(12, 12, divisions=3)
-
     def test_each_point_of_a_stack_pays_for_its_matrix(self) -> None:
         matrices, points = np.stack([MATRIX] * 5), np.stack([POINT] * 5)
         assert count(transform, matrices, points) == 5 * OperationCount(9, 6)

@@ -336,6 +336,11 @@ class TestManyPoints:
         assert count(lambda r: transform(matrix, r), points) == expected
         assert count(lambda m: transform(m, points), matrix) == expected
 
+    def test_an_affine_matrix_costs_no_division(self) -> None:
+        affine, projective = TestTransform.affine, TestTransform.projective
+        assert count(transform, affine, [1, 2, 3]) == OperationCount(9, 9)
+        assert count(transform, projective, [1, 2, 3]) == OperationCount(12, 12, divisions=3)
+
     def test_other_numbers(self) -> None:
         for dtype in (">f8", "f2", "i4"):
             points = (100 * self.points[:2001, 0]).astype(dtype)

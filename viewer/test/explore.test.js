@@ -86,6 +86,7 @@ test("a model that differs from Python leaves a figure that only turns", () => {
     [{ outputs: { sum: 1.2501 } }, "differs from Python in sum"],
     [{ outputs: {} }, "does not compute sum"],
     [{ parts: { ball: { at: [0.25, 1] } } }, "differs from Python in ball"],
+    [{ parts: { ball: { at: [0.25, 1, 0.5] } } }, "differs from Python in ball"],
     [{ parts: { ball: { at: null } } }, "differs from Python in ball"],
     [{ parts: { ball: { hidden: true } } }, "differs from Python in ball"],
     [{ labels: { P: [0, 0, 0] } }, "differs from Python in P"],
@@ -228,6 +229,11 @@ test("in a notebook the figure starts where Python is, and tells it what the han
   assert.deepEqual(python.told, []);
   write("v", "0");
   assert.deepEqual(python.told, [{ u: 0.75, v: 0 }]);
+  // The address of a notebook is not the figure's.
+  history.replaceState(null, "", "#explore-some-figure?u=0.5");
+  dispatchEvent(new Event("hashchange"));
+  assert.deepEqual(values(), { u: 0.75, v: 0, sum: 0.75 });
+  history.replaceState(null, "", "#");
 });
 
 test("without a model Python is asked for one frame at a time, and for the last", () => {

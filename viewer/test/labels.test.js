@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { describe, test } from "node:test";
-import { PerspectiveCamera, SphereGeometry, Vector3 } from "three";
+import { PerspectiveCamera, Ray, SphereGeometry, Vector3 } from "three";
 import { crossings, isHidden, project } from "../src/labels.js";
 
 function ball(seeThrough = false) {
@@ -31,7 +31,9 @@ test("labels are where three's camera sees their points", () => {
     assert.ok(Math.abs(top - (1 - seen.y) / 2) < 1e-9);
     assert.ok(inside);
   }
-  assert.ok(!project(matrix, [8, -4, 4]).inside);
+  for (const outside of [[8, -4, 4], [0, 3, 0], [0, 0, 2], [0, 0, -2]]) {
+    assert.ok(!project(matrix, outside).inside);
+  }
 });
 
 describe("crossings", () => {
@@ -40,6 +42,23 @@ describe("crossings", () => {
     assert.equal(crossings(square, [0.3, 0.1, 1], [0.3, 0.1, 0.5]), 0);
     assert.equal(crossings(square, [0.3, 0.1, -1], [0.3, 0.1, -2]), 0);
     assert.equal(crossings(square, [2, 0, 1], [2, 0, -1]), 0);
+  });
+
+  test("of a slanting face are those that three finds", () => {
+    const [a, b, c] = [[0.2, -0.1, 0.3], [1.1, 0.4, -0.5], [-0.3, 0.9, 0.6]];
+    const face = { positions: [a, b, c].flat(), corners: [0, 1, 2] };
+    const corners = [a, b, c].map((corner) => new Vector3(...corner));
+    let hits = 0;
+    for (let i = 0; i < 400; i++) {
+      const [from, to] = [0, 3].map((k) => [1, 2, 3].map((j) => 1.5 * Math.sin((7 * i + 1) * (j + k))));
+      const way = new Vector3(...to).sub(new Vector3(...from));
+      const ray = new Ray(new Vector3(...from), way.clone().normalize());
+      const hit = ray.intersectTriangle(...corners, false, new Vector3());
+      const wanted = hit && hit.distanceTo(ray.origin) < way.length() ? 1 : 0;
+      assert.equal(crossings(face, from, to), wanted);
+      hits += wanted;
+    }
+    assert.ok(hits > 10);
   });
 
   test("in the edge between two faces are one", () => {

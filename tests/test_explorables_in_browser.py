@@ -121,7 +121,7 @@ def check_picture(figure: Any, plotter: pyvista.Plotter, where: str = "") -> Non
         label = labels.pop(mine["name"])
         there = [label["left"], label["top"]]
         # Beyond the border of the picture the viewer shows no label.
-        inside = 0 <= min(there) and max(there) <= 1
+        inside = min(there) >= 0 and max(there) <= 1
         assert mine["seen"] == (inside and not label["hidden"]), (mine, where)
         if mine["seen"]:
             np.testing.assert_allclose([mine["left"], mine["top"]], there, atol=3e-4, err_msg=where)

@@ -9,7 +9,13 @@ const allowed = (value) => 2e-6 * Math.max(1, Math.abs(value));
 const KINDS = ["parts", "labels", "outputs", "charts"];
 const { seed, figures } = await read("models");
 
-function compare(mine, python, where) {
+function compare(mine, python, start, where) {
+  // What a model leaves out stays as it was at the start; of what is hidden, nobody sees more.
+  for (const [name, place] of Object.entries(python.parts)) {
+    const part = { ...start.parts[name], ...mine.parts[name] };
+    const seen = place.hidden ? { hidden: true } : place;
+    assert.equal(difference(seen, part, allowed, `${where} ${name}`), "");
+  }
   for (const kind of KINDS) {
     assert.equal(difference(mine[kind] ?? {}, python[kind], allowed, `${where} ${kind}`), "");
   }
@@ -59,7 +65,7 @@ for (const { spec, cases } of figures) {
       const mine = answer(() => model(inputs, spec.constants));
       assert.deepEqual([mine.error, mine.message], [error, message], where);
       if (error) continue;
-      compare(mine.value, frame, where);
+      compare(mine.value, frame, spec.frame, where);
       const { view } = mine.value;
       assert.equal(Boolean(view), Boolean(inputs.ride), where);
       // Who rides along looks where the camera of the scene looks.
@@ -67,7 +73,7 @@ for (const { spec, cases } of figures) {
       const seen = view && { eye: [0, 0, 0], target: pose.slice(0, 3), up: pose.slice(8, 11) };
       if (view) assert.equal(difference(seen, view, allowed, where), "");
       // What a model corrects, it shows as it shows what was given.
-      compare(model({ ...inputs, ...mine.value.inputs }, spec.constants), frame, `${where}, corrected`);
+      compare(model({ ...inputs, ...mine.value.inputs }, spec.constants), frame, spec.frame, `${where}, corrected`);
     }
   });
 }

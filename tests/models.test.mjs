@@ -16,6 +16,10 @@ function compare(mine, python, start, where) {
     const seen = place.hidden ? { hidden: true } : place;
     assert.equal(difference(seen, part, allowed, `${where} ${name}`), "");
   }
+  for (const kind of ["labels", "charts"]) {
+    const all = { ...start[kind], ...mine[kind] };
+    assert.equal(difference(python[kind], all, allowed, `${where} ${kind}`), "");
+  }
   for (const kind of KINDS) {
     assert.equal(difference(mine[kind] ?? {}, python[kind], allowed, `${where} ${kind}`), "");
   }

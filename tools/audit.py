@@ -3,7 +3,8 @@
 ``python tools/audit.py`` serves _build/html compressed, as a web server does. It measures for every
 page its weight on a first visit and for readers who come from the front page, its number of
 elements, its scores in Lighthouse (mobile preset) and the findings of axe at two widths in both
-themes. It prints a table, then each finding, and returns 1 if a page misses a budget.
+themes. It prints a table, then what dragging costs (`tools/drag.py`) and each finding, and returns
+1 if a page misses a budget.
 Name pages to judge only those: ``python tools/audit.py index 03``.
 """
 
@@ -18,6 +19,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import bundle
+import drag
 from browser import CHROMIUM_FLAGS, QuietHandler, installed_chromium, launch, node, serve
 from playwright.sync_api import Browser, Page, Request
 
@@ -189,6 +191,7 @@ def main() -> int:
             row = [f"{first:.0f}", f"{after:.0f}", elements, *scores.values(), len(findings)]
             print(f"{path:34}{''.join(f'{value:>15}' for value in row)}", flush=True)
             missed += [f"{path}: {finding}" for finding in findings]
+        print(*drag.weights(HTML / "_static" / "scene"), drag.frames(browser, host), sep="\n")
     print("\n".join(missed))
     if not missed:
         print("All budgets are met.")

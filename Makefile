@@ -34,12 +34,12 @@ audit: book .venv/browser ## weigh the pages; Lighthouse and axe judge them
 bench: $(READY) ## measure speed beside other packages (one minute)
 	$(BIN)/python benchmarks/run.py
 
-mutate: $(READY) ## break mathematics and viewer, see whether tests notice (an hour)
-	$(BIN)/python tools/mutate.py
+mutate: $(READY) ## break mathematics and viewer, see whether tests notice (two hours)
 	$(BIN)/npm ci --no-audit --no-fund --ignore-scripts
 	$(BIN)/pytest tests/test_sphere_js.py tests/test_explorables.py
 	CASES="$(CURDIR)/_build/cases" $(BIN)/node \
 	    node_modules/@stryker-mutator/core/bin/stryker.js run viewer/stryker.json
+	$(BIN)/python tools/mutate.py
 
 newest: book ## build the book with the newest Sphinx and compare the pages
 	$(BIN)/python tools/newest.py

@@ -123,7 +123,7 @@ def test_students_see_no_solution(folder: Path) -> None:
         lines = re.split(r"\n|(?<=\.) ", everything(secrets))
         # Short lines, such as "else:" and "]", tell nothing.
         secret = {line for line in lines if len(line) > 12 and line not in public}
-        assert len(secret) >= 5 * len(asked)
+        assert len(secret) >= len(asked)
         seen = everything(cells(file))
         assert [line for line in secret if line in seen] == []
 

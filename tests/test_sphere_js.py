@@ -180,6 +180,8 @@ def in_any_dimension(rng: np.random.Generator, d: int) -> Iterator[Case]:
     points = random_units(3, d, rng=rng)
     for name in ("controlPoints", "closedCurve"):
         yield Case(name, [points], arcs_of_closed_curve(points, 0.5))
+    for fraction in (0, 1):
+        yield Case("controlPoints", [points, fraction], arcs_of_closed_curve(points, fraction))
     for points in polygons(rng, d):
         fraction = rng.uniform(0.2, 0.5)
         try:
@@ -205,6 +207,8 @@ def in_three_dimensions(rng: np.random.Generator) -> Iterator[Case]:
         yield Case("arcAxis", [p, q], max(theta, np.pi - theta))
     for scale in (1, 1 + 1.4e-8):
         yield Case("axisAngle", [scale * np.eye(3)])
+    # What rounding leaves of a component does not choose between the axes of half a turn.
+    yield Case("axisAngle", [[[-1, -1e-17, 0], [-1e-17, 1, 0], [0, 0, -1]]])
     for m, angle in rotation_matrices(rng):
         yield Case("axisAngle", [m], np.pi - angle)
         yield Case("quaternionFromMatrix", [m])

@@ -91,7 +91,7 @@ function tube({ positions, normals }, path, radius, at) {
  */
 export function arrow(from, to, radius) {
   const axis = to.map((value, i) => value - from[i]);
-  const length = Math.hypot(...axis) || 1e-9;
+  const length = Math.hypot(...axis);
   const t = axis.map((value) => value / length);
   const n = perpendicular(t);
   const b = [t[1] * n[2] - t[2] * n[1], t[2] * n[0] - t[0] * n[2], t[0] * n[1] - t[1] * n[0]];

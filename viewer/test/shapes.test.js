@@ -9,6 +9,51 @@ function points(array) {
   return Array.from({ length: array.length / 3 }, (_, i) => [...array.slice(3 * i, 3 * i + 3)]);
 }
 
+/** A volume by the divergence theorem: openings in planes through the origin take nothing away. */
+function volume({ positions, normals, corners }) {
+  const [all, outward] = [points(positions), points(normals)];
+  const faces = points(corners).map((face) => {
+    const [a, b, c] = face.map((i) => all[i]);
+    const [e, f] = [b, c].map((end) => end.map((x, i) => x - a[i]));
+    const across = [e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]];
+    for (const i of Math.hypot(...across) > 1e-9 ? face : []) {
+      assert.ok(dot(across, outward[i]) > 0.9 * Math.hypot(...across), `${face} faces inwards`);
+    }
+    return dot(a, across) / 6;
+  });
+  return faces.reduce((sum, x) => sum + x);
+}
+
+const dot = (a, b) => a.reduce((sum, x, i) => sum + x * b[i], 0);
+const WAYS = [[1, 0, 0], [0, 1, 0], [0, 0, -1], [0.6, 0, 0.8], [0.48, -0.6, 0.64], [0.48, 0.8, 0.36]];
+/** The area of a regular polygon. */
+const area = (radius, sides) => (sides * radius ** 2 * Math.sin((2 * Math.PI) / sides)) / 2;
+
+test("a tube is as thick as it is told, whichever way it goes, and does not twist", () => {
+  for (const way of WAYS) {
+    const path = [0, 1, 1, 3].map((length) => way.map((x) => length * x));
+    const bent = [...path, way.map((x, i) => 4 * x + way[(i + 1) % 3])];
+    // A tube in pieces: the second begins where the first does.
+    near([volume(tubes([path, path], 0.1))], [2 * (2 / 3) * area(0.1, 8) * 3], 1e-6);
+    const rings = points(tubes([bent], 0.1).normals);
+    for (const [i, normal] of rings.slice(0, 32).entries()) {
+      if (i < 24) near([dot(normal, way)], [0], 1e-6);
+      assert.ok(dot(normal, rings[i + 8]) > 0.3, `${way}: ${i}`);
+    }
+  }
+});
+
+test("an arrow is closed, whichever way it goes, and all head if it is short", () => {
+  for (const way of WAYS) {
+    for (const [length, tip] of [[1, 0.18], [0.2, 0.16]]) {
+      const made = arrow([0, 0, 0], way.map((x) => length * x), 0.02);
+      const [shaft, head] = [area(0.02, 20), area(0.06, 20)];
+      near([volume(made)], [(2 / 3) * shaft * (length - tip) + (head * tip) / 3], 1e-9);
+      for (const normal of points(made.normals)) near([Math.hypot(...normal)], [1], 1e-6);
+    }
+  }
+});
+
 test("a tube keeps its distance from its line, and its normals point outwards", () => {
   const line = Array.from({ length: 9 }, (_, i) => [Math.cos(i / 3), Math.sin(i / 3), i / 10]);
   const { positions, normals, corners } = tubes([line, line.slice(0, 2)], 0.1);

@@ -8,7 +8,7 @@ const LIGHT = { lit: true, ambient: 0, diffuse: 1, specular: [0, 0, 0], specular
 const LOOKS = { ...LIGHT, lineWidth: 3, pointSize: 5, roundPoints: false };
 
 /** A binary glTF file with a square, once as a surface, once as lines, once as points. */
-function file({ opacity = 1, matrix } = {}) {
+function file({ opacity = 1, matrix, extras } = {}) {
   const positions = new Float32Array([-1, -1, 0, 1, -1, 0, -1, 1, 0, 1, 1, 0]);
   const normals = new Int8Array([0, 0, 127, 0, 0, 0, 127, 0, 0, 0, 127, 0, 0, 0, 127, 0]);
   const corners = new Uint16Array([0, 1, 2, 3]);
@@ -35,7 +35,7 @@ function file({ opacity = 1, matrix } = {}) {
       },
     ],
     nodes: [
-      { mesh: 0, extras: { pickable: true }, ...(matrix && { matrix }) },
+      { mesh: 0, extras: { pickable: true, ...extras }, ...(matrix && { matrix }) },
       { mesh: 1, extras: { pickable: true } },
       { mesh: 2, extras: { pickable: false } },
     ],
@@ -90,6 +90,18 @@ test("colours are those of the screen again, lines without light", async () => {
   }
   assert.ok(Math.abs(lines.material.color.g - 1) < 1e-3);
   assert.equal(lines.material.linewidth, 3);
+});
+
+test("a part has a name, a place and what draws it, and may wait to be shown", async () => {
+  const matrix = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 5, 6, 7, 1];
+  const extras = { name: "square", at: [1, 2, 3], hidden: true };
+  const { parts, objects, surfaces, clouds } = await read(file({ extras, matrix }));
+  const { place, surface, objects: drawn } = parts.get("square");
+  assert.deepEqual(place, { at: [1, 2, 3] });
+  assert.equal(surface, surfaces[0]);
+  assert.equal(drawn[0], objects[0]);
+  assert.deepEqual(objects.map(({ visible }) => visible), [false, true, true]);
+  assert.deepEqual(clouds.map((cloud) => [...cloud.slice(0, 3)]), [[4, 5, 7], [-1, -1, 0], [-1, -1, 0]]);
 });
 
 test("what is moved hides labels where it is", async () => {

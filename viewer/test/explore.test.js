@@ -7,6 +7,7 @@ const PANEL = `<p class="explorable-status" role="status"></p>
   <form class="explorable-panel"><fieldset disabled>
   <input type="range" name="u" min="0" max="1" step="any">
   <input type="range" name="v" min="0" max="2" step="any">
+  <button type="button" data-action="step" data-input="u">Step</button>
   <output name="sum" data-digits="2" data-unit="" data-loud="no"></output>
   <button type="button" data-action="reset">Reset</button>
   <button type="button" data-action="link">Link</button></fieldset></form>`;
@@ -71,6 +72,8 @@ test("what the hand changes is computed, shown and told", () => {
   assert.deepEqual(values(), { u: 0.25, v: 1.5, sum: 1.75 });
   assert.equal(find("output").textContent, "1.75");
   assert.equal(find(".scene-hint"), null);
+  find("[data-action=step]").click();
+  assert.ok(Math.abs(values().u - 0.3) < 1e-9);
 });
 
 test("a model is given the constants of its figure, and may correct inputs", () => {
@@ -90,12 +93,14 @@ test("a model that differs from Python leaves a figure that only turns", () => {
     [{ parts: { ball: { at: null } } }, "differs from Python in ball"],
     [{ parts: { ball: { hidden: true } } }, "differs from Python in ball"],
     [{ labels: { P: [0, 0, 0] } }, "differs from Python in P"],
+    [{ labels: { Q: [0, 0, 0] } }, "differs from Python in Q"],
     [{ charts: { speeds: { one: [0, 1] } } }, "differs from Python in speeds"],
   ];
+  const data = { frame: { ...frame(START.u, START.v), labels: { Q: null } } };
   for (const [wrong, what] of cases) {
     const models = { add: ({ u, v }) => ({ ...frame(u, v), ...wrong }) };
     let made;
-    const said = complaints(() => (made = shown({ models })));
+    const said = complaints(() => (made = shown({ data, models })));
     assert.deepEqual(said, [`some-figure: the model add ${what}; the figure only turns`]);
     made.hand.set({ u: 1 });
     made.hand.receive({ frame: frame(1, 1) });
@@ -238,7 +243,9 @@ test("in a notebook the figure starts where Python is, and tells it what the han
 
 test("without a model Python is asked for one frame at a time, and for the last", () => {
   const python = notebook(START);
-  const { hand, write, values, status } = shown({ data: { model: "" }, python });
+  // Its frames are not those of a page.
+  const data = { model: "", grid: [["u", 3], ["v", 3]] };
+  const { hand, write, values, status } = shown({ data, python });
   for (const u of ["0.5", "0.6", "0.7"]) write("u", u);
   assert.deepEqual(python.asked, [{ u: 0.5, v: 1 }]);
   hand.receive({ frame: frame(0.5, 1) });

@@ -46,7 +46,11 @@ test("each point has its handle, at its place and with its name", () => {
   assert.equal(element.querySelector("canvas + .scene-handles button").className, "scene-handle");
 });
 
-test("a scene without points keeps its hint", () => {
+test("a scene says so if there is a point or a grip, and keeps its hint without", () => {
+  for (const name of ["points", "angle"]) {
+    const { element } = scene({ [name]: SPECS[name] });
+    assert.equal(element.querySelector(".scene-hint").textContent, "Drag a ring to move its point");
+  }
   const { element } = scene({ u: { kind: "number" } });
   assert.equal(element.querySelector(".scene-hint").textContent, "");
 });
@@ -163,6 +167,16 @@ test("who presses a handle holds it, and the page does not move", () => {
   assert.ok(tell(handle("points-0"), "pointerdown", place).defaultPrevented);
   assert.deepEqual(held, [7]);
   assert.deepEqual(focused, [{ preventScroll: true }]);
+});
+
+test("a held point follows the pointer over a page that scrolls", () => {
+  const { state, handle } = scene();
+  drag(handle("points-0"), 0, 0);
+  tell(handle("points-0"), "pointerdown", { button: 0, pointerId: 1, clientX: 50, clientY: 60 });
+  const layer = handle("points-0").parentElement;
+  layer.getBoundingClientRect = () => ({ left: 5, top: 10, width: 100, height: 100 });
+  tell(handle("points-0"), "pointermove", { clientX: 45, clientY: 50 });
+  near(state.inputs.points[0], START.points[0]);
 });
 
 test("handles come and go with their points", () => {

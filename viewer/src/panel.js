@@ -156,7 +156,7 @@ function text(value, { digits, unit }) {
     const written = x.toFixed(digits);
     return (Number(written) === 0 ? written.replace("-", "") : written).replace("-", "\u2212");
   };
-  const rows = (Array.isArray(value?.[0]) ? value : [value]).map((row) => [row].flat().map(number));
+  const rows = (Array.isArray(value[0]) ? value : [value]).map((row) => [row].flat().map(number));
   // The columns of a matrix are of one width.
   const width = rows.length > 1 ? Math.max(...rows.flat().map((x) => x.length)) : 0;
   return rows.map((row) => row.map((x) => x.padStart(width)).join(" ")).join("\n") + unit;

@@ -37,7 +37,7 @@ from rotedu.ordinary_rotation import rotate
 
 ROOT = Path(__file__).parents[1]
 SEED = int(os.environ.get("EXPLORE_SEED") or secrets.randbits(32))
-TRIES = 6
+TRIES = 5
 BY_HAND = {name: f for name, f in vars(scenes).items() if hasattr(f, "inputs")}
 WITH_MODEL = {name: f for name, f in BY_HAND.items() if f.model}
 
@@ -78,11 +78,31 @@ def drawn(figure: Exploration, inputs: dict[str, Any]) -> pyvista.Plotter | dict
 ON_ONE_CIRCLE = {"points": [[1, 0, 0], [0, 1, 0], [0.2, -0.5, 0.8]], "one_circle": True}
 HALF_A_TURN = [{"v": -90.0, "t": 0.25}, {"u": 180.0, "v": 90.0, "w": 0.0, "t": 0.25}]
 OPPOSITE = [{"what": "orientations", "turn": turn, "flip": turn == 0} for turn in (360.0, 0.0)]
+
+
+def round_about(count: int) -> list[list[float]]:
+    """Points round the pole, at uneven heights: symmetry would leave names without a side."""
+    angles = np.linspace(0, 2 * np.pi, count, endpoint=False)
+    return [[np.cos(x), np.sin(x), 0.5 + np.sin(2 * x + 1) / 3] for x in angles]
+
+
 SPECIAL = {
     "camera_by_hand": [{"ride": True}, {"ride": True, "roll": "carried along", "u": 0.9}],
+    "closed_curve_by_hand": [
+        {"points": round_about(3), "u": 1.0},
+        {"points": round_about(5), "u": 1.0},
+        {"points": round_about(8), "u": 0.5},
+    ],
     "control_points_by_hand": [ON_ONE_CIRCLE, {"printed_double": True, "step": 3.5}],
     "euler_angles_by_hand": HALF_A_TURN,
-    "slerp_by_hand": OPPOSITE,
+    "figure_1_by_hand": [{"theta": 0.0}],
+    "slerp_by_hand": [
+        *OPPOSITE,
+        {"what": "orientations", "flip": True},
+        {"p": [1, 0, 0], "q": [1, 0, 0]},
+    ],
+    # An arc too small for its arrow; the image at home again.
+    "two_mirrors_by_hand": [{"second": 4.0}, {"second": 180.0}],
 }
 
 

@@ -88,6 +88,7 @@ def round_about(count: int) -> list[list[float]]:
 
 SPECIAL = {
     "camera_by_hand": [{"ride": True}, {"ride": True, "roll": "carried along", "u": 0.9}],
+    "carried_around_by_hand": [{"t": 0.0}],
     "closed_curve_by_hand": [
         {"points": round_about(3), "u": 1.0},
         {"points": round_about(5), "u": 1.0},
@@ -101,8 +102,8 @@ SPECIAL = {
         {"what": "orientations", "flip": True},
         {"p": [1, 0, 0], "q": [1, 0, 0]},
     ],
-    # An arc too small for its arrow; the image at home again.
-    "two_mirrors_by_hand": [{"second": 4.0}, {"second": 180.0}],
+    # Without arrows and with the first of them; at home, almost and quite.
+    "two_mirrors_by_hand": [{"second": angle} for angle in (1.0, 4.0, 180.0)],
 }
 
 

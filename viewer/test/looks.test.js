@@ -112,4 +112,8 @@ test("a see-through surface counts by its far or its near end, where it is and a
   for (const object of made) object.matrixWorld.makeScale(2, 2, 2);
   sortSeeThrough([...made, solid], camera);
   assert.deepEqual([...made, solid].map(({ renderOrder }) => renderOrder), [-8, -6, 0]);
+  // A part that has changed its points has lost its sphere.
+  geometry.boundingSphere = null;
+  sortSeeThrough(made, camera);
+  assert.ok(made[0].renderOrder < -8);
 });

@@ -25,16 +25,16 @@ function volume({ positions, normals, corners }) {
 }
 
 const dot = (a, b) => a.reduce((sum, x, i) => sum + x * b[i], 0);
-const WAYS = [[1, 0, 0], [0, 1, 0], [0, 0, -1], [0.6, 0, 0.8], [0.48, -0.6, 0.64], [0.48, 0.8, 0.36]];
+const WAYS = [[1, 0, 0], [0, 1, 0], [0, 0, -1], [0.6, 0, 0.8], [0.48, -0.6, 0.64], [0.8, -0.36, 0.48]];
 /** The area of a regular polygon. */
 const area = (radius, sides) => (sides * radius ** 2 * Math.sin((2 * Math.PI) / sides)) / 2;
 
 test("a tube is as thick as it is told, whichever way it goes, and does not twist", () => {
   for (const way of WAYS) {
-    const path = [0, 1, 1, 3].map((length) => way.map((x) => length * x));
-    const bent = [...path, way.map((x, i) => 4 * x + way[(i + 1) % 3])];
-    // A tube in pieces: the second begins where the first does.
-    near([volume(tubes([path, path], 0.1))], [2 * (2 / 3) * area(0.1, 8) * 3], 1e-6);
+    const path = [0, 1, 1, 4].map((length) => way.map((x) => length * x));
+    const longer = path.map((point) => point.map((x) => 2 * x));
+    const bent = [...path, way.map((x, i) => 5 * x + way[(i + 1) % 3])];
+    near([volume(tubes([path, longer], 0.1))], [(2 / 3) * area(0.1, 8) * (4 + 8)], 1e-6);
     const rings = points(tubes([bent], 0.1).normals);
     for (const [i, normal] of rings.slice(0, 32).entries()) {
       if (i < 24) near([dot(normal, way)], [0], 1e-6);

@@ -60,7 +60,8 @@ for (const { spec, cases } of figures) {
         if (color) assert.deepEqual(color, [0.125, 0.125, 0.125]);
       }
     }
-    assert.equal(said > 0, texts(spec.constants).length > 0);
+    const unsaid = "no input led to a text of its constants: give one in SPECIAL";
+    assert.equal(said > 0, texts(spec.constants).length > 0, unsaid);
   });
 
   test(`${spec.model} computes what Python draws`, () => {

@@ -73,7 +73,8 @@ export function bindPanel(element, specs, now, { change, reset, link }) {
         }
       }
       for (const [name, value] of Object.entries(outputs)) {
-        const output = form.elements[name];
+        // A form has properties of its own, such as length.
+        const output = form.elements.namedItem(name);
         output.textContent = text(value, output.dataset);
         output.classList.toggle("explorable-loud", value === output.dataset.loud);
       }

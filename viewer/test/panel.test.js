@@ -16,7 +16,7 @@ const PANEL = `<form class="explorable-panel"><fieldset disabled>
   <input type="radio" name="way" value="short"><input type="radio" name="way" value="long">
   <button type="button" data-action="add" data-input="points">Add</button>
   <button type="button" data-action="remove" data-input="points">Remove</button>
-  <output name="speed" data-digits="2" data-unit="°" data-loud="no"></output>
+  <output name="length" data-digits="2" data-unit="°" data-loud="no"></output>
   <output name="fits" data-digits="2" data-unit="" data-loud="no"></output>
   <output name="matrix" data-digits="1" data-unit="" data-loud="no"></output>
   <figure data-chart="heights" data-over="u" data-x="1 3" data-y="-1 1">
@@ -105,17 +105,17 @@ test("numbers, texts and matrices are written as Python writes them", () => {
   const { panel, find } = bound();
   const text = (name) => find(`output[name=${name}]`).textContent;
   const loud = () => find("output[name=fits]").classList.contains("explorable-loud");
-  panel.show(START, { outputs: { speed: -1.236, fits: "no", matrix: [[1, -10.04], [0, -0.04]] } });
-  assert.equal(text("speed"), "−1.24°");
+  panel.show(START, { outputs: { length: -1.236, fits: "no", matrix: [[1, -10.04], [0, -0.04]] } });
+  assert.equal(text("length"), "−1.24°");
   assert.equal(text("fits"), "no");
   assert.ok(loud());
   assert.equal(text("matrix"), "  1.0 −10.0\n  0.0   0.0");
-  panel.show(START, { outputs: { speed: -0.001, fits: "yes", matrix: [1, 2] } });
-  assert.equal(text("speed"), "0.00°");
+  panel.show(START, { outputs: { length: -0.001, fits: "yes", matrix: [1, 2] } });
+  assert.equal(text("length"), "0.00°");
   assert.ok(!loud());
   assert.equal(text("matrix"), "1.0 2.0");
   panel.withhold();
-  assert.deepEqual(["speed", "fits", "matrix"].map(text), ["–", "–", "– –"]);
+  assert.deepEqual(["length", "fits", "matrix"].map(text), ["–", "–", "– –"]);
 });
 
 test("what rises in a curve rises on the chart", () => {

@@ -246,9 +246,9 @@ test("without a model Python is asked for one frame at a time, and for the last"
   // Its frames are not those of a page.
   const data = { model: "", grid: [["u", 3], ["v", 3]] };
   const { hand, write, values, status } = shown({ data, python });
-  for (const u of ["0.5", "0.6", "0.7"]) write("u", u);
-  assert.deepEqual(python.asked, [{ u: 0.5, v: 1 }]);
-  hand.receive({ frame: frame(0.5, 1) });
+  for (const u of ["0.4", "0.6", "0.7"]) write("u", u);
+  assert.deepEqual(python.asked, [{ u: 0.4, v: 1 }]);
+  hand.receive({ frame: frame(0.4, 1) });
   assert.deepEqual(python.asked.slice(1), [{ u: 0.7, v: 1 }]);
   hand.receive({ refused: "no answer" });
   assert.equal(status(), "No answer.");

@@ -104,7 +104,8 @@ export function arrow(from, to, radius) {
     [length - tip, 0, -1, 0],
     [length - tip, 3 * radius, -1, 0],
     [length - tip, 3 * radius, (3 * radius) / slope, tip / slope],
-    [length, 0, (3 * radius) / slope, tip / slope],
+    // As VTK does at rest, the faces of a tip are averaged: what is left points along the arrow.
+    [length, 0, 1, 0],
   ];
   const positions = new Float32Array(3 * AROUND * rings.length);
   const normals = new Float32Array(positions.length);

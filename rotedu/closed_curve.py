@@ -163,21 +163,29 @@ def closed_curve(points: ClosedPoints, samples: Count = 100, fraction: Fraction 
     theta = angle_between(a, next_b)
     refuse_antipodal(theta, handles, "points")
     warn_of_two_ways(theta, handles, "points", "antipodal")
-    return sampled(slerp, [points, a, next_b, next_point], samples)
+    return sampled(arcs_of_arcs, [points, a, next_b, next_point], samples)
+
+
+def arcs_of_arcs(level: list[Array], u: Array) -> Array:
+    """Evaluate curves by de Casteljau's construction, given their control points."""
+    while len(level) > 1:
+        level = [slerp(p, q, u) for p, q in pairwise(level)]
+    return level[0]
 
 
 def sampled(
-    arc: Callable[[Array, Array, Array], Array], control: list[Array], samples: int
+    curve: Callable[[list[Array], Array], Array], parts: list[Array], samples: int
 ) -> Array:
-    """Sample the segments of a curve by de Casteljau's construction, with any kind of arc.
+    """Sample the segments of a closed curve.
 
     Parameters
     ----------
-    arc : callable
-        Joins two arrays of points or of matrices, like `rotedu.arcs.slerp`.
-    control : list of ndarray, shape (..., n)
-        The first control points of all n segments, then their second ones, and so on, with
-        components first.
+    curve : callable
+        Evaluates segments, given their parts, at the parameters u.
+    parts : list of ndarray, shape (..., n)
+        What determines a segment, such as its control points: the first parts of all n segments,
+        then their second ones, and so on, with components first. A value of the curve has the
+        shape of a first part.
     samples : int
         Number of points on each segment, at u = 0, 1/samples, 2/samples ...
 
@@ -186,17 +194,14 @@ def sampled(
     ndarray, shape (..., n * samples)
         The samples of one segment after the other.
     """
-    first, *_ = control
+    first, *_ = parts
     u = np.arange(samples, dtype=first.dtype) / samples
-    curve = np.empty((*first.shape, samples), first.dtype)
+    values = np.empty((*first.shape, samples), first.dtype)
     at_once = max(1, BLOCK // samples)
-    for start in range(0, curve.shape[-2], at_once):
+    for start in range(0, values.shape[-2], at_once):
         segments = slice(start, start + at_once)
-        level = [points[..., segments, np.newaxis] for points in control]
-        while len(level) > 1:
-            level = [arc(p, q, u) for p, q in pairwise(level)]
-        (curve[..., segments, :],) = level
-    return curve.reshape(*first.shape[:-1], first.shape[-1] * samples)
+        values[..., segments, :] = curve([p[..., segments, np.newaxis] for p in parts], u)
+    return values.reshape(*first.shape[:-1], first.shape[-1] * samples)
 
 
 def warn_of_two_ways(theta: Array, pair: str, sequence: str, apart: str) -> None:

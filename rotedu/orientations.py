@@ -6,6 +6,8 @@ The curve of Section 5 consists of points; here the same construction runs on ro
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 
 from rotedu._arguments import (
@@ -19,7 +21,7 @@ from rotedu._arguments import (
     place,
     rounding,
 )
-from rotedu._vectors import Array, product, transpose
+from rotedu._vectors import Array, axis_and_length, cross, dot, length, product, transpose
 from rotedu.arcs import refuse_two_ways
 from rotedu.closed_curve import sampled, warn_of_two_ways
 from rotedu.errors import DegenerateError
@@ -79,12 +81,13 @@ def slerp_rotations(r1: Rotation, r2: Rotation, t: Number) -> Rotation:
 def closed_rotation_curve(
     rotations: ClosedRotations, samples: Count = 100, fraction: Fraction = 1 / 2
 ) -> Rotation:
-    """Draw a closed curve through orientations with matrices alone.
+    """Draw a closed curve through orientations with matrices, axes and angles.
 
     Parameters
     ----------
     rotations : array_like, shape (..., n, 3, 3)
-        At least 3 rotation matrices. Do not repeat the first one at the end.
+        At least 3 rotation matrices. Do not repeat the first one at the end. Each is reached from
+        the one before by the shorter turn.
     samples : int
         Number of orientations on each segment, at u = 0, 1/samples, 2/samples ...
     fraction : float
@@ -101,26 +104,31 @@ def closed_rotation_curve(
         If an argument is not finite, has the wrong shape or is out of range, or if a matrix is
         not a rotation.
     rotedu.errors.DegenerateError
-        If two orientations to be joined by an arc are half a turn apart (to within rounding). The
-        message names them.
+        If two neighbours are half a turn apart (to within rounding), because two turns are
+        shortest, or if the route from Double(R_{i-1}, R_i) to R_{i+1} is a whole turn (to half of
+        the digits), because its axis is lost. The message names them.
 
     Warns
     -----
     UserWarning
-        If the inner control points of a segment are within a degree of half a turn apart.
+        If two neighbours are within a degree of half a turn apart. A small change in the data can
+        then reverse the turn between them, and so the route.
 
     Notes
     -----
-    The construction is the same as for points, with `slerp_rotations` for the arcs and
-    Double(R1, R2) = R2 R1^T R2. It has no signs to choose, so a body may turn right round and come
-    back to where it was.
+    The construction is the same as for points. Its arcs are turns, each kept as its axis times its
+    angle, from 0 to 360 degrees, and turns in succession become one turn by the half-angle rule.
+    The matrices fix the turns between neighbours; everything else follows from these. Joining two
+    matrices directly, as `slerp_rotations` does, would take the shorter way instead of the route
+    by which they were reached, and another curve wherever that route exceeds half a turn.
 
-    Compare this curve with `rotedu.closed_curve.closed_curve` for quaternions whose signs agree all
-    the way round. The two are the same as long as no arc of the quaternions turns by more than half
-    a turn. Otherwise they differ, or this one does not exist. A quaternion distinguishes a turn
-    by 190 degrees from a turn by -170 degrees; a matrix does not, and takes the shorter one. For
-    turns about one axis this happens where successive turns differ by more than 180 degrees (for
-    quaternions, 360).
+    As rotations these are the orientations of `rotedu.closed_curve.closed_curve` for quaternions
+    whose signs agree. Where the signs cannot agree all the way round, as when a body turns right
+    round once, the quaternions close after two rounds, q followed by -q, and this is the first.
+
+    References
+    ----------
+    Cheng et al. (2023), Section 5 for the construction, Eqs. (4-3) to (4-6) for the half-angle rule
 
     Examples
     --------
@@ -129,20 +137,17 @@ def closed_rotation_curve(
     >>> print(np.degrees(angle).round(9), axis[5] + 0.0)
     [  0.  45.  90. 135. 180. 135.  90.  45.] [ 0.  0. -1.]
     """
-    before, after = np.roll(rotations, 1, axis=-1), np.roll(rotations, -1, axis=-1)
-    reflected = double_rotations(before, rotations)
-    refuse_half_turn(angle_of_turn(reflected, after), "Double({h}, {i}) and {j}", "rotations")
-    middle = slerp_rotations(reflected, after, 1 / 2)
-    refuse_half_turn(
-        angle_of_turn(rotations, middle), "{i} and Bisect(Double({h}, {i}), {j})", "rotations"
-    )
-    a = slerp_rotations(rotations, middle, fraction)
-    next_b = np.roll(double_rotations(a, rotations), -1, axis=-1)
-    handles = "control points a and b between {i} and {j}"
-    theta = angle_of_turn(a, next_b)
-    refuse_half_turn(theta, handles, "rotations")
-    warn_of_two_ways(theta, handles, "rotations", APART)
-    return sampled(slerp_rotations, [rotations, a, next_b, after], samples)
+    axis, theta = axis_angle(product(transpose(rotations), np.roll(rotations, -1, axis=-1)))
+    refuse_half_turn(theta, "{i} and {j}", "rotations")
+    warn_of_two_ways(theta, "{i} and {j}", "rotations", "half a turn apart")
+    to_next = theta * axis
+    to_here = np.roll(to_next, 1, axis=-1)
+    from_double = one_turn(-to_here, to_next)
+    refuse_whole_turn(from_double, "Double({h}, {i}) and {j}")
+    to_a = fraction * one_turn(to_here, from_double / 2)
+    from_next_b = np.roll(to_a, -1, axis=-1)
+    between = one_turn(one_turn(-to_a, to_next), -from_next_b)
+    return sampled(follow, [rotations, to_a, between, from_next_b], samples)
 
 
 @checked
@@ -194,20 +199,36 @@ def nearest_rotation(matrix: Matrix3) -> Rotation:
     return np.moveaxis(u @ vt, (-2, -1), (0, 1))
 
 
-APART = "half a turn apart"
+def one_turn(v: Array, w: Array) -> Array:
+    """Replace two turns, v and then w about the turned axes, by one: (4-3) to (4-6) for any axes.
+
+    Each is an axis times an angle. With the half angles a and b about the axes n and m, the half
+    angle of the one turn has the cosine cos a cos b - sin a sin b n . m, and its axis is that of
+    sin a cos b n + cos a sin b m + sin a sin b n x m.
+    """
+    (n, a), (m, b) = axis_and_length(v / 2), axis_and_length(w / 2)
+    cos_a, sin_a, cos_b, sin_b = np.cos(a), np.sin(a), np.cos(b), np.sin(b)
+    cos = cos_a * cos_b - sin_a * sin_b * dot(n, m)
+    axis, sin = axis_and_length(sin_a * cos_b * n + cos_a * sin_b * m + sin_a * sin_b * cross(n, m))
+    return 2 * np.arctan2(sin, cos) * axis
 
 
-def double_rotations(r1: Array, r2: Array) -> Array:
-    """Continue beyond R2 by the turn from R1 to R2: R2 R1^T R2."""
-    return product(product(r2, transpose(r1)), r2)
-
-
-def angle_of_turn(r1: Array, r2: Array) -> Array:
-    """Return the angle of the turn from R1 to R2."""
-    _, theta = axis_angle(product(transpose(r1), r2))
-    return theta
+def follow(parts: list[Array], u: Array) -> Array:
+    """Go by arcs of arcs from the start of a route, a matrix, along its turns."""
+    start, *route = parts
+    turn = u * route[0]
+    while len(route) > 1:
+        route = [one_turn((1 - u) * v, u * w) for v, w in pairwise(route)]
+        turn = one_turn(turn, u * route[0])
+    return product(start, rotation_matrix(*axis_and_length(turn)))
 
 
 def refuse_half_turn(theta: Array, pair: str = "r1 and r2", sequence: str = "") -> None:
     """Refuse a turn by pi, to within rounding, between the orientations that `pair` names."""
-    refuse_two_ways(theta, 64 * rounding(theta), pair, sequence, APART)
+    refuse_two_ways(theta, 64 * rounding(theta), pair, sequence, "half a turn apart")
+
+
+def refuse_whole_turn(turn: Array, pair: str) -> None:
+    """Refuse a turn by 2 pi, to half of the digits, between the orientations that `pair` names."""
+    half = length(turn) / 2
+    refuse_two_ways(half, rounding(turn) ** 0.5, pair, "rotations", "a whole turn apart")

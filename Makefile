@@ -1,14 +1,16 @@
 # Every target sets up what it needs, once, inside this checkout.
 PYTHON ?= python3
 BIN := .venv/bin
-# A different Python gets a new environment.
-READY := .venv/made-by-$(shell $(PYTHON) -c 'import sys; print("python%d.%d" % sys.version_info[:2])')
+# A different Python gets a new environment; tools/set_up.py writes this mark last.
+READY := .venv/made-by-$(shell "$(PYTHON)" -c 'import sys; print("python%d.%d" % sys.version_info[:2])')
 
 # The viewer for notebooks.
 VIEWER := rotedu/figures/static/figure.js
 
 .PHONY: book test test-slow audit bench mutate newest lab class pdf epub notebooks lock clean help
 .DEFAULT_GOAL := help
+# What is half written when a command fails is made anew.
+.DELETE_ON_ERROR:
 
 help: ## list the targets
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' Makefile | expand -t 20
@@ -68,12 +70,11 @@ clean: ## remove everything that make has made
 	rm -rf .venv _build class node_modules rotedu/figures/static dist .*_cache .hypothesis .benchmarks
 
 $(READY): requirements.txt pyproject.toml tools/set_up.py
-	@$(PYTHON) tools/set_up.py
-	@touch $@
+	@"$(PYTHON)" tools/set_up.py
 
 $(VIEWER): $(READY) package-lock.json $(wildcard viewer/*.* viewer/src/*.js rotedu/scenes/*.js)
 	@$(BIN)/python tools/bundle.py
 
 .venv/browser: $(READY)
-	@$(PYTHON) tools/set_up.py --browser
+	@"$(PYTHON)" tools/set_up.py --browser
 	@touch $@

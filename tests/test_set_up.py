@@ -1,4 +1,4 @@
-"""The set-up refuses a Python that it does not support, and finds that of the environment."""
+"""The set-up refuses a Python that it does not support, waits for another, and mends what broke."""
 
 import os
 import re
@@ -38,7 +38,8 @@ def test_make_refuses_another_python_though_an_old_environment_is_there(tmp_path
     for name in ("Makefile", "requirements.txt", "pyproject.toml", "package-lock.json"):
         shutil.copy(ROOT / name, tmp_path)
     (tmp_path / "tools").mkdir()
-    shutil.copy(ROOT / "tools" / "set_up.py", tmp_path / "tools")
+    for name in ("one_at_a_time.py", "set_up.py"):
+        shutil.copy(ROOT / "tools" / name, tmp_path / "tools")
     (tmp_path / ".venv").mkdir()
     (tmp_path / ".venv" / "made-by-python3.12").touch()
     # Python reads this when it starts, and then says that it is Python 3.10.
@@ -83,3 +84,24 @@ def test_binder_starts_what_it_is_told_to() -> None:
         "import os; print(os.environ['OPENBLAS_NUM_THREADS'])",
     ]
     assert subprocess.check_output(says, text=True) == "1\n"
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows has no such lock")
+def test_the_second_waits_for_the_first_and_says_so(tmp_path: Path) -> None:
+    tools = shutil.copytree(ROOT / "tools", tmp_path / "tools")
+    hold = "from one_at_a_time import hold_checkout; hold_checkout(); hold_checkout(); "
+    child = "subprocess.run([sys.executable, '-c', 'from one_at_a_time import *; hold_checkout()'])"
+    code = f"import subprocess, sys; {hold}{child}; print('held', flush=True); input()"
+    pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE, "text": True}
+    start = [sys.executable, "-c", code]
+    with subprocess.Popen(start, cwd=tools, **pipes) as first:
+        assert first.stdout.readline() == "held\n"
+        with subprocess.Popen(start, cwd=tools, **pipes) as second:
+            assert second.stdout.readline().startswith("waiting until another set-up or build")
+            first.kill()
+            assert second.stdout.readline() == "held\n"
+            second.kill()
+
+
+def test_uv_has_the_version_of_the_list() -> None:
+    assert re.fullmatch(r"uv==[\d.]+", set_up.locked_uv())

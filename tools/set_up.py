@@ -1,22 +1,30 @@
 """Set up everything that the Makefile's targets need, inside the checkout.
 
-``python3 tools/set_up.py`` makes the virtual environment ``.venv`` from requirements.txt, bundles
-the viewer for notebooks and makes sure that VTK can draw. With ``--browser`` it looks instead for a
-browser for the tests of the built book. It installs something outside the checkout only if the
-system lacks an OpenGL library or a browser, and only if it may use apt.
+``python3 tools/set_up.py`` makes the virtual environment ``.venv`` from requirements.txt and makes
+sure that VTK can draw. With ``--browser`` it looks instead for a browser for the tests of the built
+book. It installs something outside the checkout only if the system lacks an OpenGL library or a
+browser, and only if it may use apt.
+
+It may be interrupted at any instant. A mark in ``.venv`` is taken away first and made last, and
+where this Python's mark is missing, the next call makes the environment anew.
 """
 
 import os
+import re
 import shutil
 import subprocess
 import sys
-import venv
+import time
 from pathlib import Path
+
+from one_at_a_time import hold_checkout
 
 ROOT = Path(__file__).parents[1]
 VENV = ROOT / ".venv"
 PYTHON = VENV / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
 OLDEST, NEWEST = (3, 11), (3, 13)
+# The Makefile has the same name.
+MARK = VENV / "made-by-python{}.{}".format(*sys.version_info[:2])
 
 # Runs in a process of its own, because VTK crashes without an OpenGL library.
 TRIAL_RENDER = """
@@ -42,6 +50,20 @@ def say(text: str) -> None:
     print(f"[set-up] {text}", flush=True)
 
 
+def run(*command: "str | Path") -> bool:
+    """Run a command in the checkout, tell whether it succeeds, and show its output if it fails."""
+    done = subprocess.run(command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    if done.returncode != 0:
+        print(done.stdout.decode(errors="replace"), file=sys.stderr, flush=True)
+    return done.returncode == 0
+
+
+def must_run(*command: "str | Path") -> None:
+    """Run a command without which nothing else can be done."""
+    if not run(*command):
+        sys.exit(f"[set-up] this failed, as said above: {' '.join(map(str, command))}")
+
+
 def is_root() -> bool:
     """Tell whether this user may change the system; Windows does not say."""
     return hasattr(os, "geteuid") and os.geteuid() == 0
@@ -52,10 +74,9 @@ def apt_install(package: str) -> bool:
     if not shutil.which("apt-get") or not is_root():
         return False
     say(f"installing the system package {package}")
-    quiet = {"env": os.environ | {"DEBIAN_FRONTEND": "noninteractive"}, "stdout": sys.stderr}
-    subprocess.run(["apt-get", "update", "-qq"], **quiet)
-    install = ["apt-get", "install", "-qq", "--no-install-recommends", package]
-    return subprocess.run(install, **quiet).returncode == 0
+    os.environ["DEBIAN_FRONTEND"] = "noninteractive"
+    run("apt-get", "update", "-qq")
+    return run("apt-get", "install", "-qq", "--no-install-recommends", package)
 
 
 def refusal(major: int, minor: int) -> str:
@@ -72,33 +93,21 @@ def refusal(major: int, minor: int) -> str:
     )
 
 
-def made_by_this_python() -> bool:
-    """Tell whether .venv is complete and has the same Python version as this process."""
-    show = [PYTHON, "-c", "import pip, sys; print(*sys.version_info[:2])"]
-    try:
-        version = subprocess.run(show, capture_output=True, text=True, check=True).stdout
-    except (OSError, subprocess.CalledProcessError):
-        return False
-    return version.split() == [str(part) for part in sys.version_info[:2]]
+def locked_uv() -> str:
+    """Return the version of uv that requirements.txt locks, as pip wants to read it."""
+    return re.search("^uv==.*", (ROOT / "requirements.txt").read_text("utf-8"), re.MULTILINE)[0]
 
 
-def make_environment() -> None:
-    """Create .venv and install the locked packages and rotedu itself."""
-    if not made_by_this_python():
+def make_environment(whole: bool) -> None:
+    """Install the locked packages and rotedu itself, into a new .venv unless it is whole."""
+    if not whole:
         say("making .venv")
-        venv.create(VENV, with_pip=True, clear=True)
+        must_run(sys.executable, "-m", "venv", "--clear", VENV)
     say("installing the packages of requirements.txt into .venv")
-    pip = [PYTHON, "-m", "pip", "install", "-qq", "--disable-pip-version-check"]
-    subprocess.run([*pip, "uv"], check=True)
-    # The list gives the path of rotedu relative to the checkout.
-    uv = [PYTHON, "-m", "uv", "pip", "install", "--quiet", "--python", PYTHON]
-    subprocess.run([*uv, "-r", "requirements.txt"], cwd=ROOT, check=True)
-
-
-def bundle_viewer() -> None:
-    """Bundle the viewer for notebooks, which needs what was just installed."""
-    say("bundling the viewer for notebooks")
-    subprocess.run([PYTHON, ROOT / "tools" / "bundle.py"], check=True)
+    pip = (PYTHON, "-m", "pip", "install", "--quiet", "--disable-pip-version-check")
+    must_run(*pip, locked_uv())
+    uv = (PYTHON, "-m", "uv", "pip", "install", "--quiet", "--python", PYTHON)
+    must_run(*uv, "-r", "requirements.txt")
 
 
 def can_draw() -> bool:
@@ -131,13 +140,28 @@ def find_browser() -> None:
         say("no browser: the tests that need one will be skipped, and will say so")
 
 
+def set_up(called: float) -> None:
+    """Do all that the Makefile's targets need, unless another call has just done it."""
+    whole = MARK.exists()
+    if whole and MARK.stat().st_mtime > called:
+        return
+    for mark in VENV.glob("made-by-*"):
+        mark.unlink()
+    make_environment(whole)
+    make_vtk_draw()
+    MARK.touch()
+
+
 if __name__ == "__main__":
     refused = refusal(*sys.version_info[:2])
     if refused:
         sys.exit(refused)
-    if "--browser" in sys.argv:
-        find_browser()
-    else:
-        make_environment()
-        bundle_viewer()
-        make_vtk_draw()
+    called = time.time()
+    try:
+        hold_checkout()
+        if "--browser" in sys.argv:
+            find_browser()
+        else:
+            set_up(called)
+    except KeyboardInterrupt:
+        sys.exit("[set-up] interrupted; the next call mends what is half done")

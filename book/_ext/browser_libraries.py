@@ -19,6 +19,7 @@ from rotedu import colors
 sys.path.append(str(Path(__file__).parents[2] / "tools"))
 from browser import node
 from bundle import LIBRARIES, bundle, install
+from one_at_a_time import hold_checkout
 
 KATEX = LIBRARIES / "katex"
 FONT = LIBRARIES / "@fontsource-variable" / "source-serif-4"
@@ -87,7 +88,8 @@ def start_katex(rundir: Path, timeout: float) -> tuple[subprocess.Popen[bytes], 
 
 
 def setup(app: Sphinx) -> dict[str, Any]:
-    """Prepare the libraries before Sphinx looks for static files."""
+    """Prepare the libraries before Sphinx looks for static files, alone in this checkout."""
+    hold_checkout()
     app.connect("config-inited", serve)
     app.connect("config-inited", typeset)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -37,7 +37,7 @@ bench: $(READY) ## measure speed beside other packages (one minute)
 	$(BIN)/python benchmarks/run.py
 
 mutate: $(READY) ## break mathematics and viewer, see whether tests notice (two hours)
-	$(BIN)/npm ci --no-audit --no-fund --ignore-scripts
+	$(BIN)/npm ci
 	$(BIN)/pytest tests/test_sphere_js.py tests/test_explorables.py
 	CASES="$(CURDIR)/_build/cases" $(BIN)/node \
 	    node_modules/@stryker-mutator/core/bin/stryker.js run viewer/stryker.json
@@ -64,7 +64,7 @@ notebooks: $(READY) ## run the notebooks and store what they print
 lock: $(READY) ## write new requirements.txt and package-lock.json
 	echo '-e .[bench,book,lab,test]' | $(BIN)/uv pip compile - --universal \
 	    --python-version 3.11 --no-header --upgrade --output-file requirements.txt
-	$(BIN)/npm install --package-lock-only --no-audit --no-fund
+	$(BIN)/npm install --package-lock-only
 
 clean: ## remove everything that make has made
 	rm -rf .venv _build class node_modules rotedu/figures/static dist .*_cache .hypothesis .benchmarks

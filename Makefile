@@ -25,12 +25,11 @@ test: $(READY) $(VIEWER) .venv/browser ## check code, notebooks and the built bo
 	$(BIN)/mypy
 	$(BIN)/lint-imports
 	$(BIN)/pytest
-	@echo "All checks passed."
 
 test-slow: $(READY) $(VIEWER) .venv/browser ## install the wheel on its own; test random input for minutes
 	$(BIN)/pytest -m "slow or hypothesis" --hypothesis-profile=long
 
-audit: book .venv/browser ## weigh the pages; Lighthouse and axe judge them
+audit: .venv/browser book ## weigh the pages; Lighthouse and axe judge them
 	$(BIN)/python tools/audit.py
 
 bench: $(READY) ## measure speed beside other packages (one minute)

@@ -4,7 +4,6 @@ import os
 import subprocess
 import sys
 from collections.abc import Iterator
-from contextlib import ExitStack
 from pathlib import Path
 from typing import Any
 
@@ -47,8 +46,17 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 
 
 def pytest_collection_finish(session: pytest.Session) -> None:
-    """Start building the book, or its changed parts, and treat every warning as an error."""
-    if session.config.option.collectonly or not any(map(needs_book, session.items)):
+    """See that a browser answers, and start building the book: a warning is an error."""
+    if session.config.option.collectonly:
+        return
+    if any("browser" in getattr(item, "fixturenames", ()) for item in session.items):
+        try:
+            with launch(session.config.option.browser):
+                pass
+        except SystemExit as no_browser:
+            # Now, and not after minutes.
+            raise pytest.UsageError(no_browser.code) from None
+    if not any(map(needs_book, session.items)):
         return
     jupyter_book = Path(sys.executable).with_name("jupyter-book")
     command = [jupyter_book, "build", ".", "-W", "--keep-going"]
@@ -82,14 +90,5 @@ def site(book: Path) -> Iterator[str]:
 @pytest.fixture(scope="session")
 def browser(request: pytest.FixtureRequest) -> Iterator[Any]:
     """Start a browser."""
-    from playwright.sync_api import Error
-
-    name = request.config.option.browser
-    with ExitStack() as stack:
-        try:
-            browser = stack.enter_context(launch(name))
-        except Error:
-            if name != "chromium":
-                raise
-            pytest.skip("no Chromium or Chrome on this machine: the pages were not tested in one")
+    with launch(request.config.option.browser) as browser:
         yield browser

@@ -6,7 +6,6 @@ import subprocess
 from pathlib import Path
 from typing import Any
 
-import pytest
 from browser import node
 
 ROOT = Path(__file__).parents[1]
@@ -16,8 +15,8 @@ CASES = ROOT / "_build" / "cases"
 
 def run_node(*arguments: str) -> None:
     """Run Node in the checkout, and fail if it does."""
-    if not (ROOT / "node_modules" / "happy-dom").exists():
-        pytest.skip("the browser libraries are not installed: build the book first")
+    libraries = ROOT / "node_modules" / "happy-dom"
+    assert libraries.exists(), "no browser libraries: install them with python tools/bundle.py"
     run = subprocess.run(
         [node(), *arguments],
         cwd=ROOT,

@@ -27,7 +27,7 @@ from test_figures_in_browser import (
 from rotedu import scenes
 from rotedu.figures.backend import scene_labels
 from rotedu.figures.gltf import scene_gltf
-from rotedu.figures.widget import STATIC, packed_viewer
+from rotedu.figures.widget import packed_viewer
 
 # Counts the buffers that the page has made on the graphics card, and those it still holds.
 BUFFERS = """
@@ -52,10 +52,6 @@ KERNEL_IS_THERE = """
     () => window.jupyterapp?.shell.currentWidget?.sessionContext?.session?.kernel?.status === "idle"
 """
 Open = Callable[..., Any]
-
-pytestmark = pytest.mark.skipif(
-    not (STATIC / "figure.js").exists(), reason="the viewer for notebooks is not bundled: make lab"
-)
 
 
 def numbered(i: int) -> str:

@@ -11,6 +11,7 @@ from pathlib import Path
 import bundle
 import pytest
 import set_up
+from browser import CHROMIUMS
 
 ROOT = Path(__file__).parents[1]
 
@@ -62,6 +63,43 @@ def test_a_browser_is_looked_for_before_packages_are_installed() -> None:
     find = "from browser import installed_chromium; installed_chromium()"
     # Without site, no installed package is found.
     subprocess.run([sys.executable, "-S", "-c", find], cwd=ROOT / "tools", check=True)
+
+
+@pytest.fixture
+def no_browser(tmp_path: Path) -> dict[str, str]:
+    """An environment in which every browser that may be installed fails."""
+    for name in CHROMIUMS:
+        (tmp_path / name).write_text("#!/bin/sh\nexit 1\n")
+        (tmp_path / name).chmod(0o755)
+    return os.environ | {"PATH": f"{tmp_path}{os.pathsep}{os.environ['PATH']}"}
+
+
+NEEDS_A_BROWSER = [
+    pytest.param(["tools/set_up.py", "--browser"], id="set-up"),
+    pytest.param(["tools/print_book.py", "pdf"], id="PDF"),
+    pytest.param(["tools/audit.py"], id="audit"),
+    pytest.param(["-m", "pytest", "-m", "", "tests/test_book.py"], id="tests"),
+]
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows runs no shell scripts")
+@pytest.mark.parametrize("command", NEEDS_A_BROWSER)
+def test_a_browser_that_fails_is_said_at_once_and_in_one_line(
+    no_browser: dict[str, str], command: list[str]
+) -> None:
+    run = subprocess.run(
+        [sys.executable, *command],
+        cwd=ROOT,
+        env=no_browser,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert run.returncode != 0
+    (line,) = run.stderr.strip().splitlines()
+    assert re.search(
+        r"No browser: /.* does not start\. To get one: .*apt-get install chromium", line
+    )
 
 
 def test_the_environment_has_the_folders_of_its_system() -> None:

@@ -169,12 +169,12 @@ def run_lighthouse(url: str, chromium: str) -> tuple[dict[str, int], list[str]]:
 
 def main() -> int:
     """Print the table and the findings; return 1 if a page misses a budget."""
-    if not (MODULES / "lighthouse").exists():
-        bundle.install_libraries()
     columns = ["first kB", "next kB", "elements", *CATEGORIES, "findings"]
     print(f"{'page':34}{''.join(f'{column:>15}' for column in columns)}")
     missed: list[str] = []
     with serve(HTML, Compressing) as address, launch() as browser:
+        if not (MODULES / "lighthouse").exists():
+            bundle.install_libraries()
         host = f"{address}/"
         chromium = installed_chromium() or browser.browser_type.executable_path
         cached, _, _ = weigh(browser, host + FRONT, host)

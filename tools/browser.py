@@ -1,8 +1,9 @@
 """Node, a browser, and a server for the pages that it reads.
 
-``python tools/browser.py chromium`` downloads a browser of Playwright into the checkout; options
-for ``playwright install`` may follow. tools/set_up.py imports this file before any package is
-installed, so functions import packages where they need them.
+``python tools/browser.py`` sees whether a browser answers. ``python tools/browser.py chromium``
+downloads one of Playwright's into the checkout; options for ``playwright install`` may follow.
+tools/set_up.py imports this file before any package is installed, so functions import packages
+where they need them.
 """
 
 import functools
@@ -21,6 +22,8 @@ from typing import Any
 CHROMIUMS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
 # Without a window, and with WebGL drawn in software.
 CHROMIUM_FLAGS = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
+NO_BROWSER = f"No browser: {{}} does not start. To get one: {{}}{sys.executable} {__file__} {{}}"
+PACKAGES = "sudo apt-get install chromium (Debian), sudo dnf install chromium (Fedora), or "
 DOWNLOADED = Path(__file__).parents[1] / ".venv" / "browsers"
 
 
@@ -45,15 +48,25 @@ def tell_playwright() -> None:
 
 @contextmanager
 def launch(name: str = "chromium") -> Iterator[Any]:
-    """Start a browser of Playwright: chromium, firefox or webkit."""
-    from playwright.sync_api import sync_playwright
+    """Start a browser of Playwright: chromium, firefox or webkit.
+
+    One that opens no page ends the program with a line that says how to get another.
+    """
+    from playwright.sync_api import Error, sync_playwright
 
     tell_playwright()
     options: dict[str, Any] = {}
     if name == "chromium":
         options = {"executable_path": installed_chromium(), "args": CHROMIUM_FLAGS}
-    with sync_playwright() as playwright, playwright[name].launch(**options) as browser:
-        yield browser
+    with sync_playwright() as playwright:
+        try:
+            browser = playwright[name].launch(**options)
+            browser.new_page().close()
+        except Error:
+            what, packages = options.get("executable_path") or name, PACKAGES if options else ""
+            sys.exit(NO_BROWSER.format(what, packages, name))
+        with browser:
+            yield browser
 
 
 class QuietHandler(SimpleHTTPRequestHandler):
@@ -82,5 +95,8 @@ def free_port() -> int:
 
 
 if __name__ == "__main__":
+    if len(sys.argv) == 1:
+        with launch():
+            sys.exit()
     tell_playwright()
     sys.exit(subprocess.call([sys.executable, "-m", "playwright", "install", *sys.argv[1:]]))

@@ -56,8 +56,9 @@ NUMBER_CONTENTS = """pages => document.querySelectorAll("#contents a").forEach(l
 })"""
 
 
-def build(builder: str) -> None:
+def build(edition: str) -> None:
     """Build the pages anew, and treat every warning as an error."""
+    builder = BUILDERS[edition]
     shutil.rmtree(BUILD / builder, ignore_errors=True)
     jupyter_book = Path(sys.executable).with_name("jupyter-book")
     options = ["-W", "--keep-going", "--builder", "custom", "--custom-builder", builder]
@@ -87,9 +88,11 @@ def print_pages(page: Any) -> None:
 
 
 def print_book() -> None:
-    """Print the book, and say in the file what it is."""
-    PDF.parent.mkdir(exist_ok=True)
+    """Build and print the book, and say in the file what it is."""
+    # First, since a build takes minutes and may be for nothing without a browser.
     with launch() as browser:
+        build("pdf")
+        PDF.parent.mkdir(exist_ok=True)
         print_pages(browser.new_page(color_scheme="light"))
     writer = PdfWriter(clone_from=PDF)
     writer.add_metadata(
@@ -103,8 +106,9 @@ def print_book() -> None:
 
 if __name__ == "__main__":
     edition = sys.argv[1]
-    build(BUILDERS[edition])
     if edition == "pdf":
         print_book()
+    else:
+        build(edition)
     file = BUILD / edition / f"rotedu.{edition}"
     print(f"The book is here: {file.relative_to(ROOT)} ({file.stat().st_size / 1e6:.1f} MB)")

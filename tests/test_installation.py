@@ -102,6 +102,12 @@ def test_no_wheel_is_built_without_the_viewer(tmp_path: Path) -> None:
     run(find_uv_bin(), *install, cwd=tmp_path)
 
 
+def test_the_types_reach_a_user(install: Callable[..., Path], folder: Path) -> None:
+    (folder / "user.py").write_text("from rotedu.arcs import slerp\n\nreveal_type(slerp)\n")
+    mypy = [sys.executable, "-m", "mypy", "--python-executable", install(), "user.py"]
+    assert "-> numpy.ndarray" in run(*mypy, cwd=folder)
+
+
 def test_the_mathematics_needs_numpy_alone(install: Callable[..., Path], folder: Path) -> None:
     python = install()
     listed = json.loads(

@@ -8,6 +8,7 @@ import os
 import shutil
 import subprocess
 import sys
+import tarfile
 import tomllib
 import zipfile
 from collections.abc import Callable, Iterator
@@ -18,6 +19,7 @@ import pytest
 from jupyter_server.gateway.gateway_client import GatewayClient
 from nbclient import NotebookClient
 from notebook_language import notebooks
+from packaging.metadata import Metadata
 from servers import get, jupyterlab
 from set_up import OLDEST
 from uv import find_uv_bin
@@ -44,10 +46,9 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The wheel, built from the source distribution."""
+    """The wheel, built from the source distribution beside it."""
     folder = tmp_path_factory.mktemp("dist")
     run(find_uv_bin(), "build", "--quiet", "--out-dir", folder, ROOT, cwd=folder)
-    assert len(list(folder.glob("rotedu-*.tar.gz"))) == 1
     (wheel,) = folder.glob("rotedu-*.whl")
     return wheel
 
@@ -79,16 +80,45 @@ def test_the_wheel_holds_the_package_and_nothing_else(wheel: Path) -> None:
     # The models of scenes are in the bundled viewer.
     models = [":!rotedu/scenes/*.js", ":!rotedu/scenes/package.json"]
     tracked = run("git", "ls-files", "rotedu", *models, cwd=ROOT).split()
-    names = ("figure-loader.js", "figure.js", "licences.txt")
+    names = ("figure-loader.js", "figure.js")
     viewer = [f"rotedu/figures/static/{name}" for name in names]
     packed = [name for name in zipfile.ZipFile(wheel).namelist() if ".dist-info/" not in name]
     assert sorted(packed) == sorted(tracked + viewer)
 
 
+def test_the_wheel_says_under_which_licences_it_stands(wheel: Path) -> None:
+    archive = zipfile.ZipFile(wheel)
+    (folder,) = {name.partition("/")[0] for name in archive.namelist() if ".dist-info/" in name}
+    metadata = Metadata.from_email(archive.read(f"{folder}/METADATA"))
+    assert metadata.license_expression == "BSD-3-Clause AND MIT AND OFL-1.1"
+    assert metadata.license_files == ["LICENSE", "LICENSE-VIEWER.txt"]
+    for name in metadata.license_files:
+        assert archive.read(f"{folder}/licenses/{name}") == (ROOT / name).read_bytes()
+
+
+def test_the_source_distribution_leaves_the_book_out_and_needs_no_git(
+    wheel: Path, tmp_path: Path
+) -> None:
+    """The text of the book has another licence."""
+    (source,) = wheel.parent.glob("rotedu-*.tar.gz")
+    with tarfile.open(source) as archive:
+        names = {name.split("/", 1)[1] for name in archive.getnames()}
+    assert not [name for name in names if name.startswith("book/")]
+    assert names >= {"LICENSE", "LICENSE-VIEWER.txt", "viewer/build.js", "tools/bundle.py"}
+    run(find_uv_bin(), "venv", "--quiet", "-p", sys.executable, tmp_path / "env", cwd=tmp_path)
+    install = ["pip", "install", "--quiet", "--no-deps", "-p", tmp_path / "env", source]
+    no_git = os.environ | {"PATH": str(tmp_path)}
+    subprocess.run([find_uv_bin(), *install], env=no_git, check=True)
+    (viewer,) = (tmp_path / "env").rglob("rotedu/figures/static/figure.js")
+    assert (
+        viewer.read_bytes() == (ROOT / "rotedu" / "figures" / "static" / "figure.js").read_bytes()
+    )
+
+
 def test_no_wheel_is_built_without_the_viewer(tmp_path: Path) -> None:
     """An editable installation needs no viewer, and says what to run only when it is needed."""
     tracked = run(
-        "git", "ls-files", "rotedu", "viewer", "*.toml", "*.py", "*.md", "LICENSE", cwd=ROOT
+        "git", "ls-files", "rotedu", "viewer", "*.toml", "*.py", "*.md", "LICENSE*", cwd=ROOT
     )
     for name in tracked.splitlines():
         (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)

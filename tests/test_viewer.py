@@ -16,5 +16,24 @@ def test_the_viewer_knows_no_scene() -> None:
             assert not (name.startswith(".") and outside), f"{file.name} imports {name}"
 
 
+def test_the_licences_are_those_of_the_libraries() -> None:
+    """What is bundled is imported by name, from JavaScript or from styles."""
+    libraries = ROOT / "node_modules"
+    sources = [
+        *ROOT.glob("viewer/*.*s"),
+        *ROOT.glob("viewer/src/*"),
+        *ROOT.glob("rotedu/scenes/*.js"),
+    ]
+    code = "\n".join(file.read_text("utf-8") for file in sources if file.name != "build.js")
+    assert set(re.findall(r"""(?:from|import) *\(?["'](\w[^/"']*)""", code)) == {"katex", "three"}
+    text = (ROOT / "LICENSE-VIEWER.txt").read_text("utf-8")
+    for name in ("katex", "three"):
+        licence = (libraries / name / "LICENSE").read_text("utf-8").strip()
+        assert licence in text, f"LICENSE-VIEWER.txt has another text than the licence of {name}"
+    fonts = (libraries / "katex" / "dist" / "fonts").glob("*.woff2")
+    reserved = set(re.findall(r"KaTeX_\w+", text))
+    assert {font.name.partition("-")[0] for font in fonts} == reserved
+
+
 def test_the_viewer_passes_its_own_tests() -> None:
     run_node("--test", "viewer/test/*.test.js")

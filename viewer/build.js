@@ -9,10 +9,9 @@
  * node build.js --notebook <folder> bundles it for notebooks into <folder>/:
  *   figure-loader.js   a module that travels with every figure
  *   figure.js          a module that the loader fetches once, with styles, fonts and models in it
- *   licences.txt       the licences of what is in it
  */
 import { createHash } from "node:crypto";
-import { copyFile, mkdir, readFile, writeFile } from "node:fs/promises";
+import { copyFile, mkdir, readFile } from "node:fs/promises";
 import { basename, dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
@@ -58,11 +57,6 @@ async function forNotebooks(folder) {
   await module("src/widget-loader.js", join(folder, "figure-loader.js"), {
     DIGEST: JSON.stringify(digest.slice(0, 16)),
   });
-  const licences = ["katex", "three"].map(async (name) => {
-    const text = await readFile(join(here, "../node_modules", name, "LICENSE"), "utf8");
-    return `${name}\n\n${text}`;
-  });
-  await writeFile(join(folder, "licences.txt"), (await Promise.all(licences)).join("\n\n\n"));
 }
 
 const [first, second] = process.argv.slice(2);

@@ -22,6 +22,7 @@ from bundle import LIBRARIES, bundle, install
 from one_at_a_time import hold_checkout
 
 KATEX = LIBRARIES / "katex"
+LICENCES = LIBRARIES.parent / "LICENSE-VIEWER.txt"
 FONT = LIBRARIES / "@fontsource-variable" / "source-serif-4"
 
 
@@ -40,11 +41,9 @@ def serve(app: Sphinx, config: Config) -> None:
     for style in ("normal", "italic"):
         shutil.copy(FONT / "files" / f"source-serif-4-latin-wght-{style}.woff2", static / "fonts")
     bundle(static)
-    licences = [
-        f"{folder.name}\n\n{(folder / 'LICENSE').read_text(encoding='utf-8')}"
-        for folder in (FONT, KATEX, LIBRARIES / "three")
-    ]
-    (static / "licences.txt").write_text("\n\n\n".join(licences), encoding="utf-8")
+    files = (LICENCES, FONT / "LICENSE")
+    licences = "\n\n\n".join(file.read_text(encoding="utf-8") for file in files)
+    (static / "licences.txt").write_text(licences, encoding="utf-8")
 
 
 def typeset(app: Sphinx, config: Config) -> None:

@@ -1,12 +1,26 @@
 """The committed notebooks, whose outputs nbval must be able to compare."""
 
 import json
+import os
 import re
+import subprocess
+import sys
+from pathlib import Path
 
 import nbformat
 import pytest
 from notebook_language import Page, notebooks
 
+ROOT = Path(__file__).parents[1]
+# As a build starts it.
+KERNEL = """
+from unittest.mock import Mock
+import what_changed
+what_changed.setup(Mock())
+from jupyter_client.manager import run_kernel
+with run_kernel():
+    pass
+"""
 SHOWN = re.compile(r"\bsource\((?:\w+\.)*(\w+)\)")
 PRIVATE = re.compile(r"_(?!_)")
 
@@ -49,3 +63,12 @@ class TestNotebook:
         ]
         printed = [cell for cell in page.code if cell.outputs]
         assert len(compared) >= 0.8 * len(printed) > 0
+
+
+@pytest.mark.slow
+def test_a_kernel_of_the_build_starts_without_a_word() -> None:
+    path = os.environ | {"PYTHONPATH": str(ROOT / "book" / "_ext")}
+    run = subprocess.run(
+        [sys.executable, "-c", KERNEL], env=path, capture_output=True, text=True, check=True
+    )
+    assert run.stdout + run.stderr == ""

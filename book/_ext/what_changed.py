@@ -7,6 +7,7 @@ when it changes, Sphinx writes all pages again.
 """
 
 import hashlib
+import os
 from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
@@ -49,6 +50,8 @@ def note(app: Sphinx, config: Config) -> None:
 
 def setup(app: Sphinx) -> dict[str, Any]:
     """Register the digests: one makes Sphinx read all pages again, the other write them again."""
+    # Its kernel does not warn, page by page, that others on this machine could listen.
+    os.environ["JUPYTER_PATH"] = str(ROOT / "tools" / "jupyter")
     app.add_config_value("package_digest", "", "env")
     app.add_config_value("frame_digest", "", "html")
     app.connect("config-inited", note)

@@ -1,11 +1,13 @@
 """What follows from the rest of a page stands in it as the one step writes it."""
 
 import shutil
+import tomllib
 from pathlib import Path
 
 import nbformat
 import pytest
-from derive import derive
+import yaml
+from derive import ROOT, derive, derive_citation
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
 from notebook_language import Page, pages
 
@@ -16,6 +18,22 @@ def test_nothing_is_left_to_write(page: Page, tmp_path: Path) -> None:
     derive(copy)
     written = copy.read_text("utf-8") == page.file.read_text("utf-8")
     assert written, f"{page.name} is not up to date: run .venv/bin/python tools/derive.py"
+
+
+def test_the_citation_has_the_addresses_of_the_settings(tmp_path: Path) -> None:
+    settings = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["tool"]["rotedu"]
+    addresses = settings["book"], settings["repository"]
+    file = Path(shutil.copy(ROOT / "CITATION.cff", tmp_path))
+    derive_citation(file, *addresses)
+    stored = (ROOT / "CITATION.cff").read_text("utf-8")
+    assert file.read_text("utf-8") == stored, "call .venv/bin/python tools/derive.py"
+    derive_citation(file, "https://book.example", "https://github.example/rotedu")
+    derive_citation(file, "https://new.example", "https://github.example/rotedu")
+    written = yaml.safe_load(file.read_text("utf-8"))
+    assert written["url"] == "https://new.example"
+    assert written["repository-code"] == "https://github.example/rotedu"
+    derive_citation(file, *addresses)
+    assert file.read_text("utf-8") == stored
 
 
 def test_what_is_written(tmp_path: Path) -> None:

@@ -5,6 +5,7 @@ Nothing here can reach the checkout, so any code of the package that reads it fa
 
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -86,10 +87,18 @@ def test_the_wheel_holds_the_package_and_nothing_else(wheel: Path) -> None:
     assert sorted(packed) == sorted(tracked + viewer)
 
 
-def test_the_wheel_says_under_which_licences_it_stands(wheel: Path) -> None:
+def test_the_metadata_hold_on_a_package_index(wheel: Path) -> None:
     archive = zipfile.ZipFile(wheel)
     (folder,) = {name.partition("/")[0] for name in archive.namelist() if ".dist-info/" in name}
+    # Refuses what a package index refuses.
     metadata = Metadata.from_email(archive.read(f"{folder}/METADATA"))
+    settings = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["tool"]["rotedu"]
+    addresses = {settings["book"], settings["repository"]} - {""}
+    assert set((metadata.project_urls or {}).values()) == addresses
+    assert metadata.description_content_type == "text/markdown"
+    links = re.findall(r"\]\((.+?)\)", metadata.description)
+    assert links
+    assert all(link.startswith("https://") for link in links)
     assert metadata.license_expression == "BSD-3-Clause AND MIT AND OFL-1.1"
     assert metadata.license_files == ["LICENSE", "LICENSE-VIEWER.txt"]
     for name in metadata.license_files:

@@ -309,6 +309,7 @@ if __name__ == "__main__":
         help="write a third folder, nbgrader, as a source for nbgrader",
     )
     readers = parser.parse_args().readers
-    settings = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["tool"]
-    Classroom(**settings["rotedu"]).write(CLASS, readers)
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+    settings = project["tool"]["rotedu"]
+    Classroom(settings["book"], settings["wheel"]).write(CLASS, readers)
     print("The notebooks for a class are here:", *(f"class/{reader}" for reader in readers))

@@ -1,11 +1,13 @@
-"""Write into the pages what follows from the rest: nothing is run.
+"""Write into pages and citation what follows from the rest: nothing is run.
 
 The line **Time** takes its minutes from ``reading_time``. Each notebook begins with the macros for
 the colours of its formulas, JupyterLab gets the paper's numbers of the equations, and what the book
-folds, JupyterLab folds. ``make notebooks`` calls this after it has run them.
+folds, JupyterLab folds. CITATION.cff gets the addresses of ``tool.rotedu`` in pyproject.toml.
+``make notebooks`` calls this after it has run the notebooks.
 """
 
 import re
+import tomllib
 from pathlib import Path
 
 import nbformat
@@ -16,6 +18,7 @@ from reading_time import count
 
 from rotedu import colors
 
+ROOT = Path(__file__).parents[1]
 TIME = re.compile(r"\*\*Time\*\* .*? for the exercises\.|\*\*Time\*\* \d+ minutes to read\.")
 INKS = ("VECTOR", "AXIS", "RESULT", "CROSS", "WRONG")
 MACROS = {rf"\{ink.lower()}": rf"\textcolor{{#{getattr(colors, ink)}}}{{#1}}" for ink in INKS}
@@ -94,6 +97,21 @@ def derive(file: Path) -> None:
     nbformat.write(page.notebook, file)
 
 
-if __name__ == "__main__":
+def derive_citation(file: Path, book: str, repository: str) -> None:
+    """Give a citation the addresses of book and repository, as far as they have any."""
+    addresses = {"url": book, "repository-code": repository}
+    lines = "".join(f'{name}: "{url}"\n' for name, url in addresses.items() if url)
+    bare = re.sub(r"(?m)^(url|repository-code): .*\n", "", file.read_text("utf-8"))
+    file.write_text(re.sub(r"(?m)^authors:$", rf"{lines}\g<0>", bare), "utf-8")
+
+
+def derive_all() -> None:
+    """Bring pages and citation up to date."""
     for page in pages().values():
         derive(page.file)
+    settings = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["tool"]["rotedu"]
+    derive_citation(ROOT / "CITATION.cff", settings["book"], settings["repository"])
+
+
+if __name__ == "__main__":
+    derive_all()

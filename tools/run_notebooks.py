@@ -10,9 +10,9 @@ import sys
 from pathlib import Path
 
 import nbformat
-from derive import derive
+from derive import derive_all
 from nbclient import NotebookClient
-from notebook_language import notebooks, pages
+from notebook_language import notebooks
 
 
 def is_picture(output: nbformat.NotebookNode) -> bool:
@@ -39,5 +39,4 @@ if __name__ == "__main__":
     for file in map(Path, sys.argv[1:] or [page.file for page in notebooks()]):
         print(f"running {file.name}", flush=True)
         run(file)
-    for page in pages().values():
-        derive(page.file)
+    derive_all()

@@ -75,7 +75,13 @@ def pytest_sessionfinish(session: pytest.Session) -> None:
 @pytest.fixture(scope="session")
 def book(request: pytest.FixtureRequest) -> Path:
     """Wait for the book."""
-    if request.session.stash[BUILD].wait() != 0:
+    build = request.session.stash[BUILD]
+    if build.poll() is None:
+        # It may itself wait for another build.
+        reporter = request.config.pluginmanager.get_plugin("terminalreporter")
+        reporter.ensure_newline()
+        reporter.write_line(f"waiting for the book; {LOG.relative_to(ROOT)} says how far it is")
+    if build.wait() != 0:
         pytest.fail(LOG.read_text(errors="replace")[-10_000:])
     return ROOT / "_build" / "html"
 

@@ -46,8 +46,10 @@ def test_make_refuses_another_python_though_an_old_environment_is_there(tmp_path
     (tmp_path / ".venv" / "made-by-python3.12").touch()
     # Python reads this when it starts, and then says that it is Python 3.10.
     (tmp_path / "sitecustomize.py").write_text("import sys; sys.version_info = (3, 10, 0)\n")
+    python = tmp_path / "a é python"
+    python.symlink_to(sys.executable)
     run = subprocess.run(
-        ["make", "-s", "book", f"PYTHON={sys.executable}"],
+        ["make", "-s", "book", f"PYTHON={python}"],
         cwd=tmp_path,
         env=os.environ | {"PYTHONPATH": str(tmp_path)},
         capture_output=True,

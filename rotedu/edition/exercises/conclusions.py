@@ -1,9 +1,7 @@
 """Checks of the exercises of Chapter 6."""
 
 from collections.abc import Iterator
-from dataclasses import astuple
 from itertools import count
-from typing import Any
 
 import numpy as np
 
@@ -27,17 +25,11 @@ MATRICES, QUATERNIONS = OperationCount(27, 18), OperationCount(16, 12)
 CONVERSION, POINT = OperationCount(9, 15), OperationCount(9, 6)
 
 
-def as_two_numbers(cost: Any) -> Any:
-    """Return the multiplications and additions of an operation count, or a pair as it is."""
-    return astuple(cost)[:2] if isinstance(cost, OperationCount) else cost
-
-
 @exercise(
     "6.1",
     fields={"multiplications": "", "additions": ""},
     expects="two numbers: multiplications and additions",
     because="The product is computed once, for all points.",
-    read=lambda cost: numbers(2)(as_two_numbers(cost)),
 )
 def one_product_for_all() -> Iterator[Part]:
     """Yield the cost of turning points by the product of two matrices."""

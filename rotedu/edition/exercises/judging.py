@@ -4,7 +4,9 @@ A check yields parts: what is right and which mistakes are usual, each a value o
 tests a property. With each mistake stands its hint, in two stages.
 """
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+import os
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager, redirect_stderr, redirect_stdout
 from dataclasses import dataclass, field
 from functools import cached_property, partial
 from typing import Any, NamedTuple
@@ -13,6 +15,7 @@ import numpy as np
 import numpy.typing as npt
 
 from rotedu._vectors import Array
+from rotedu.edition.exercises.answers import plain
 from rotedu.ordinary_rotation import rotation_matrix
 from rotedu.quaternions import Quaternion
 
@@ -27,7 +30,6 @@ __all__ = [
     "Wrong",
     "along_equator",
     "as_array",
-    "as_quaternion",
     "as_rotation",
     "check",
     "close",
@@ -45,6 +47,8 @@ __all__ = [
 ]
 
 WITHIN = 1e-6
+# How many letters a verdict quotes.
+LONGEST = 200
 
 
 class Wrong(NamedTuple):
@@ -177,7 +181,7 @@ class Exercise:
         return tuple(self.state())
 
     def judge(self, answer: Any) -> Wrong | Mistake | None:
-        """Return None if an answer is right, else what is wrong at the first step."""
+        """Return None if a plain answer is right, else what is wrong at the first step."""
         read = (self.read or numbers(*np.shape(self.parts[0].right)))(answer)
         for part in self.parts:
             if wrong := part.judge(read if part.item is None else read[part.item]):
@@ -249,7 +253,8 @@ def check(number: str, answer: Any, hint: int = 1) -> Verdict:
     number : str
         The number of the exercise, such as "3.1".
     answer : object
-        Your answer; ``...`` means that there is none yet.
+        Your answer; ``...`` means that there is none yet. It is not changed, and what a function
+        among the answers prints is not shown.
     hint : int
         1 for a first hint, 2 for a second one.
 
@@ -273,14 +278,17 @@ def check(number: str, answer: Any, hint: int = 1) -> Verdict:
     asked = EXERCISES[number]
     wrong: Wrong | Mistake | None
     try:
-        if unanswered(answer):
-            return Verdict(number, None, "not answered yet.")
-        with np.errstate(all="ignore"):
-            wrong = asked.judge(answer)
-    except Exception as error:
-        # An answer may be anything, and a function among the answers may raise anything.
+        with quiet():
+            given = plain(answer)
+            if unanswered(given):
+                return Verdict(number, None, "not answered yet.")
+            wrong = asked.judge(given)
+    except KeyboardInterrupt:
+        # Only this comes from outside: a function among the answers may never return.
+        raise
+    except BaseException as error:
         form = f"Expected {asked.expects}."
-        wrong = Wrong(form, f"{form} Python says: {error}")
+        wrong = Wrong(form, f"{form} Python says: {said_by(error)}")
     if wrong is None:
         return Verdict(number, True, f"right. {asked.because}".rstrip())
     if hint == 1:
@@ -289,17 +297,36 @@ def check(number: str, answer: Any, hint: int = 1) -> Verdict:
     return Verdict(number, False, f"not yet. {wrong.second}")
 
 
+@contextmanager
+def quiet() -> Iterator[None]:
+    """Show nothing that is printed, and no warning."""
+    with (
+        open(os.devnull, "w", encoding="utf-8", errors="replace") as nowhere,
+        redirect_stdout(nowhere),
+        redirect_stderr(nowhere),
+        np.errstate(all="ignore"),
+    ):
+        yield
+
+
+def said_by(error: BaseException) -> str:
+    """Return the beginning of what an error says, or its name."""
+    try:
+        text = str(error)
+    except Exception:
+        text = ""
+    return " ".join((text or type(error).__name__)[:LONGEST].split())
+
+
 def unanswered(answer: Any) -> bool:
-    """Tell whether an answer, or a part of it, is still ``...``."""
-    if isinstance(answer, (tuple, list)):
+    """Tell whether a plain answer, or a part of it, is still ``...``."""
+    if isinstance(answer, list):
         return any(map(unanswered, answer))
     return answer is ...
 
 
 def as_array(answer: Any, shape: Sequence[int | None]) -> Array:
-    """Return an answer as finite real numbers of a given shape; None stands for any length."""
-    if np.iscomplexobj(answer):
-        raise ValueError("some numbers are complex.")
+    """Return an answer as finite numbers of a given shape; None stands for any length."""
     array = np.asarray(answer, dtype=np.float64)
     if len(array.shape) != len(shape) or any(
         wanted not in (None, length) for wanted, length in zip(shape, array.shape, strict=True)
@@ -308,11 +335,6 @@ def as_array(answer: Any, shape: Sequence[int | None]) -> Array:
     if not np.isfinite(array).all():
         raise ValueError("not all numbers are finite.")
     return array
-
-
-def as_quaternion(answer: Any) -> Array:
-    """Return a `Quaternion` or four numbers, scalar first, as four numbers."""
-    return as_array(getattr(answer, "components", answer), (4,))
 
 
 def as_rotation(answer: Any) -> Array:
@@ -324,9 +346,10 @@ def as_rotation(answer: Any) -> Array:
     if isinstance(answer, (tuple, list)) and len(answer) == 2:
         axis, angle = answer
         return rotation_matrix(as_array(axis, (3,)), as_array(angle, ()))
-    shape = np.shape(getattr(answer, "components", answer))
+    answer = getattr(answer, "components", answer)
+    shape = np.shape(answer)
     if shape == (4,):
-        w, *v = as_quaternion(answer)
+        w, *v = as_array(answer, shape)
         return Quaternion(w, v).matrix()
     if shape == (4, 4):
         return as_array(answer, shape)[:3, :3]

@@ -11,7 +11,6 @@ from rotedu.edition.exercises.judging import (
     Mistake,
     Part,
     Wrong,
-    as_quaternion,
     close,
     exercise,
     numbers,
@@ -29,7 +28,7 @@ from rotedu.quaternions import Quaternion
     fields={"scalar part": "", "along U": "", "along V": "", "along W": ""},
     expects="a quaternion, four numbers with the scalar part first",
     because="The norms multiply, too.",
-    read=as_quaternion,
+    read=numbers(4),
 )
 def product_by_hand() -> Iterator[Part]:
     """Yield the product, then products of wrong order and wrong parts."""
@@ -72,7 +71,7 @@ def product_by_hand() -> Iterator[Part]:
     "2.2",
     expects="a quaternion, four numbers with the scalar part first",
     because="Its negative would do as well.",
-    read=as_quaternion,
+    read=numbers(4),
 )
 def unit_quaternion_of_a_turn() -> Iterator[Part]:
     """Accept either sign."""
@@ -191,7 +190,7 @@ def axis_and_angle_at_sight() -> Iterator[Part]:
     "2.4",
     expects="two quaternions, each of four numbers with the scalar part first",
     because="For half turns about perpendicular axes the order does not matter.",
-    read=parts(as_quaternion, as_quaternion),
+    read=parts(numbers(4), numbers(4)),
 )
 def two_turns_in_a_row() -> Iterator[Part]:
     """Accept either sign of each product."""
@@ -299,7 +298,7 @@ def between_two_photographs() -> Iterator[Part]:
 @exercise(
     "2.6",
     expects="a quaternion, four numbers with the scalar part first",
-    read=as_quaternion,
+    read=numbers(4),
 )
 def average_of_orientations() -> Iterator[Part]:
     """Measure the angle to the truth; length and sign are free."""

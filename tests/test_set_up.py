@@ -12,6 +12,7 @@ import bundle
 import pytest
 import set_up
 from browser import CHROMIUMS
+from one_at_a_time import fcntl
 
 ROOT = Path(__file__).parents[1]
 
@@ -127,21 +128,49 @@ def test_binder_starts_what_it_is_told_to() -> None:
     assert subprocess.check_output(says, text=True) == "1\n"
 
 
-@pytest.mark.skipif(os.name == "nt", reason="Windows has no such lock")
+@pytest.mark.skipif(fcntl is None, reason="Windows has no such lock")
 def test_the_second_waits_for_the_first_and_says_so(tmp_path: Path) -> None:
     tools = shutil.copytree(ROOT / "tools", tmp_path / "tools")
     hold = "from one_at_a_time import hold_checkout; hold_checkout(); hold_checkout(); "
     child = "subprocess.run([sys.executable, '-c', 'from one_at_a_time import *; hold_checkout()'])"
-    code = f"import subprocess, sys; {hold}{child}; print('held', flush=True); input()"
-    pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE, "text": True}
+    # Whoever waits for himself is ended by the alarm.
+    code = "import signal, subprocess, sys; signal.alarm(20); " + hold + child
+    code += "; print('held', flush=True); sys.stdin.read()"
+    pipes = {"stdout": subprocess.PIPE, "cwd": tools, "text": True}
     start = [sys.executable, "-c", code]
-    with subprocess.Popen(start, cwd=tools, **pipes) as first:
+    with subprocess.Popen(start, stdin=subprocess.PIPE, **pipes) as first:
         assert first.stdout.readline() == "held\n"
-        with subprocess.Popen(start, cwd=tools, **pipes) as second:
+        with subprocess.Popen(start, stdin=subprocess.DEVNULL, **pipes) as second:
             assert second.stdout.readline().startswith("waiting until another set-up or build")
+            with pytest.raises(subprocess.TimeoutExpired):
+                second.wait(0.5)
             first.kill()
             assert second.stdout.readline() == "held\n"
-            second.kill()
+
+
+@pytest.mark.skipif(fcntl is None, reason="Windows has no such lock")
+@pytest.mark.parametrize(
+    "code",
+    [
+        "import runpy; runpy.run_path('tools/set_up.py', run_name='__main__')",
+        "import bundle; bundle.install()",
+        "import browser_libraries; browser_libraries.setup(None)",
+        "import print_book; print_book.build('epub')",
+    ],
+    ids=["set-up", "libraries", "build", "paper"],
+)
+def test_everything_that_writes_waits(tmp_path: Path, code: str) -> None:
+    for part in ("tools", "book/_ext"):
+        shutil.copytree(ROOT / part, tmp_path / part)
+    path = os.pathsep.join([str(tmp_path / "tools"), str(tmp_path / "book" / "_ext")])
+    start = [sys.executable, "-c", code]
+    pipes = {"stdout": subprocess.PIPE, "cwd": tmp_path, "text": True}
+    folder = os.open(tmp_path, os.O_RDONLY)
+    fcntl.flock(folder, fcntl.LOCK_EX)
+    with subprocess.Popen(start, env=os.environ | {"PYTHONPATH": path}, **pipes) as second:
+        assert second.stdout.readline().startswith("waiting until another set-up or build")
+        second.kill()
+    os.close(folder)
 
 
 def test_libraries_are_installed_anew_unless_all_are_there(

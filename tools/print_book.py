@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from browser import launch
+from one_at_a_time import hold_checkout
 from pypdf import PdfReader, PdfWriter
 
 import rotedu
@@ -59,6 +60,7 @@ NUMBER_CONTENTS = """pages => document.querySelectorAll("#contents a").forEach(l
 def build(edition: str) -> None:
     """Build the pages anew, and treat every warning as an error."""
     builder = BUILDERS[edition]
+    hold_checkout()
     shutil.rmtree(BUILD / builder, ignore_errors=True)
     jupyter_book = Path(sys.executable).with_name("jupyter-book")
     options = ["-W", "--keep-going", "--builder", "custom", "--custom-builder", builder]

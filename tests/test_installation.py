@@ -49,7 +49,9 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The wheel, built from the source distribution beside it."""
     folder = tmp_path_factory.mktemp("dist")
-    run(find_uv_bin(), "build", "--quiet", "--out-dir", folder, ROOT, cwd=folder)
+    # As the workflow Release builds it: with the locked hatchling.
+    locked = ("--no-build-isolation", "-p", sys.executable)
+    run(find_uv_bin(), "build", "--quiet", *locked, "--out-dir", folder, ROOT, cwd=folder)
     (wheel,) = folder.glob("rotedu-*.whl")
     return wheel
 

@@ -1,0 +1,41 @@
+"""What the workflows install and run is the same tomorrow."""
+
+import re
+import subprocess
+import sysconfig
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+FOLDER = ROOT / ".github" / "workflows"
+TEXTS = [file.read_text("utf-8") for file in sorted(FOLDER.glob("*.yml"))]
+UV = "\"$(grep '^uv==' requirements.txt)\""
+
+
+def test_actions_are_named_by_commit() -> None:
+    """A tag can be moved; the comment says which one the commit had."""
+    used = [use for text in TEXTS for use in re.findall(r"uses: (.+)", text)]
+    pinned = [re.fullmatch(r"([\w/-]+)@([0-9a-f]{40}) # (v[\d.]+)", use) for use in used]
+    assert len(used) > 10
+    assert all(pinned), used
+    commits = {pin.groups() for pin in pinned}
+    assert len(commits) == len({name for name, _, _ in commits})
+
+
+def test_only_what_the_lock_file_names_is_installed() -> None:
+    (uv,) = re.findall(r"(?m)^uv==\d+\.\d+\.\d+$", (ROOT / "requirements.txt").read_text("utf-8"))
+    installed = [what for text in TEXTS for what in re.findall(r"pip install (.+)", text)]
+    assert set(installed) == {UV, "--system -r requirements.txt"}, (
+        f"install {uv}, and what is locked"
+    )
+    for text in TEXTS:
+        assert not re.search(r"uv tool|uvx|npx|pipx", text)
+
+
+@pytest.mark.slow
+def test_zizmor_finds_nothing() -> None:
+    zizmor = Path(sysconfig.get_path("scripts"), "zizmor")
+    command = [zizmor, "--offline", "--no-progress", FOLDER]
+    run = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert run.returncode == 0, run.stdout + run.stderr

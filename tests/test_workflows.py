@@ -1,4 +1,4 @@
-"""What the workflows install and run is the same tomorrow."""
+"""What the workflows install and run is the same tomorrow, and only what must may write."""
 
 import re
 import subprocess
@@ -6,6 +6,7 @@ import sysconfig
 from pathlib import Path
 
 import pytest
+import yaml
 
 ROOT = Path(__file__).parents[1]
 FOLDER = ROOT / ".github" / "workflows"
@@ -31,6 +32,24 @@ def test_only_what_the_lock_file_names_is_installed() -> None:
     )
     for text in TEXTS:
         assert not re.search(r"uv tool|uvx|npx|pipx", text)
+
+
+def test_a_release_is_checked_before_it_is_published() -> None:
+    release = yaml.safe_load((FOLDER / "release.yml").read_text("utf-8"))
+    jobs = release["jobs"]
+    publish = jobs.pop("publish")
+    assert set(publish["needs"]) == set(jobs)
+    assert set(jobs["check"]["strategy"]["matrix"]["target"]) == {"test", "test-slow"}
+    assert release["permissions"] == {"contents": "read"}
+    assert not any("permissions" in job for job in jobs.values())
+
+
+def test_the_job_that_publishes_runs_nobodys_code() -> None:
+    publish = yaml.safe_load((FOLDER / "release.yml").read_text("utf-8"))["jobs"]["publish"]
+    assert publish["permissions"] == {"contents": "write"}
+    download, create = publish["steps"]
+    assert download["uses"].startswith("actions/download-artifact@")
+    assert re.fullmatch(r"gh release create [^;&|`(\n]+", create["run"])
 
 
 @pytest.mark.slow

@@ -1,10 +1,12 @@
 """The set-up refuses a Python that it does not support, waits for another, and mends what broke."""
 
+import ast
 import os
 import re
 import shutil
 import subprocess
 import sys
+import time
 import tomllib
 from pathlib import Path
 
@@ -207,3 +209,48 @@ def test_libraries_are_installed_anew_unless_all_are_there(
 
 def test_uv_has_the_version_of_the_list() -> None:
     assert re.fullmatch(r"uv==[\d.]+", set_up.locked_uv())
+
+
+def test_a_mark_is_taken_away_first_and_made_last(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    ours, another = tmp_path / "made-by-python3.11", tmp_path / "made-by-python3.12"
+    whole = []
+
+    def make_environment(is_whole: bool) -> None:
+        whole.append(is_whole)
+        assert list(tmp_path.iterdir()) == []
+
+    monkeypatch.setattr(set_up, "VENV", tmp_path)
+    monkeypatch.setattr(set_up, "MARK", ours)
+    monkeypatch.setattr(set_up, "make_environment", make_environment)
+    monkeypatch.setattr(set_up, "make_vtk_draw", lambda: None)
+    another.touch()
+    set_up.set_up(called=time.time())
+    assert whole == [False]
+    assert list(tmp_path.iterdir()) == [ours]
+    # Another call has ended since this one was made, and has done it.
+    set_up.set_up(called=0)
+    assert whole == [False]
+    os.utime(ours, (0, 0))
+    set_up.set_up(called=time.time())
+    assert whole == [False, True]
+    monkeypatch.setattr(set_up, "make_vtk_draw", sys.exit)
+    with pytest.raises(SystemExit):
+        set_up.set_up(called=time.time() + 60)
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("fails", [False, True])
+def test_what_a_command_says_is_shown_if_it_fails(
+    fails: bool, capfd: pytest.CaptureFixture[str]
+) -> None:
+    code = f"import sys; print('loud'); sys.stderr.write('noise'); sys.exit({fails})"
+    assert set_up.run(sys.executable, "-c", code) is not fails
+    shown = capfd.readouterr()
+    assert (shown.out, "loud" in shown.err, "noise" in shown.err) == ("", fails, fails)
+
+
+@pytest.mark.parametrize("name", ["one_at_a_time.py", "set_up.py"])
+def test_an_old_python_can_read_what_refuses_it(name: str) -> None:
+    ast.parse((ROOT / "tools" / name).read_text("utf-8"), feature_version=(3, 6))

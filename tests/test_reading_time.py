@@ -29,6 +29,9 @@ one = 1
 two = 2
 ```
 
+```{literalinclude} ../.binder/runtime.txt
+```
+
 **Figure 1.** Two words.
 
 :::{dropdown} A folded title
@@ -52,8 +55,8 @@ def test_what_is_counted(tmp_path: Path) -> None:
     page.write_text(PAGE, "utf-8")
     title, sentence, caption, folded, end = 3, 10, 4, 5, 4
     counted = count(Page(page))
-    assert counted == (title + sentence + caption + folded + end, 2, 2, 1, 0)
-    assert counted.minutes == 2  # 26 words at 0.3 s, 2 lines at 5, 2 formulas at 20, a figure at 30
+    assert counted == (title + sentence + caption + folded + end, 3, 2, 1, 0)
+    assert counted.minutes == 2  # 26 words at 0.3 s, 3 lines at 5, 2 formulas at 20, a figure at 30
     assert counted.time == "**Time** 2 minutes to read."
     assert counted._replace(exercises=9).time == "**Time** 2 minutes to read, 9 for the exercises."
 

@@ -99,6 +99,8 @@ def blocks(text: str) -> Iterator[Block]:
         if token.type in ("colon_fence", "fence") and directive:
             options = OPTIONS.match(token.content)[0]
             body = token.content[len(options) :].strip()
+            if directive[1] == "literalinclude":
+                body = (BOOK / directive[2]).read_text("utf-8")
             yield Block(directive[1], source, directive[2], body, dict(OPTION.findall(options)))
         elif token.type == "heading_open":
             yield Block(token.type, source, inside.content, level=int(token.tag[1]))

@@ -70,7 +70,7 @@ def count(page: Page) -> Count:
             exercises = block.title == "Exercises"
         if exercises:
             continue
-        if block.kind in ("fence", "code-cell"):
+        if block.kind in ("fence", "code-cell", "literalinclude"):
             lines += sum(bool(line.strip()) for line in block.body.splitlines())
         elif block.kind.startswith("math"):
             formulas += 1

@@ -1,73 +1,116 @@
-"""A class of thirty on a real JupyterHub, installed and configured as *Run a class* prints it."""
+"""A class of thirty accounts on a JupyterHub that is installed as *Run a class* prints it."""
 
 import json
 import os
+import pwd
+import secrets
 import shutil
+import socket
 import subprocess
-import sys
+import tempfile
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
 
 import pytest
 import requests
 import websocket
-from browser import free_port
 from jupyter_client.session import Session
 from notebook_language import blocks, pages
 from servers import PATIENCE, until
 
 ROOT = Path(__file__).parents[1]
 NOTEBOOK = "03-ordinary-rotation.ipynb"
-STUDENTS = [f"student{number:02}" for number in range(1, 31)]
+STUDENTS = [f"class-test-{number:02}" for number in range(1, 31)]
+HOST = "class.localhost"
+PASSWORD = secrets.token_urlsafe()
+COMMAND = "sudo .venv/bin/pytest -m slow tests/test_class_load.py"
 
 
-@pytest.fixture
-def hub(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[str]:
-    """A hub where each student has the notebook."""
-    checkout = tmp_path / "checkout"
+def install(folder: Path) -> None:
+    """Do what the page says, in a folder instead of three."""
+    checkout = folder / "checkout"
     made = shutil.ignore_patterns(".*_cache", ".git", ".venv", "_build", "node_modules")
     shutil.copytree(ROOT, checkout, ignore=made)
     section = pages()["run-a-class.md"].text.partition("(jupyterhub)=")[2]
-    listings = [block.body for block in blocks(section) if block.kind == "fence"]
-    install, configuration = (each.replace("/opt/class", str(tmp_path)) for each in listings[:2])
+    packages, certificate = [block.body for block in blocks(section) if block.kind == "fence"][:2]
+    configuration = checkout / ".binder" / "jupyterhub_config.py"
+    places = {
+        "/opt/class": str(folder),
+        "/run/class": f"{folder}/sockets",
+        "/srv/class": f"{folder}/hub",
+        "class.example.org": HOST,
+    }
+
+    def here(text: str) -> str:
+        for printed, ours in places.items():
+            text = text.replace(printed, ours)
+        return text
+
+    configuration.write_text(here(configuration.read_text("utf-8")), "utf-8")
+    subprocess.run(["sh", "-ec", here(packages + certificate)], cwd=checkout, check=True)
+
+
+@contextmanager
+def account(name: str, files: Path) -> Iterator[None]:
+    """Add a student, whose home stands open, as it does on many machines."""
+    home = ["--create-home", "--skel", str(files), "--key", "HOME_MODE=0755"]
+    subprocess.run(["useradd", *home, name], check=True)
+    try:
+        subprocess.run("chpasswd", input=f"{name}:{PASSWORD}", text=True, check=True)
+        yield
+    finally:
+        subprocess.run(["userdel", "--force", "--remove", name])
+
+
+@pytest.fixture
+def hub(monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
+    """Run a hub in a new folder; of folder and accounts nothing stays."""
+    if os.geteuid() != 0:
+        pytest.fail(f"This adds accounts to the machine, and needs root: {COMMAND}", pytrace=False)
+    find = socket.getaddrinfo
+    monkeypatch.setattr(
+        socket, "getaddrinfo", lambda _, *rest, **more: find("127.0.0.1", *rest, **more)
+    )
     monkeypatch.delenv("PYVISTA_JUPYTER_BACKEND", raising=False)
-    monkeypatch.setenv("PATH", str(Path(sys.executable).parent), prepend=os.pathsep)
-    monkeypatch.setenv("PATH", str(tmp_path / "bin"), prepend=os.pathsep)
-    subprocess.run(["sh", "-ec", install], cwd=checkout, check=True)
-    for name in STUDENTS:
-        shutil.copytree(checkout / "class" / "student", tmp_path / name)
-    url = f"http://127.0.0.1:{free_port()}"
-    # Comes after what the page prints, because nobody has an account on this machine.
-    here = f"""
-PROCESSORS = {os.cpu_count()}
-c.ConfigurableHTTPProxy.api_url = "http://127.0.0.1:{free_port()}"
-c.JupyterHub.authenticator_class = "dummy"
-c.JupyterHub.bind_url = "{url}"
-c.JupyterHub.hub_port = {free_port()}
-c.JupyterHub.spawner_class = "simple"
-c.SimpleLocalProcessSpawner.home_dir_template = "{tmp_path}/{{username}}"
-c.Spawner.args.extend(["--allow-root"])
-"""
-    (tmp_path / "jupyterhub_config.py").write_text(configuration + here, "utf-8")
-    log = tmp_path / "hub.log"
-    with log.open("w") as stream:
-        hub = subprocess.Popen("jupyterhub", cwd=tmp_path, stdout=stream, stderr=stream)
-    until(lambda: "JupyterHub is now running" in log.read_text("utf-8"), f"the hub of {log}")
-    yield url
-    hub.terminate()
-    hub.wait()
-    with pytest.raises(requests.ConnectionError):
-        requests.get(url, timeout=PATIENCE)
+    with ExitStack() as stack:
+        folder = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="class-", dir="/opt")))
+        folder.chmod(0o755)
+        # Students can run the Python of the system; that of the tests may be in somebody's home.
+        monkeypatch.setenv("PATH", f"{folder}/bin:/usr/sbin:/usr/bin:/sbin:/bin")
+        install(folder)
+        for name in STUDENTS:
+            stack.enter_context(account(name, folder / "checkout" / "class" / "student"))
+        log = folder / "hub" / "hub.log"
+        command = ["jupyterhub", "-f", folder / "hub" / "jupyterhub_config.py"]
+        with log.open("w") as stream:
+            hub = subprocess.Popen(command, cwd=folder, stdout=stream, stderr=stream)
+        stack.callback(hub.wait)
+        stack.callback(hub.terminate)
+        until(lambda: "JupyterHub is now running" in log.read_text("utf-8"), f"the hub of {log}")
+        yield folder
+        hub.terminate()
+        hub.wait()
+        assert subprocess.run(["pgrep", "--uid", ",".join(STUDENTS)]).returncode == 1
+        with pytest.raises(requests.ConnectionError):
+            requests.get(f"https://{HOST}", timeout=PATIENCE)
 
 
-def attend(hub: str, name: str) -> None:
+def address(name: str) -> str:
+    """Return where a student's server is."""
+    return f"https://{name}.{HOST}/user/{name}"
+
+
+def attend(folder: Path, name: str) -> requests.Session:
     """Log in, run all of the notebook as JupyterLab does, and save it."""
     http = requests.Session()
-    form, home = f"{hub}/hub/login", f"{hub}/user/{name}"
+    http.trust_env = False
+    http.verify = str(folder / "hub" / "cert.pem")
+    form, home = f"https://{HOST}/hub/login", address(name)
     http.get(form).raise_for_status()
     proof = {"_xsrf": http.cookies.get("_xsrf", path="/hub/")}
-    http.post(form, proof | {"username": name, "password": "any"}).raise_for_status()
+    http.post(form, proof | {"username": name, "password": PASSWORD}).raise_for_status()
 
     def opens() -> bool:
         # While the server starts, the hub answers: with an error, or on a page of its own.
@@ -79,13 +122,15 @@ def attend(hub: str, name: str) -> None:
     notebook = http.get(f"{home}/api/contents/{NOTEBOOK}").json()
     kernel = http.post(f"{home}/api/kernels", json={"name": "python3"}).json()["id"]
     channels = requests.Request("GET", f"{home}/api/kernels/{kernel}/channels")
-    address = channels.url.replace("http", "ws", 1)
+    url = channels.url.replace("http", "ws", 1)
     cookie = http.prepare_request(channels).headers["Cookie"]
-    socket = websocket.create_connection(address, PATIENCE, cookie=cookie, origin=hub)
+    origin, trust = home.partition("/user")[0], {"ca_certs": http.verify}
+    socket = websocket.create_connection(url, PATIENCE, cookie=cookie, origin=origin, sslopt=trust)
     for cell in notebook["content"]["cells"]:
         if cell["cell_type"] == "code":
             run(socket, cell["source"])
     http.put(f"{home}/api/contents/{NOTEBOOK}", json=notebook).raise_for_status()
+    return http
 
 
 def run(socket: websocket.WebSocket, code: str) -> None:
@@ -102,9 +147,37 @@ def run(socket: websocket.WebSocket, code: str) -> None:
             return
 
 
+def listeners() -> set[int]:
+    """Return the numbers of all users who listen on a port of the machine."""
+    lines = [
+        line.split()
+        for table in ("/proc/net/tcp", "/proc/net/tcp6")
+        for line in Path(table).read_text("utf-8").splitlines()[1:]
+    ]
+    return {int(user) for _, _, _, state, _, _, _, user, *_ in lines if state == "0A"}
+
+
+def open_to(name: str, folders: list[Path]) -> str:
+    """Return what a student can read in folders."""
+    find = ["find", *folders, "-readable"]
+    group = pwd.getpwnam(name).pw_gid
+    found = subprocess.run(find, user=name, group=group, extra_groups=[], stdout=subprocess.PIPE)
+    return found.stdout.decode()
+
+
 @pytest.mark.slow
-@pytest.mark.skipif(sys.platform != "linux", reason="tried on Linux alone")
-def test_nobody_fails_in_a_class_that_logs_in_at_once(hub: str) -> None:
+def test_thirty_log_in_at_once_and_nobody_reaches_another(hub: Path) -> None:
     with ThreadPoolExecutor(len(STUDENTS)) as pool:
         visits = [pool.submit(attend, hub, name) for name in STUDENTS]
     assert [error for visit in visits if (error := visit.exception())] == []
+
+    # The debugger listens on a port as soon as somebody opens it.
+    assert not [*hub.glob("lib/python3*/site-packages/debugpy")]
+    assert not listeners() & {pwd.getpwnam(name).pw_uid for name in STUDENTS}
+    first, *others = STUDENTS
+    homes = [Path("/home", name) for name in others]
+    sockets = [hub / "sockets" / name for name in STUDENTS]
+    assert open_to(first, sockets[:1]) != ""
+    assert open_to(first, [hub / "hub", *homes, *sockets[1:]]) == ""
+    answer = visits[0].result().get(f"{address(others[0])}/api/contents/{NOTEBOOK}")
+    assert answer.status_code == 403

@@ -1,7 +1,8 @@
-"""Section 5, fourth part: orientations, interpolated with matrices alone.
+"""Section 5, fourth part: orientations, interpolated as turns about axes.
 
 A point of the sphere says where a camera looks, but not how it is turned about its line of sight.
-The curve of Section 5 consists of points; here the same construction runs on rotation matrices.
+The curve of Section 5 consists of points; here the same construction runs on the turns between
+rotation matrices.
 """
 
 from __future__ import annotations
@@ -57,7 +58,8 @@ def slerp_rotations(r1: Rotation, r2: Rotation, t: Number) -> Rotation:
     -----
     R1^T R2 is the turn from R1 to R2, and its axis and angle are its logarithm. The exponential
     (3-3) of the same axis and a fraction of the angle is part of that turn. The result is slerp of
-    quaternions without the choice of sign: the turn is always the shorter one. The paper claims
+    quaternions without the choice of sign: the turn is always the shorter one. The longer one,
+    by an angle of theta - 2 pi about the same axis, has to be asked for as such. The paper claims
     this but gives no formula; its Section 5 interpolates points on the sphere, which are not
     orientations.
 
@@ -136,6 +138,14 @@ def closed_rotation_curve(
     >>> axis, angle = axis_angle(closed_rotation_curve(quarter_turns, samples=2, fraction=1 / 3))
     >>> print(np.degrees(angle).round(9), axis[5] + 0.0)
     [  0.  45.  90. 135. 180. 135.  90.  45.] [ 0.  0. -1.]
+
+    A swing to 100 degrees and back to -100. Double leads to 200, and back from there to 0 is more
+    than half a turn. Along that route 100 is the end of the swing.
+
+    >>> swing = rotation_matrix([0, 0, 1], np.radians([0, 100, 0, -100]))
+    >>> curve = closed_rotation_curve(swing, samples=2)
+    >>> print(np.degrees(np.arctan2(curve[:, 1, 0], curve[:, 0, 0])).round(9) + 0.0)
+    [   0.     68.75  100.     68.75    0.    -68.75 -100.    -68.75]
     """
     axis, theta = axis_angle(product(transpose(rotations), np.roll(rotations, -1, axis=-1)))
     refuse_half_turn(theta, "{i} and {j}", "rotations")
@@ -204,7 +214,8 @@ def one_turn(v: Array, w: Array) -> Array:
 
     Each is an axis times an angle. With the half angles a and b about the axes n and m, the half
     angle of the one turn has the cosine cos a cos b - sin a sin b n . m, and its axis is that of
-    sin a cos b n + cos a sin b m + sin a sin b n x m.
+    sin a cos b n + cos a sin b m + sin a sin b n x m. It is the product of two unit quaternions in
+    other letters, without a choice of sign.
     """
     (n, a), (m, b) = axis_and_length(v / 2), axis_and_length(w / 2)
     cos_a, sin_a, cos_b, sin_b = np.cos(a), np.sin(a), np.cos(b), np.sin(b)

@@ -70,7 +70,7 @@ def turn_between_cameras() -> Iterator[Part]:
     "5.18",
     fields={"as they stand": "°", "sign changed": "°", "matrices": "°"},
     expects="three angles in degrees",
-    because="Only quaternions can go the long way; matrices have no sign to choose.",
+    because="The sign chooses the way of slerp; two matrices alone give the shorter turn.",
 )
 def halfway_in_three_ways() -> Iterator[Part]:
     """Yield the place halfway along two ways round."""
@@ -104,7 +104,7 @@ def halfway_in_three_ways() -> Iterator[Part]:
         Mistake(
             [as_they_stand, changed, as_they_stand],
             "The third way is not right yet.",
-            "A matrix does not know that the turn was more than half a turn.",
+            "The matrix of a turn by 300° is also that of a shorter turn. By which angle?",
         ),
         Mistake(
             right / 2,
@@ -171,7 +171,7 @@ def carried_platform() -> Iterator[Part]:
 @exercise(
     "5.20",
     expects="two whole numbers from 0 to 32",
-    because="After an odd number of full turns, signs cannot agree all the way round.",
+    because="After an odd number of full turns, signs agree only on a second round.",
 )
 def choices_of_signs() -> Iterator[Part]:
     """Yield how many choices of signs are refused, and how many give a steady turn."""

@@ -196,8 +196,10 @@ CLAIMS = (
         ("abstract", "6"),
         "holds under a condition",
         "06-conclusions",
-        "what the sign of a quaternion tells is not asked for: one turn from two, and which way"
-        " a curve goes; about a single axis an angle tells it, too",
+        "*ordinary rotation* includes axes with angles up to 360°, composed by the half-angle rule,"
+        " which is the product of quaternions in other letters (23); a matrix alone tells neither"
+        " an odd from an even number of full turns nor a single turn by more than half a turn from"
+        " the shorter one",
     ),
     Claim(
         16,
@@ -284,8 +286,9 @@ CLAIMS = (
         ("title", "6"),
         "holds under a condition",
         "06-conclusions",
-        "*not needed* means that one can do without them, at whatever cost; and their sign"
-        " is not asked for, as in 15",
+        "*not needed* means that one can do without them, at whatever cost; and the half-angle"
+        " rule, which does what their sign does (15), does not count as quaternions under another"
+        " name (23)",
     ),
     Claim(
         28,

@@ -24,6 +24,7 @@ class Erratum:
         What is there, and what should be, in Markdown.
     kind : str
         What is wrong: a "result" that is computed, a "fact" that is stated, or only the "wording".
+        An "open" one may be none: the text has another reading, or our copy lacks a part.
     """
 
     number: str
@@ -31,7 +32,7 @@ class Erratum:
     place: str
     printed: str
     correct: str
-    kind: Literal["result", "fact", "wording"]
+    kind: Literal["result", "fact", "wording", "open"]
 
     @property
     def label(self) -> str:
@@ -78,7 +79,7 @@ ERRATA = (
         "Section 5, pseudocode",
         "the comment: $\\sin\\theta<0$ if $\\cos\\theta<0$",
         "no comment: $\\sin\\theta\\ge0$",
-        "result",
+        "fact",
     ),
     Erratum(
         "E4c",
@@ -86,7 +87,7 @@ ERRATA = (
         "Section 5, pseudocode",
         "$\\cos\\theta$ and $\\sin\\theta$, no $\\theta$",
         "$\\theta$ from an arctangent",
-        "result",
+        "wording",
     ),
     Erratum(
         "E5",
@@ -134,7 +135,7 @@ ERRATA = (
         "Section 1, last paragraph",
         "Section 2 reviews interpolation",
         "in our copy it ends with (2-6)",
-        "wording",
+        "open",
     ),
     Erratum(
         "E11",
@@ -150,7 +151,7 @@ ERRATA = (
         "Section 5",
         "$P_0,\\dots,P_n$, indices modulo $n$",
         "the same, with $P_n=P_0$",
-        "wording",
+        "open",
     ),
 )
 

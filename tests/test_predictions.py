@@ -63,7 +63,10 @@ class TestWhatTheAnswersSay:
         of_each = matrix_from_euler_angles(*(np.array(euler_angles(turn)) / 2))[:3, :3]
         shorter = np.linalg.norm((np.eye(3) + turn)[:, 0]) / 2
         off = degrees(axis_angle(of_each.T @ half)[1])
-        assert f"ends {off:.0f}° away" in answers("01-introduction")
+        tip = degrees(np.arccos(of_each[:, 0] @ half[:, 0]))
+        assert f"ends {off:.1f}° away from halfway, and its tip {tip:.1f}°" in answers(
+            "01-introduction"
+        )
         assert f"to {shorter:.0%} of its length" in answers("01-introduction")
 
     def test_two_mirrors(self) -> None:

@@ -135,6 +135,13 @@ class TestWhatTheAnswersSay:
         assert asked.count(rolled) == 3
         assert rolled in answers("05-orientations")
 
+    def test_spin_of_an_upright_camera(self) -> None:
+        """A fine grid, for what is said below Picture 5-e."""
+        curve = closed_curve(np.array(scenes.CAMERA_TARGETS), 20_000)
+        azimuth = np.unwrap(np.arctan2(curve[:, 1], curve[:, 0]))
+        spin = np.abs(np.gradient(azimuth, 1 / 20_000) * curve[:, 2]).max()
+        assert f"{degrees(spin):.0f}° on the curve" in pages()["05-closed-curve.ipynb"].text
+
     def test_worn_spoons(self) -> None:
         matrix, quaternion = (
             degrees(axis_angle(nearest_rotation(worn))[1]) for worn in scenes.worn_rotations()

@@ -2,6 +2,7 @@
 
 from typing import Any
 
+import numpy as np
 import pytest
 
 from rotedu.cost import OperationCount
@@ -30,7 +31,7 @@ RIGHT: list[tuple[str, Any]] = [
     ("5.18", (150, -30, -30)),
     ("5.18", (150, 330, 330)),
     ("5.19", 40),
-    ("5.19", -40),
+    ("5.19", -320),
     ("5.20", [30, 0]),
     ("5.21", [[4, 1.01, 1.0], [-3, 1.02, 1.4], [24, 1.18, 3.9], [5, 1.01, 1.0]]),
     ("6.1", (477, 318)),
@@ -40,6 +41,23 @@ RIGHT: list[tuple[str, Any]] = [
     ("6.4", (27, 19, 35, 579)),
     ("6.5", (0, 2.0)),
 ]
+
+
+# Wrong answers that look right, and what their hints say.
+WRONG: list[tuple[str, Any, str]] = [
+    ("1.2", ([0, 0, -1], 106, "same"), "more digits"),
+    ("4.5", np.deg2rad([(10, 20, 30), (10, 160, 30), (40, 90, 10)]), "that went in"),
+    ("5.3", (6011, 67.2), "degrees for radians"),
+    ("5.19", -40, "the other way"),
+    ("5.19", 320, "the other way"),
+]
+
+
+@pytest.mark.parametrize(("number", "answer", "hint"), WRONG)
+def test_a_wrong_answer_hears_what_is_wrong(number: str, answer: Any, hint: str) -> None:
+    verdict = check(number, answer)
+    assert verdict.right is False
+    assert hint in verdict.text
 
 
 @pytest.mark.parametrize(("number", "answer"), RIGHT)

@@ -125,6 +125,7 @@ def great_circle_flight() -> Iterator[Part]:
         return float(angle_between(place(*one), place(*other)))
 
     theta = angle(frankfurt, san_francisco)
+    as_radians = angle(*(tuple(np.rad2deg(city)) for city in (frankfurt, san_francisco)))
     # The axis leans from the pole by as much as the great circle leans from the equator.
     northernmost = np.arccos(abs(arc_axis(place(*frankfurt), place(*san_francisco))[2]))
     yield Part(
@@ -138,6 +139,11 @@ def great_circle_flight() -> Iterator[Part]:
             radius * np.rad2deg(theta),
             "The angle must be in radians before you multiply.",
             "The whole circle has the length 2 pi times the radius.",
+        ),
+        Mistake(
+            radius * as_radians,
+            "Your cosines and sines took degrees for radians.",
+            "np.deg2rad converts an angle.",
         ),
         Mistake(
             radius * angle(frankfurt, (37.6, 122.4)),

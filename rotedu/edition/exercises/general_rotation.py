@@ -202,11 +202,20 @@ def angles_of_a_matrix() -> Iterator[Part]:
     degrees = np.array([(10, 20, 30), (10, 160, 30), (40, 90, 10)])
     triples = np.deg2rad(degrees)
     targets = matrix_from_euler_angles(*triples.T)
+    found = np.transpose(euler_angles(targets))
 
     def reaches(angles: Array, which: slice, targets: Array = targets) -> bool:
         return close(matrix_from_euler_angles(*angles.T)[which], targets[which], 1e-12)
 
     every, first, first_two = slice(3), slice(1), slice(2)
+    yield Part(
+        lambda found: not close(found, triples),
+        otherwise=Wrong(
+            "These are the angles that went in.",
+            "The function sees the matrix only. Which angles does it find?",
+        ),
+        example=triples,
+    )
     yield Part(
         lambda found: reaches(found, every),
         Mistake(
@@ -219,19 +228,19 @@ def angles_of_a_matrix() -> Iterator[Part]:
             lambda found: reaches(found[:, ::-1], every),
             "Your angles stand in the order W, V, U.",
             "(4-1) begins with U.",
-            example=triples[:, ::-1],
+            example=found[:, ::-1],
         ),
         Mistake(
             lambda found: reaches(found, first_two),
             "The triple at gimbal lock gives another matrix.",
             "Where the cosine of the second angle is 0, which four entries are left?",
-            example=[*triples[:2], (0, np.pi / 2, 0)],
+            example=[*found[:2], (0, np.pi / 2, 0)],
         ),
         Mistake(
             lambda found: reaches(found, first),
             "The second triple gives another matrix.",
             "Your second angle lies between -90° and 90°. Does its cosine have the right sign?",
-            example=triples[[0, 0, 2]],
+            example=found[[0, 0, 2]],
         ),
         Mistake(
             lambda found: reaches(found, every, np.swapaxes(targets, 1, 2)),

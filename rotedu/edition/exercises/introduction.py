@@ -78,6 +78,12 @@ def quaternion_of_a_friend() -> Iterator[Part]:
             example=([0, 0, -1], 53.13, "same"),
         ),
         Mistake(
+            lambda *turn: same_turn(turn, friend, 2e-2),
+            "Your angle is close. It needs more digits.",
+            "Double the angle before you round it, not after.",
+            example=([0, 0, -1], 106, "same"),
+        ),
+        Mistake(
             lambda *turn: same_turn(turn, friend.conjugate(), 2e-3),
             "This turns in the opposite sense.",
             "A positive sine has the sign of the axis left over. Look at the sign of -0.8.",

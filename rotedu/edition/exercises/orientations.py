@@ -128,7 +128,7 @@ def halfway_in_three_ways() -> Iterator[Part]:
     because="It is the area of the triangle, as an angle.",
 )
 def carried_platform() -> Iterator[Part]:
-    """Yield the turn of a platform that is carried round a triangle; its sign is free."""
+    """Yield the turn of a platform that is carried round a triangle, counterclockwise."""
     east = np.deg2rad(40)
     corners = np.array([[0, 0, 1], [1, 0, 0], [np.cos(east), np.sin(east), 0]])
     trip = np.eye(3)
@@ -138,6 +138,11 @@ def carried_platform() -> Iterator[Part]:
     right = np.rad2deg(turn)
     yield Part(
         right,
+        Mistake(
+            -right,
+            "The platform has turned the other way.",
+            "Follow its front edge round the triangle, and look from above.",
+        ),
         Mistake(
             180 + right,
             "That is the sum of the angles of the triangle.",
@@ -164,7 +169,6 @@ def carried_platform() -> Iterator[Part]:
         ),
         within=0.1,
         period=360,
-        either_sign=True,
     )
 
 

@@ -13,6 +13,7 @@ from rotedu.edition.exercises.judging import (
     Part,
     Wrong,
     along_equator,
+    close,
     exercise,
     numbers,
     on_equator,
@@ -255,12 +256,19 @@ def energy_of_one_half() -> Iterator[Part]:
             "You divide a median by a median.",
             "Divide for each hexagon first, then take the median.",
         ),
+        Mistake(
+            lambda ratio: close(ratio, np.median(half / third), 0.02),
+            "This is close, but it is not the median to three decimals.",
+            "Did you take the mean, or round too early?",
+            example=(1.64, False),
+        ),
         otherwise=Wrong(
             "The median is not right yet. Does your code give 1.14 for 0.4?",
             "Divide each energy by that of the same hexagon with one third.",
         ),
         item=0,
-        within=0.02,
+        within=1e-3,
+        example=(1.2, False),
     )
     yield Part(
         lambda best: best in ("false", "no"),

@@ -321,12 +321,15 @@ def shear_by_rotations() -> Iterator[Part]:
     )
 
 
-def as_photograph(answer: Any) -> tuple[Array, Array, Array]:
-    """Return a camera, the depths of triangles, and their order."""
+def as_photograph(answer: Any) -> tuple[Array, Array, Array, Array]:
+    """Return a camera, the depths of triangles, their order, and the triangles before it."""
     camera, triangles, order = parts(numbers(4, 4), numbers(None, 3, 3), numbers(None))(answer)
     if len(order) != len(triangles):
         raise ValueError(f"the order has {len(order)} numbers for {len(triangles)} triangles.")
-    return camera, triangles[:, :, 2].mean(axis=1), order.astype(int)
+    # Where the triangles were, and their divisors: the inverse matrix leads back.
+    columns = np.concatenate([triangles, np.ones((*triangles.shape[:2], 1))], axis=2)
+    back = columns @ np.linalg.pinv(camera).T
+    return camera, triangles[:, :, 2].mean(axis=1), order.astype(int), back
 
 
 @exercise(
@@ -393,3 +396,44 @@ def photograph_of_a_spoon() -> Iterator[Part]:
         item=slice(1, 3),
         example=(camera, triangles, np.arange(20)),
     )
+    yield Part(
+        lambda back: (back[..., 3] > 0).all(),
+        otherwise=Wrong(
+            "Some of your triangles are behind the eye.",
+            "Compute the divisors, the fourth coordinates. All must be positive.",
+        ),
+        item=3,
+        example=(camera, triangles - [0, 0, 9], near_last),
+    )
+    ends = [(-1, -0.25635, -0.16313), (1, 0.25635, 0.2167)]
+    yield Part(
+        lambda back: close(ends_of(back[..., :3] / back[..., 3:]), ends, 1e-3),
+        otherwise=Wrong(
+            "The matrix does not leave the spoon's triangles like this.",
+            "Transform the points by this matrix, then take those of each triangle.",
+        ),
+        item=3,
+        example=(camera, triangles, near_last),
+    )
+    yield Part(
+        lambda camera: not close(camera[3, :2], np.zeros(2)),
+        otherwise=Wrong(
+            "You look at the spoon from straight above.",
+            "Tilt the scene, after you have turned it about W.",
+        ),
+        item=0,
+        example=from_above(projection, ends),
+    )
+
+
+def ends_of(corners: Array) -> Array:
+    """Return the least and the greatest coordinates of triangles."""
+    points = corners.reshape(-1, 3)
+    return np.stack([points.min(axis=0), points.max(axis=0)])
+
+
+def from_above(camera: Array, ends: Any) -> tuple[Array, Array, Array]:
+    """Return a photograph of what has given ends, by a camera that does not tilt."""
+    low, high = np.array(ends)
+    columns = np.column_stack([[low, low, high], np.ones(3)]) @ camera.T
+    return camera, (columns[:, :3] / columns[:, 3:])[np.newaxis], np.zeros(1)

@@ -5,6 +5,7 @@ again. Chromium prints the PDF twice: the first print tells on which pages the c
 second one has these numbers in its contents.
 """
 
+import logging
 import shutil
 import subprocess
 import sys
@@ -96,6 +97,8 @@ def print_book() -> None:
         build("pdf")
         PDF.parent.mkdir(exist_ok=True)
         print_pages(browser.new_page(color_scheme="light"))
+    # It would warn that the copy has more objects than the original.
+    logging.getLogger("pypdf").setLevel(logging.ERROR)
     writer = PdfWriter(clone_from=PDF)
     writer.add_metadata(
         {

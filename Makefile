@@ -4,6 +4,9 @@ BIN := .venv/bin
 # A different Python gets a new environment; tools/set_up.py writes this mark last.
 READY := .venv/made-by-$(shell "$(PYTHON)" -c 'import sys; print("python%d.%d" % sys.version_info[:2])')
 
+# JupyterLab refuses root, whom a container often has alone, unless it is told.
+LAB_AS_ROOT := $(if $(filter 0,$(shell id -u)),--allow-root --no-browser)
+
 # The viewer for notebooks.
 VIEWER := rotedu/figures/static/figure.js
 
@@ -51,7 +54,9 @@ newest: book ## build the book with the newest Sphinx and compare the pages
 	$(BIN)/python tools/newest.py
 
 lab: $(READY) $(VIEWER) ## open the notebooks in JupyterLab, with figures that turn
-	$(BIN)/jupyter lab book
+	@test -z "$(LAB_AS_ROOT)" || echo "You are root. To open JupyterLab from outside a container, publish" \
+	    "its port (docker run -p 8888:8888) and call: make lab LAB=--ip=0.0.0.0"
+	$(BIN)/jupyter lab $(LAB_AS_ROOT) $(LAB) book
 
 class: $(READY) ## write notebooks for a class, with and without solutions
 	$(BIN)/python tools/class_notebooks.py
@@ -71,7 +76,10 @@ lock: $(READY) ## write new requirements.txt and package-lock.json
 	$(BIN)/npm install --package-lock-only
 
 clean: ## remove everything that make has made
-	rm -rf .venv _build class node_modules rotedu/figures/static dist .*_cache .hypothesis .benchmarks
+	rm -rf .venv _build class dist node_modules rotedu/figures/static .benchmarks .hypothesis
+	rm -rf .*_cache __pycache__ .ipynb_checkpoints
+	find benchmarks book rotedu tests tools viewer -depth \
+	    '(' -name __pycache__ -o -name '.*_cache' -o -name .ipynb_checkpoints ')' -exec rm -rf {} +
 
 $(READY): requirements.txt pyproject.toml tools/set_up.py
 	@"$(PYTHON)" tools/set_up.py

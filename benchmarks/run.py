@@ -1,7 +1,8 @@
-"""Run the benchmarks, print what they found, and write it to rotedu/edition/benchmark.json.
+"""Run the benchmarks, print what they found, and write it to _build/benchmark.json.
 
-``make bench`` calls this. The shortest time of each measurement counts, because on a busy machine
-the longer ones say more about the machine.
+``make bench`` calls this. With ``--store`` it writes rotedu/edition/benchmark.json instead,
+which is committed and which Chapter 6 shows. The shortest time of each measurement counts, because
+on a busy machine the longer ones say more about the machine.
 """
 
 import datetime
@@ -22,7 +23,9 @@ from rotedu.ordinary_rotation import rotate, rotation_matrix, transform
 from rotedu.quaternions import Quaternion
 
 HERE = Path(__file__).parent
-RESULTS = HERE.parent / "rotedu" / "edition" / "benchmark.json"
+ROOT = HERE.parent
+RESULTS = ROOT / "_build" / "benchmark.json"
+STORED = ROOT / "rotedu" / "edition" / "benchmark.json"
 PACKAGES = ("numpy", "scipy", "numpy-quaternion", "pytransform3d", "splines")
 PYTEST = [
     *(sys.executable, "-m", "pytest", HERE, "-v", "-o", "addopts=", "-p", "no:nbval"),
@@ -99,7 +102,7 @@ def ratios(groups: dict[str, dict[str, float]]) -> dict[str, float]:
     return {name: float(f"{ratio:.3g}") for name, ratio in found.items()}
 
 
-def main() -> None:
+def main(results: Path) -> None:
     """Measure, print and write."""
     report = measure()
     groups = times(report)
@@ -116,7 +119,8 @@ def main() -> None:
         "operations": counts(),
         "ratios": ratios(groups),
     }
-    RESULTS.write_text(json.dumps(result, indent=1) + "\n", encoding="utf-8")
+    results.parent.mkdir(exist_ok=True)
+    results.write_text(json.dumps(result, indent=1) + "\n", encoding="utf-8")
     for group, row in groups.items():
         print(f"\n{group}")
         for name, value in row.items():
@@ -124,8 +128,8 @@ def main() -> None:
     print("\nratios")
     for name, ratio in result["ratios"].items():
         print(f"  {name:70} {ratio:8.3g}")
-    print(f"\nwritten to {RESULTS.relative_to(HERE.parent)}")
+    print(f"\nwritten to {results.relative_to(ROOT)}")
 
 
 if __name__ == "__main__":
-    main()
+    main(STORED if "--store" in sys.argv else RESULTS)

@@ -4,6 +4,7 @@ import ast
 import os
 import re
 import shutil
+import signal
 import subprocess
 import sys
 import time
@@ -13,8 +14,9 @@ from pathlib import Path
 import bundle
 import pytest
 import set_up
-from browser import CHROMIUMS
+from browser import CHROMIUMS, free_port
 from one_at_a_time import fcntl
+from servers import answers, until
 
 ROOT = Path(__file__).parents[1]
 
@@ -105,6 +107,21 @@ def test_a_browser_that_fails_is_said_at_once_and_in_one_line(
     assert re.search(
         r"No browser: /.* does not start\. To get one: .*apt-get install chromium", line
     )
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(os.name == "nt", reason="Windows has no make")
+def test_make_lab_opens_jupyterlab_for_root_as_well() -> None:
+    port = free_port()
+    lab = subprocess.Popen(
+        ["make", "lab", f"LAB=--no-browser --port={port}"], cwd=ROOT, start_new_session=True
+    )
+    try:
+        until(lambda: lab.poll() is not None or answers(f"http://127.0.0.1:{port}/api"), "make lab")
+        assert lab.poll() is None
+    finally:
+        os.killpg(lab.pid, signal.SIGTERM)
+        lab.wait()
 
 
 def test_the_environment_has_the_folders_of_its_system() -> None:

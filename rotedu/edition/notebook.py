@@ -142,7 +142,7 @@ def agree(found: npt.ArrayLike, expected: npt.ArrayLike, within: float) -> State
 
 
 def stored_benchmark() -> dict[str, Any]:
-    """Read what ``make bench`` last wrote.
+    """Read what ``benchmarks/run.py --store`` last wrote.
 
     Returns
     -------

@@ -24,7 +24,7 @@ from importlib.metadata import distributions
 lost = [file for package in distributions() for file in package.files if not file.locate().exists()]
 print(len(list(distributions())), *lost)
 """
-WHEN = (0.15, 0.4, 0.7)
+WHEN = (0.2, 0.6, 0.8)
 
 pytestmark = [
     pytest.mark.slow,

@@ -1,4 +1,4 @@
-"""JupyterHub on one machine: no student reaches another's server, cookie, answers or files."""
+"""JupyterHub on one machine, where no student reaches what is another's."""
 
 import asyncio
 import os
@@ -10,7 +10,8 @@ from urllib.parse import quote
 from jupyterhub.spawner import LocalProcessSpawner
 
 # The name of the machine. Each student's server has a name below it, as in
-# anna.class.example.org: else a page of one server could act in the name of whoever looks at it.
+# anna.class.example.org; else a page of one server could act in the name of
+# whoever looks at it.
 HOST = "class.example.org"
 SOCKETS = "/run/class"
 PROCESSORS = len(os.sched_getaffinity(0))
@@ -19,9 +20,10 @@ c = get_config()
 
 
 class SocketSpawner(LocalProcessSpawner):
-    """Start servers one after another, each on a socket in a folder of its student's alone.
+    """Start servers in turn, each on a socket that is its student's alone.
 
-    Whoever is first may listen on a port, in the place of a server that starts or has ended.
+    Whoever is first may listen on a port, in the place of a server that
+    starts or has ended.
     """
 
     next_start = 0.0
@@ -38,17 +40,21 @@ class SocketSpawner(LocalProcessSpawner):
         os.chmod(SOCKETS, 0o711)
         shutil.rmtree(folder, ignore_errors=True)
         os.mkdir(folder, 0o700)
-        # The hub opens the name that is returned below. For the proxy it adds a port, as to every
-        # address, which the proxy reads as a part of the name. Other versions may not.
+        # The hub opens the name that is returned below. For the proxy it adds
+        # a port, as to every address, and the proxy reads that as a part of
+        # the name. Other versions may not.
         os.symlink("server", f"{folder}/server:80")
         os.chown(folder, student.pw_uid, student.pw_gid)
         self.args = [
             f"--ServerApp.sock={folder}/server",
-            # With any port but this, its default, the server refuses a socket.
+            # With any port but its default the server refuses a socket.
             "--ServerApp.port=8888",
             "--KernelManager.transport=ipc",
         ]
-        self.environment = {"JUPYTER_RUNTIME_DIR": folder, "OPENBLAS_NUM_THREADS": "1"}
+        self.environment = {
+            "JUPYTER_RUNTIME_DIR": folder,
+            "OPENBLAS_NUM_THREADS": "1",
+        }
         await super().start()
         return "http+unix://" + quote(f"{folder}/server", safe="")
 
@@ -57,7 +63,7 @@ c.JupyterHub.spawner_class = SocketSpawner
 c.Spawner.start_timeout = 300
 c.Spawner.http_timeout = 300
 
-# Secrets of the hub are written here, and what anybody writes is for nobody else to read.
+# The hub writes its secrets here, and what anybody writes is for nobody else.
 os.chdir("/srv/class")
 os.umask(0o077)
 c.JupyterHub.bind_url = "https://:443"

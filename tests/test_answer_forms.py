@@ -64,6 +64,7 @@ def answers_to(number: str) -> Iterator[list[float]]:
         yield list(right + share * bounds)
     yield list(right + periods)
     yield list(right - 3 * periods)
+    yield list(right + 1e30)
     yield list(-right)
     for part in NUMERIC[number].parts:
         for mistake in part.mistakes:

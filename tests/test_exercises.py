@@ -177,6 +177,7 @@ class TestPart:
         angle = Part(350, quarter, otherwise=OTHER, within=1, period=360)
         verdicts = [angle.judge(number) for number in (-10, 710, 351, 450, 352)]
         assert verdicts == [None, None, None, quarter, OTHER]
+        assert [angle.judge(huge) for huge in (1e30, -1e60, 1e300)] == 3 * [OTHER]
         assert Part(350, otherwise=OTHER, within=1).judge(-10) is OTHER
 
     def test_a_function_takes_a_tuple_as_arguments(self) -> None:

@@ -4,7 +4,9 @@ const fits = (given, result, { within, period, eitherSign }) =>
   (eitherSign ? [1, -1] : [1]).some((sign) =>
     result.every((number, i) => {
       const off = given[i] - sign * number;
-      return Math.abs(period ? off - period * Math.round(off / period) : off) <= within;
+      // Any huge number would be a number of full turns, up to rounding.
+      const turns = period ? Math.max(-1000, Math.min(1000, Math.round(off / period))) : 0;
+      return Math.abs(off - turns * (period ?? 0)) <= within;
     }),
   );
 

@@ -47,6 +47,8 @@ __all__ = [
 ]
 
 WITHIN = 1e-6
+# How many full turns may be too many in an angle; answers.js says so, too.
+TURNS = 1000
 # How many letters a verdict quotes.
 LONGEST = 200
 
@@ -143,7 +145,8 @@ class Part:
     def near(self, off: Array) -> bool:
         """Tell whether differences are small, but for full periods."""
         if self.period is not None:
-            off = off - self.period * np.round(off / self.period)
+            # Any huge number would be a number of full turns, up to rounding.
+            off = off - self.period * np.round(off / self.period).clip(-TURNS, TURNS)
         return bool((np.abs(off) <= self.within).all())
 
 

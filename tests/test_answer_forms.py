@@ -130,6 +130,32 @@ def test_a_form_answers_the_keyboard(form: Any) -> None:
     assert form.page.url.endswith("05-orientations.html")
 
 
+HOSTILE = ["<b>40</b>", "<img src=x onerror='document.title = 1'>", "__import__('os')", "alert(1)"]
+HOSTILE += ["1e999", "-Infinity", "NaN", "1/0", "0/0", "1/2/3", "/" * 10**6, "2**9999999999", "4_0"]
+HOSTILE += ["\uff14\uff10", "\u0664\u0660", "\u2013", "40\N{DEGREE SIGN}", "0\0", "9" * 10**6]
+
+
+@pytest.mark.parametrize("form", ["5.19"], indirect=True)
+def test_what_is_no_number_hears_what_is_expected(form: Any) -> None:
+    title = form.page.title()
+    for first, second in form.evaluate(CHECK_ALL, [[text] for text in HOSTILE]):
+        assert first == second == f"Expected {EXERCISES['5.19'].expects}."
+    [[said, _]] = form.evaluate(CHECK_ALL, [["<i>40</i>,0"]])
+    assert said == "Write a point, not a comma: 0.5."
+    assert form.locator("output *, b, i, img").count() == 0
+    assert form.page.title() == title
+
+
+@pytest.mark.parametrize("form", ["5.19"], indirect=True)
+def test_a_megabyte_is_cut_where_it_is_pasted(form: Any) -> None:
+    field = form.locator("input")
+    field.focus()
+    form.page.keyboard.insert_text("4" * 10**6)
+    assert len(field.input_value()) < 100
+    field.press("Enter")
+    assert form.get_by_role("status").text_content().startswith("Not yet.")
+
+
 @pytest.mark.parametrize("form", ["5.1"], indirect=True)
 def test_a_form_wants_every_field(form: Any) -> None:
     form.locator("input").first.fill("0.5")

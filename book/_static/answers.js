@@ -30,7 +30,7 @@ const read = (text) => {
 const addForm = (place) => {
   const { number, fields, expects, because, parts } = JSON.parse(place.dataset.asked);
   const label = ([name, unit]) =>
-    `<label>${name} <span><input autocomplete="off"> ${unit}</span></label>`;
+    `<label>${name} <span><input autocomplete="off" maxlength="60"> ${unit}</span></label>`;
   place.innerHTML = `<form novalidate>
     <fieldset>
       <legend>Check your answer to ${number} here</legend>

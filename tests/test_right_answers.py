@@ -47,6 +47,7 @@ RIGHT: list[tuple[str, Any]] = [
 WRONG: list[tuple[str, Any, str]] = [
     ("1.2", ([0, 0, -1], 106, "same"), "more digits"),
     ("4.5", np.deg2rad([(10, 20, 30), (10, 160, 30), (40, 90, 10)]), "that went in"),
+    ("4.5", np.full((3, 3), np.nan), "not finite"),
     ("5.3", (6011, 67.2), "degrees for radians"),
     ("5.16", (1.6309, False), "three decimals"),
     ("5.16", (1.63, False), "three decimals"),

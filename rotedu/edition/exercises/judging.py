@@ -291,7 +291,11 @@ def check(number: str, answer: Any, hint: int = 1) -> Verdict:
         raise
     except BaseException as error:
         form = f"Expected {asked.expects}."
-        wrong = Wrong(form, f"{form} Python says: {said_by(error)}")
+        infinite = isinstance(error, FloatingPointError)
+        wrong = Wrong(
+            "Some numbers are not finite. " * infinite + form,
+            f"{form} Python says: {said_by(error)}",
+        )
     if wrong is None:
         return Verdict(number, True, f"right. {asked.because}".rstrip())
     if hint == 1:
@@ -336,7 +340,7 @@ def as_array(answer: Any, shape: Sequence[int | None]) -> Array:
     ):
         raise ValueError(f"the shape is {array.shape}.")
     if not np.isfinite(array).all():
-        raise ValueError("not all numbers are finite.")
+        raise FloatingPointError("not all numbers are finite.")
     return array
 
 

@@ -46,6 +46,7 @@ RIGHT: list[tuple[str, Any]] = [
 # Wrong answers that look right, and what their hints say.
 WRONG: list[tuple[str, Any, str]] = [
     ("1.2", ([0, 0, -1], 106, "same"), "more digits"),
+    ("2.6", [0.091, 0.333, -0.661, 0.666], "scalar parts positive"),
     ("4.5", np.deg2rad([(10, 20, 30), (10, 160, 30), (40, 90, 10)]), "that went in"),
     ("4.5", np.full((3, 3), np.nan), "not finite"),
     ("5.3", (6011, 67.2), "degrees for radians"),

@@ -303,12 +303,14 @@ def between_two_photographs() -> Iterator[Part]:
 def average_of_orientations() -> Iterator[Part]:
     """Measure the angle to the truth; length and sign are free."""
     tracker = np.random.default_rng(4)
-    truth = Quaternion.from_axis_angle([1, -2, 2], np.deg2rad(100))
+    # A turn of almost 180°: noise decides the sign of its scalar part.
+    truth = Quaternion.from_axis_angle([1, -2, 2], np.deg2rad(179))
     noise = Quaternion.from_axis_angle(
         tracker.normal(size=(1000, 3)), tracker.normal(scale=np.deg2rad(8), size=1000)
     )
     measured = (noise * truth).components * tracker.choice([-1, 1], size=(1000, 1))
     mean, sizes = measured.mean(axis=0), abs(measured).mean(axis=0)
+    upright = (np.sign(measured[:, :1]) * measured).mean(axis=0)
 
     def nearer(degrees: float, other: Any) -> Callable[..., Any]:
         def test(average: Array) -> Any:
@@ -336,6 +338,12 @@ def average_of_orientations() -> Iterator[Part]:
             "The random signs spoil this mean.",
             "How long is the mean before you divide by its length, and what makes it so short?",
             example=mean,
+        ),
+        Mistake(
+            nearer(1, Quaternion(upright[0], upright[1:])),
+            "You made all the scalar parts positive. How large are they?",
+            "The scalar part is near 0, so noise decides its sign. Compare all four numbers.",
+            example=upright,
         ),
         Mistake(
             nearer(1, Quaternion(sizes[0], sizes[1:])),

@@ -13,7 +13,6 @@ from rotedu.edition.exercises.judging import (
     Part,
     Wrong,
     along_equator,
-    close,
     exercise,
     numbers,
     on_equator,
@@ -242,7 +241,7 @@ def energy(points: Array, fraction: float, samples: int = 100) -> Array:
 )
 def energy_of_one_half() -> Iterator[Part]:
     """Yield a median of energies, and whether one fraction is best."""
-    hexagons = np.random.default_rng(5).normal(size=(40, 6, 3))
+    hexagons = np.random.default_rng(35).normal(size=(40, 6, 3))
     half, third = energy(hexagons, 1 / 2), energy(hexagons, 1 / 3)
     yield Part(
         np.median(half / third),
@@ -257,18 +256,16 @@ def energy_of_one_half() -> Iterator[Part]:
             "Divide for each hexagon first, then take the median.",
         ),
         Mistake(
-            lambda ratio: close(ratio, np.median(half / third), 0.02),
-            "This is close, but it is not the median to three decimals.",
-            "Did you take the mean, or round too early?",
-            example=(1.64, False),
+            np.mean(half / third),
+            "That is the mean.",
+            "A few hexagons with large quotients carry it far. The median does not mind them.",
         ),
         otherwise=Wrong(
             "The median is not right yet. Does your code give 1.14 for 0.4?",
             "Divide each energy by that of the same hexagon with one third.",
         ),
         item=0,
-        within=1e-3,
-        example=(1.2, False),
+        within=0.01,
     )
     yield Part(
         lambda best: best in ("false", "no"),

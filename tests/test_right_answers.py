@@ -5,13 +5,36 @@ from typing import Any
 import numpy as np
 import pytest
 
+from rotedu import scenes
 from rotedu.cost import OperationCount
-from rotedu.edition.exercises import check
+from rotedu.edition.exercises import check, general_rotation
 from rotedu.quaternions import Quaternion
 
 A_THIRD_BACK = [[0, 0, 1], [-1, 0, 0], [0, -1, 0]]
 
+
+def spoon_and_order(camera: Any, chosen: Any = slice(None)) -> Any:
+    """Return an answer to 4.7 with some triangles of the spoon, and the order in which they are."""
+    spoon = scenes.teaspoon(stations=81, around=24)
+    corners = spoon.points[spoon.faces.reshape(-1, 4)[chosen, 1:]].astype(float)
+    columns = np.concatenate([corners, np.ones((*corners.shape[:2], 1))], axis=2) @ camera.T
+    photo = columns[:, :, :3] / columns[:, :, 3:]
+    order = photo[:, :, 2].mean(axis=1).argsort()
+    return camera, photo[order], np.arange(len(order))
+
+
+def photographed_from(distance: float, tilt: float = -1.1, back: float = 0.5) -> Any:
+    """Return the matrix that tilts the spoon, seen along its handle, moves it and projects it."""
+    cos, sin = np.cos(tilt), np.sin(tilt)
+    quarter = np.array([[0, 1, 0, 0], [-1, 0, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
+    tilted = np.array([[1, 0, 0, 0], [0, cos, -sin, 0], [0, sin, cos, 0], [0, 0, 0, 1]])
+    moved = np.array([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, -back], [0, 0, 0, 1]])
+    seen = np.array([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, -1 / distance, 1]])
+    return seen @ moved @ tilted @ quarter
+
+
 RIGHT: list[tuple[str, Any]] = [
+    ("4.7", spoon_and_order(photographed_from(2.2))),
     ("5.1", [25, 130, -50]),
     ("5.1", (385, 130, 310)),
     ("5.2", [[0.783, -0.206, -0.587], [0.622, 0.277, 0.732], [0.622, 0.277, 0.732]]),
@@ -49,11 +72,22 @@ WRONG: list[tuple[str, Any, str]] = [
     ("2.6", [0.091, 0.333, -0.661, 0.666], "scalar parts positive"),
     ("4.5", np.deg2rad([(10, 20, 30), (10, 160, 30), (40, 90, 10)]), "that went in"),
     ("4.5", np.full((3, 3), np.nan), "not finite"),
+    ("4.5", np.deg2rad([(10, 20, 30), (10, 160, 30), (400, 90, 10)]), "that went in"),
+    ("4.5", np.deg2rad([(10, 20, 30), (10, 160, 30), (220, 90, 190)]), "that went in"),
+    ("4.7", spoon_and_order(photographed_from(100)), "hardly shows"),
+    ("4.7", spoon_and_order(photographed_from(2.2), slice(None, None, 2)), "all the triangles"),
+    ("4.7", spoon_and_order(photographed_from(2.2), slice(1920)), "all the triangles"),
+    ("4.7", spoon_and_order(photographed_from(2.2), [7, 3500] * 1920), "leave the spoon's"),
+    ("4.7", spoon_and_order(photographed_from(2.2, tilt=0)), "straight above"),
+    ("4.7", spoon_and_order(photographed_from(2.2, back=-4)), "behind the eye"),
     ("5.3", (6011, 67.2), "degrees for radians"),
     ("5.16", (1.8, False), "the mean"),
     ("5.16", (1.65, False), "not right yet"),
     ("5.19", -40, "the other way"),
+    ("5.17", [-1, 1, -1, 1], "unit quaternion"),
     ("5.19", 320, "the other way"),
+    ("5.21", [[4, -1.01, 1.0], [3, 1.02, 1.4], [24, 1.18, 3.9], [5, 1.01, 1.0]], "second column"),
+    ("6.5", (0, 0), "do differ"),
 ]
 
 
@@ -78,3 +112,20 @@ def test_a_rule_may_be_any_function() -> None:
         return ((middle + 180) % 360 - 180) / 2
 
     assert check("5.11", rule).right is True
+
+
+def test_the_spoon_of_a_photograph_is_the_one_of_the_scenes() -> None:
+    """4.7: the check knows it by numbers, because the edition does not draw."""
+    spoon = scenes.teaspoon(stations=81, around=24)
+    assert spoon.n_cells == general_rotation.TRIANGLES
+    ends = [spoon.points.min(axis=0), spoon.points.max(axis=0)]
+    np.testing.assert_allclose(general_rotation.ENDS, ends, atol=1e-5)
+    # PyVista's volume has no sign.
+    np.testing.assert_allclose(-general_rotation.VOLUME, spoon.volume, atol=1e-6)
+
+
+def test_true_and_false_are_no_numbers() -> None:
+    a, zero = [[0.6, -0.8, 0]] * 4, np.zeros(1)
+    assert "True and False" in check("5.15", (a, False), hint=2).text
+    assert "True and False" in check("5.19", zero.any(), hint=2).text
+    assert "True and False" in check("5.13", np.array([True, False]), hint=2).text

@@ -88,8 +88,8 @@ def numbers_of(given: Array, room: int) -> Any:
         raise ValueError("some numbers are masked.")
     if array.dtype.kind == "c":
         raise ValueError(COMPLEX)
-    if array.dtype.kind in "OU":
+    if array.dtype.kind in "OUb":
         return plain(array.tolist(), room // 2)
-    if array.dtype.kind not in "biuf":
+    if array.dtype.kind not in "iuf":
         raise ValueError(f"an array of {array.dtype} holds no numbers.")
     return array.astype(np.float64)

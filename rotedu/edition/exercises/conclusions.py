@@ -278,7 +278,7 @@ def two_ways_to_average() -> Iterator[Part]:
         ),
         Mistake(
             [two, two],
-            "For all three, the averages are not the same.",
+            "The first angle is right. The two averages of all three rotations do differ.",
             "Have you taken the sum of matrices to the nearest rotation, and the sum of"
             " quaternions to length 1?",
         ),

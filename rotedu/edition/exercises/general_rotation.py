@@ -198,7 +198,7 @@ def way_back() -> Iterator[Part]:
     read=numbers(3, 3),
 )
 def angles_of_a_matrix() -> Iterator[Part]:
-    """Compare the matrices, not the angles."""
+    """Compare the matrices, not the angles, except at gimbal lock."""
     degrees = np.array([(10, 20, 30), (10, 160, 30), (40, 90, 10)])
     triples = np.deg2rad(degrees)
     targets = matrix_from_euler_angles(*triples.T)
@@ -209,10 +209,11 @@ def angles_of_a_matrix() -> Iterator[Part]:
 
     every, first, first_two = slice(3), slice(1), slice(2)
     yield Part(
-        lambda found: not close(found, triples),
+        # The matrix at gimbal lock tells only a difference of angles, so nobody finds both.
+        lambda found: not close(np.sin(found[2] - triples[2])[[0, 2]], [0, 0]),
         otherwise=Wrong(
-            "These are the angles that went in.",
-            "The function sees the matrix only. Which angles does it find?",
+            "At gimbal lock these are the angles that went in.",
+            "The function sees the matrix only, and many angles give this one. Which does it find?",
         ),
         example=triples,
     )
@@ -321,6 +322,13 @@ def shear_by_rotations() -> Iterator[Part]:
     )
 
 
+# What is known of the spoon of Exercise 4.7, by least and greatest coordinates, with its sign for
+# the sense in which the corners of its triangles follow each other.
+TRIANGLES = 3840
+ENDS = [(-1, -0.25635, -0.16313), (1, 0.25635, 0.2167)]
+VOLUME = -0.014078
+
+
 def as_photograph(answer: Any) -> tuple[Array, Array, Array, Array]:
     """Return a camera, the depths of triangles, their order, and the triangles before it."""
     camera, triangles, order = parts(numbers(4, 4), numbers(None, 3, 3), numbers(None))(answer)
@@ -339,7 +347,7 @@ def as_photograph(answer: Any) -> tuple[Array, Array, Array, Array]:
     read=as_photograph,
 )
 def photograph_of_a_spoon() -> Iterator[Part]:
-    """Test the perspective and the order; the picture itself is for your eyes."""
+    """Test the perspective, the order and the spoon; the picture itself is for your eyes."""
     triangles = np.random.default_rng(0).uniform(-1, 1, size=(20, 3, 3))
     near_last = np.argsort(triangles[:, :, 2].mean(axis=1))
     projection = np.eye(4) - np.outer([0, 0, 0, 1], [0, 0, 0.5, 0])
@@ -371,6 +379,15 @@ def photograph_of_a_spoon() -> Iterator[Part]:
         ),
         item=0,
         example=(np.linalg.inv(projection) @ turned, triangles, near_last),
+    )
+    yield Part(
+        lambda camera: not close(camera[3, :2], np.zeros(2)),
+        otherwise=Wrong(
+            "You look at the spoon from straight above.",
+            "Tilt the scene, after you have turned it about W.",
+        ),
+        item=0,
+        example=(projection, triangles, near_last),
     )
     yield Part(
         lambda depth, order: close(np.sort(order), np.arange(len(depth))),
@@ -405,35 +422,39 @@ def photograph_of_a_spoon() -> Iterator[Part]:
         item=3,
         example=(camera, triangles - [0, 0, 9], near_last),
     )
-    ends = [(-1, -0.25635, -0.16313), (1, 0.25635, 0.2167)]
     yield Part(
-        lambda back: close(ends_of(back[..., :3] / back[..., 3:]), ends, 1e-3),
+        lambda back: back[..., 3].max() > 1.2 * back[..., 3].min(),
+        otherwise=Wrong(
+            "The perspective hardly shows: your divisors are all about the same.",
+            "Go nearer with the eye, or turn the spoon until one end is farther away.",
+        ),
+        item=3,
+        example=(camera, triangles / 100, near_last),
+    )
+    yield Part(
+        lambda back: len(back) == TRIANGLES,
+        otherwise=Wrong(
+            "These are not all the triangles of the spoon.",
+            "Keep also those that others hide. Filling them in order hides them.",
+        ),
+        item=3,
+        example=(camera, triangles, near_last),
+    )
+    many = np.broadcast_to(triangles[0], (TRIANGLES, 3, 3))
+    yield Part(
+        lambda back: is_spoon(back[..., :3] / back[..., 3:]),
         otherwise=Wrong(
             "The matrix does not leave the spoon's triangles like this.",
             "Transform the points by this matrix, then take those of each triangle.",
         ),
         item=3,
-        example=(camera, triangles, near_last),
-    )
-    yield Part(
-        lambda camera: not close(camera[3, :2], np.zeros(2)),
-        otherwise=Wrong(
-            "You look at the spoon from straight above.",
-            "Tilt the scene, after you have turned it about W.",
-        ),
-        item=0,
-        example=from_above(projection, ends),
+        example=(camera, many, np.arange(TRIANGLES)),
     )
 
 
-def ends_of(corners: Array) -> Array:
-    """Return the least and the greatest coordinates of triangles."""
+def is_spoon(corners: Array) -> bool:
+    """Tell whether triangles have the ends and the volume of the spoon."""
     points = corners.reshape(-1, 3)
-    return np.stack([points.min(axis=0), points.max(axis=0)])
-
-
-def from_above(camera: Array, ends: Any) -> tuple[Array, Array, Array]:
-    """Return a photograph of what has given ends, by a camera that does not tilt."""
-    low, high = np.array(ends)
-    columns = np.column_stack([[low, low, high], np.ones(3)]) @ camera.T
-    return camera, (columns[:, :3] / columns[:, 3:])[np.newaxis], np.zeros(1)
+    volume = np.linalg.det(corners).sum() / 6
+    ends = [points.min(axis=0), points.max(axis=0)]
+    return close(ends, ENDS, 1e-3) and close(volume, VOLUME, 1e-5)

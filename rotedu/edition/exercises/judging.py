@@ -283,7 +283,7 @@ def check(number: str, answer: Any, hint: int = 1) -> Verdict:
     try:
         with quiet():
             given = plain(answer)
-            if unanswered(given):
+            if holds(given, lambda item: item is ...):
                 return Verdict(number, None, "not answered yet.")
             wrong = asked.judge(given)
     except KeyboardInterrupt:
@@ -325,15 +325,17 @@ def said_by(error: BaseException) -> str:
     return " ".join((text or type(error).__name__)[:LONGEST].split())
 
 
-def unanswered(answer: Any) -> bool:
-    """Tell whether a plain answer, or a part of it, is still ``...``."""
+def holds(answer: Any, test: Callable[[Any], bool]) -> bool:
+    """Tell whether a plain answer, or a part of it, passes a test."""
     if isinstance(answer, list):
-        return any(map(unanswered, answer))
-    return answer is ...
+        return any(holds(item, test) for item in answer)
+    return test(answer)
 
 
 def as_array(answer: Any, shape: Sequence[int | None]) -> Array:
     """Return an answer as finite numbers of a given shape; None stands for any length."""
+    if holds(answer, lambda item: isinstance(item, bool)):
+        raise ValueError("True and False are no numbers.")
     array = np.asarray(answer, dtype=np.float64)
     if len(array.shape) != len(shape) or any(
         wanted not in (None, length) for wanted, length in zip(shape, array.shape, strict=True)
@@ -348,7 +350,8 @@ def as_rotation(answer: Any) -> Array:
     """Return a rotation as a matrix of shape (3, 3).
 
     It may be a `Quaternion`, four numbers with the scalar first, an axis and an angle in radians,
-    or a matrix of shape (3, 3) or (4, 4). Whether a matrix is a rotation is not checked.
+    or a matrix of shape (3, 3) or (4, 4). Whether a matrix is a rotation is not checked; four
+    numbers must have norm 1.
     """
     if isinstance(answer, (tuple, list)) and len(answer) == 2:
         axis, angle = answer
@@ -357,6 +360,8 @@ def as_rotation(answer: Any) -> Array:
     shape = np.shape(answer)
     if shape == (4,):
         w, *v = as_array(answer, shape)
+        if not unit([w, *v], 1e-2):
+            raise ValueError("the quaternion does not have norm 1.")
         return Quaternion(w, v).matrix()
     if shape == (4, 4):
         return as_array(answer, shape)[:3, :3]

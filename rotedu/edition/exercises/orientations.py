@@ -1,6 +1,7 @@
 """Checks of the exercises of Chapter 5, Points and orientations."""
 
 from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
 
@@ -222,12 +223,17 @@ def choices_of_signs() -> Iterator[Part]:
     )
 
 
+def columns_of_flights(answer: Any) -> tuple[Array, Array, Array]:
+    """Return the columns of a table of flights. The sign of a roll does not count."""
+    rolls, turned, uneven = numbers(4, 3)(answer).T
+    return np.abs(rolls), turned, uneven
+
+
 @exercise(
     "5.21",
     expects="four rows of three numbers, shape (4, 3)",
     because="The steeper the line of sight, the more a level horizon costs.",
-    # Items are columns. The sign of a roll does not count.
-    read=lambda answer: np.abs(numbers(4, 3)(answer)).T,
+    read=columns_of_flights,
 )
 def upright_flights() -> Iterator[Part]:
     """Yield the roll of the shortest flights and the cost of flying upright."""

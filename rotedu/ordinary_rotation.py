@@ -290,13 +290,14 @@ def axis_angle(matrix: Rotation) -> tuple[Vector3, Number]:
     """
     table = sixteen_products(matrix)
     largest = np.argmax(np.diagonal(table), axis=-1)
-    w, *v = np.take_along_axis(table, largest[np.newaxis, np.newaxis], axis=0)[0]
-    axis, sine = axis_and_length(np.stack(v))
+    w, x, y, z = np.choose(largest, table)
+    axis, sine = axis_and_length(np.stack([x, y, z]))
 
     # Of q and -q the one with w > 0; at a half turn, the one whose axis begins above zero.
-    half_turn = np.abs(w) <= 4 * rounding(matrix) * sine
-    first = np.argmax(np.abs(axis) > 4 * rounding(matrix), axis=0)
-    sign = np.where(half_turn, np.take_along_axis(axis, first[np.newaxis], axis=0)[0], w)
+    tiny = 4 * rounding(matrix)
+    first = np.choose(np.argmax(np.abs(axis) > tiny, axis=0), axis)
+    half_turn = np.abs(w) <= tiny * sine
+    sign = np.where(half_turn, first, w)
     angle = 2 * np.arctan2(sine, np.where(half_turn, 0, np.abs(w)))
     return np.where(sign < 0, -axis, axis), angle
 

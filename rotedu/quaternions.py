@@ -17,6 +17,7 @@ import numpy.typing as npt
 
 from rotedu import ordinary_rotation
 from rotedu._arguments import (
+    MATRIX,
     NUMBER,
     UNIT,
     VECTOR,
@@ -60,14 +61,15 @@ def of_quaternions(
     return widened
 
 
-def of_one_dtype(method: Method) -> Method:
-    """Give the result of a method the dtype of the quaternion, in NumPy 1 as well."""
+def gives_matrices(method: Method) -> Method:
+    """Move the entries of a result to the last axes and give it the quaternion's dtype."""
 
     @wraps(method)
-    def cast_after(self: Quaternion) -> Array:
-        return np.asarray(method(self), self.components.dtype)
+    def border(self: Quaternion) -> Array:
+        # To NumPy 1 a single float32 times a Python number is a float64.
+        return np.asarray(MATRIX.outside(method(self)), self.components.dtype)
 
-    return cast(Method, cast_after)
+    return cast(Method, border)
 
 
 @dataclass(frozen=True, slots=True)
@@ -390,6 +392,7 @@ class Quaternion:
         twice = 2 * cross(v, r)
         return np.moveaxis(r + w * twice + cross(v, twice), 0, -1)
 
+    @gives_matrices
     def matrix(self) -> Array:
         """Return the matrix of the rotation, the same as (3-3).
 
@@ -421,16 +424,13 @@ class Quaternion:
         x2, y2, z2 = x + x, y + y, z + z
         xx, yy, zz, xy, xz, yz = x * x2, y * y2, z * z2, x * y2, x * z2, y * z2
         wx, wy, wz = w * x2, w * y2, w * z2
-        matrix = np.array(
+        return np.array(
             [
                 [1 - (yy + zz), xy - wz, xz + wy],
                 [xy + wz, 1 - (xx + zz), yz - wx],
                 [xz - wy, yz + wx, 1 - (xx + yy)],
             ]
         )
-        return np.moveaxis(matrix, (0, 1), (-2, -1))
-
-    matrix = of_one_dtype(matrix)
 
 
 @checked
@@ -469,8 +469,7 @@ def rotate_about_u(points: Vector3, angle: Number) -> Vector:
     """
     ru, rv, rw = points
     cos, sin = np.cos(angle), np.sin(angle)
-    rotated = np.broadcast_arrays(ru, cos * rv - sin * rw, cos * rw + sin * rv)
-    return np.stack(rotated)
+    return stacked(ru, cos * rv - sin * rw, cos * rw + sin * rv)
 
 
 def parts(*quaternions: Quaternion) -> list[tuple[Array, Array]]:
@@ -480,9 +479,14 @@ def parts(*quaternions: Quaternion) -> list[tuple[Array, Array]]:
     return [(q[0], q[1:]) for q in components]
 
 
+def stacked(*components: Array) -> Array:
+    """Stack components, as many for one as for another."""
+    return np.stack(np.broadcast_arrays(*components))
+
+
 def joined(w: Array, v: Array) -> Quaternion:
     """Make a quaternion from its parts, components first."""
-    return _of(kept(np.stack(np.broadcast_arrays(w, *v))))
+    return _of(kept(stacked(w, *v)))
 
 
 def refuse_zero(norm: Array) -> None:

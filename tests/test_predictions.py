@@ -124,16 +124,21 @@ class TestWhatTheAnswersSay:
         assert f"{degrees(angle_between(here, a)):.0f}° away" in answers("05-control-points")
 
     def test_carried_around(self) -> None:
-        targets = np.array(scenes.CAMERA_TARGETS)
-        trip = np.eye(3)
-        for start, end in zip(targets, np.roll(targets, -1, axis=0), strict=True):
-            axis = arc_axis(start, end)
-            assert abs(axis @ start) < 1e-12
-            trip = rotation_matrix(axis, angle_between(start, end)) @ trip
-        rolled = f"rolled by {degrees(axis_angle(trip)[1]):.0f}°"
-        asked = pages()["05-orientations.ipynb"].text
-        assert asked.count(rolled) == 3
-        assert rolled in answers("05-orientations")
+        """The twist of the arrow, and the roll of a camera that is carried in the same way."""
+
+        def once_round(points: Any) -> str:
+            trip = np.eye(3)
+            for start, end in zip(points, np.roll(points, -1, axis=0), strict=True):
+                axis = arc_axis(start, end)
+                assert abs(axis @ start) < 1e-12
+                trip = rotation_matrix(axis, angle_between(start, end)) @ trip
+            return f"by {degrees(axis_angle(trip)[1]):.0f}°"
+
+        page = pages()["05-orientations.ipynb"]
+        [question] = page.boxes("question")
+        assert f"comes back turned {once_round(np.eye(3))}" in question.body
+        assert "an eighth of the sphere, of 720°" in answers("05-orientations")
+        assert f"its picture is rolled {once_round(np.array(scenes.CAMERA_TARGETS))}" in page.text
 
     def test_spin_of_an_upright_camera(self) -> None:
         """A fine grid, for what is said below Picture 5-e."""

@@ -254,7 +254,7 @@ def upright_flights() -> Iterator[Part]:
         ),
         Mistake(
             np.zeros(4),
-            "The shortest turn does roll the camera.",
+            "On the shortest turn the camera does not stay upright.",
             "Compare the camera on its way with an upright one that looks the same way.",
         ),
         Mistake(

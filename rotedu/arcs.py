@@ -132,7 +132,7 @@ def slerp(p: Unit, q: Unit, t: Number) -> Vector:
     As printed, (5-2) divides by sin(theta), so it is 0/0 where p = q and leaves the sphere near pi.
     The code combines m, the midpoint of the arc, with c, the direction of the chord:
     ``cos((t - 1/2) theta) m + sin((t - 1/2) theta) c``. These two vectors are perpendicular, so
-    nothing cancels. The tangent of half the angle gives both the cosine and the sine.
+    nothing cancels.
 
     The formula is slerp. The paper says that slerp has no matrix form like (5-3) (erratum E7). For
     points of the sphere, (5-3) is such a form.
@@ -155,16 +155,13 @@ def slerp(p: Unit, q: Unit, t: Number) -> Vector:
         ...
     rotedu.errors.DegenerateError: p and q are antipodal: no unique arc joins them
     """
-    chord, middle = q - p, p + q
-    # Near pi rounding tilts the short middle; put it back at a right angle.
-    middle = middle - dot(middle, chord) / 4 * chord
-    across, along = length(chord), length(middle)
-    half = np.arctan2(across, along)
-    refuse_antipodal(2 * half)
-    h = np.tan((t - 1 / 2) * half)
-    one_plus_cos = 2 / (1 + h * h)
-    cos, sin = one_plus_cos - 1, one_plus_cos * h
-    return cos / along * middle + sin / np.where(across == 0, 1, across) * chord
+    theta, chord, middle = angle_between(p, q), q - p, p + q
+    refuse_antipodal(theta)
+    # Near pi, where the chord has length 2, rounding tilts the short middle; undo it.
+    m = unit(middle - dot(middle, chord) / 4 * chord)
+    c = unit(chord)
+    alpha = (t - 1 / 2) * theta
+    return np.cos(alpha) * m + np.sin(alpha) * c
 
 
 @checked

@@ -1,5 +1,6 @@
 """Checks of exercises accept every right form; the answers here were found by hand."""
 
+from itertools import combinations_with_replacement
 from typing import Any
 
 import numpy as np
@@ -10,6 +11,7 @@ from rotedu.cost import OperationCount
 from rotedu.edition.exercises import check, general_rotation
 from rotedu.quaternions import Quaternion
 
+A_WAY_BACK = [[0.35, -0.68, -0.64, 0], [0.93, 0.19, 0.3, 0], [-0.08, -0.71, 0.7, 0], [0, 0, 0, 1]]
 A_THIRD_BACK = [[0, 0, 1], [-1, 0, 0], [0, -1, 0]]
 
 
@@ -34,6 +36,9 @@ def photographed_from(distance: float, tilt: float = -1.1, back: float = 0.5) ->
 
 
 RIGHT: list[tuple[str, Any]] = [
+    ("2.2", (0.87, 0, 0.3, 0.4)),
+    ("3.2", ([0.58, 0.58, 0.58], 60)),
+    ("3.6", ([0.005, -0.816, -0.578], 2 * np.pi - 0.5633)),
     ("4.7", spoon_and_order(photographed_from(2.2))),
     ("5.1", [25, 130, -50]),
     ("5.1", (385, 130, 310)),
@@ -45,7 +50,9 @@ RIGHT: list[tuple[str, Any]] = [
     ("5.8", [60, 80, 40, 320, 35]),
     ("5.9", (75, 63, 77, 50)),
     ("5.12", (60, 30, 90)),
+    ("5.12", (60, 30, 450)),
     ("5.13", [6, 55]),
+    ("5.14", (0.22, 0.96, 0.16)),
     ("5.16", (1.63, False)),
     ("5.16", (1.62, "no")),
     ("5.17", A_THIRD_BACK),
@@ -69,7 +76,13 @@ RIGHT: list[tuple[str, Any]] = [
 # Wrong answers that look right, and what their hints say.
 WRONG: list[tuple[str, Any, str]] = [
     ("1.2", ([0, 0, -1], 106, "same"), "more digits"),
+    ("1.4", [*combinations_with_replacement(range(9), 3)], "names a row twice"),
+    ("2.4", ([0, 1, 1, 0], [0.5, 0.5, 0.5, -0.5]), "norm 1"),
     ("2.6", [0.091, 0.333, -0.661, 0.666], "scalar parts positive"),
+    ("3.5", 0.003, "two digits"),
+    ("3.6", ([-0.005, 0.816, 0.578], 0.56), "close"),
+    ("4.4", A_WAY_BACK, "nearly the unit matrix"),
+    ("4.5", np.deg2rad([(10, 20, 30), (-170, 20, -150), (30, 90, 0)]).round(4), "to 1e-12"),
     ("4.5", np.deg2rad([(10, 20, 30), (10, 160, 30), (40, 90, 10)]), "that went in"),
     ("4.5", np.full((3, 3), np.nan), "not finite"),
     ("4.5", np.deg2rad([(10, 20, 30), (10, 160, 30), (400, 90, 10)]), "that went in"),
@@ -78,9 +91,17 @@ WRONG: list[tuple[str, Any, str]] = [
     ("4.7", spoon_and_order(photographed_from(2.2), slice(None, None, 2)), "all the triangles"),
     ("4.7", spoon_and_order(photographed_from(2.2), slice(1920)), "all the triangles"),
     ("4.7", spoon_and_order(photographed_from(2.2), [7, 3500] * 1920), "leave the spoon's"),
+    ("4.7", spoon_and_order(photographed_from(2.2) @ np.diag([1, 1, -1, 1])), "mirrors"),
+    ("4.7", (photographed_from(2.2), *spoon_and_order(np.eye(4))[1:]), "where the spoon was"),
     ("4.7", spoon_and_order(photographed_from(2.2, tilt=0)), "straight above"),
     ("4.7", spoon_and_order(photographed_from(2.2, back=-4)), "behind the eye"),
     ("5.3", (6011, 67.2), "degrees for radians"),
+    ("5.3", (82.34, 67.2), "an angle"),
+    ("5.3", (1.437, 67.2), "an angle"),
+    ("5.4", (-1, 0, 3), "only at some moments"),
+    ("5.6", (-1, -2, 2), "not on the sphere"),
+    ("5.9", (50, 77, 63, 75), "begin with the last"),
+    ("5.12", (60, 30, 1.571), "radians"),
     ("5.16", (1.8, False), "the mean"),
     ("5.16", (1.65, False), "not right yet"),
     ("5.19", -40, "the other way"),
@@ -124,8 +145,9 @@ def test_the_spoon_of_a_photograph_is_the_one_of_the_scenes() -> None:
     np.testing.assert_allclose(-general_rotation.VOLUME, spoon.volume, atol=1e-6)
 
 
-def test_true_and_false_are_no_numbers() -> None:
+def test_what_is_no_number_hears_so() -> None:
     a, zero = [[0.6, -0.8, 0]] * 4, np.zeros(1)
-    assert "True and False" in check("5.15", (a, False), hint=2).text
-    assert "True and False" in check("5.19", zero.any(), hint=2).text
-    assert "True and False" in check("5.13", np.array([True, False]), hint=2).text
+    assert "True, False and None" in check("5.15", (a, False), hint=2).text
+    assert "True, False and None" in check("5.19", zero.any(), hint=2).text
+    assert "True, False and None" in check("5.13", np.array([True, False]), hint=2).text
+    assert "True, False and None" in check("5.11", lambda before, after: None, hint=2).text

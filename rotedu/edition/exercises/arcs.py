@@ -155,6 +155,16 @@ def great_circle_flight() -> Iterator[Part]:
             "Latitude and longitude have changed places.",
             "The first of the two numbers says how far north a place is.",
         ),
+        Mistake(
+            np.rad2deg(theta),
+            "That is an angle. How long is its arc on the Earth?",
+            "An arc is as long as the radius times its angle, in radians.",
+        ),
+        Mistake(
+            theta,
+            "Is that an angle in radians? How long is its arc on the Earth?",
+            "Multiply by the radius.",
+        ),
         Mistake(np.rad2deg(northernmost), "Is this the latitude?", "The length in km comes first."),
         otherwise=Wrong(
             "The length is not right yet. Do your two points have length 1?",
@@ -224,6 +234,12 @@ def nlerp_between_keys() -> Iterator[Part]:
             "A quaternion holds only a part of the angle of its rotation. Which part?",
         ),
         Mistake(
+            lambda off: abs(off) < 1e-3,
+            "They agree only at some moments.",
+            "Compare both at many times, not only at the ends and in the middle.",
+            example=(sign, 0, enough),
+        ),
+        Mistake(
             np.deg2rad(right_off), "Is your error in radians?", "The exercise asks for degrees."
         ),
         Mistake(
@@ -237,6 +253,7 @@ def nlerp_between_keys() -> Iterator[Part]:
         ),
         item=1,
         within=0.02,
+        example=(sign, 5, enough),
     )
     yield Part(
         enough,

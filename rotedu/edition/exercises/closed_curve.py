@@ -9,6 +9,7 @@ from rotedu.arcs import angle_between, arc_axis, slerp
 from rotedu.closed_curve import closed_curve, de_casteljau
 from rotedu.control_points import bisect, control_points, double
 from rotedu.edition.exercises.judging import (
+    RADIANS,
     Mistake,
     Part,
     Wrong,
@@ -77,12 +78,14 @@ def leaving_and_arriving() -> Iterator[Part]:
             "The next piece would leave too fast.",
             "A speed is not the length of an arc. What did you multiply by?",
         ),
+        Mistake(np.deg2rad(along_equator(double(points[2], points[3]))), *RADIANS),
         otherwise=Wrong(
             "The speeds are right, the angle is not yet.",
             "The next piece begins at 80° and must leave as fast as this one arrives.",
         ),
         item=2,
         within=0.01,
+        period=360,
     )
 
 
@@ -122,8 +125,9 @@ def number_of_arcs() -> Iterator[Part]:
             "Each further control point adds an arc to every level, and a level.",
         ),
         otherwise=Wrong(
-            "Count the arcs of Picture 5-d by their colours.",
-            "How many arcs has each level? Add them up from the last level to the first.",
+            "How many levels are there, and how many arcs has each of them?",
+            "Count those of Picture 5-d by their colours. Then begin with ten arcs in place of"
+            " three.",
         ),
     )
 
@@ -160,7 +164,7 @@ def one_row_of_points() -> Iterator[Part]:
             "At u = 0 the curve is at the first control point. Is yours?",
         ),
         Mistake(
-            lambda point: not unit(point, 2e-3),
+            lambda point: not unit(point, 2e-2),
             "Your point is not on the sphere.",
             "Use arcs, not straight lines, on every level.",
             example=wide.mean(axis=0),
@@ -169,7 +173,7 @@ def one_row_of_points() -> Iterator[Part]:
             "Your point is on the sphere, but not on the curve at this u.",
             "Four points, three levels, and one point fewer on each level.",
         ),
-        within=1e-4,
+        within=6e-3,
         example=wide[1],
     )
 

@@ -46,6 +46,11 @@ def reflected_in_the_pole() -> Iterator[Part]:
             "Go from the point to the pole, and then as far again. Where are you?",
         ),
         Mistake(
+            3 * double(point, pole),
+            "Your point is not on the sphere.",
+            "Its direction is right. Divide it by its length.",
+        ),
+        Mistake(
             double(pole, point),
             "You reflected the pole in the point.",
             "Double(p, q) goes from p to q and beyond it. Which is p, and which is q?",
@@ -202,6 +207,11 @@ def reversed_ring() -> Iterator[Part]:
             np.rad2deg(angle_between(a, b)),
             "That is the distance from a_i to b_i of one list.",
             "Compute the b_i again, from the reversed list.",
+        ),
+        Mistake(
+            right[::-1],
+            "Your angles begin with the last point.",
+            "Bring the reversed b_i into the order of the a_i, not the reverse.",
         ),
         Mistake(np.deg2rad(right), *RADIANS),
         otherwise=Wrong(

@@ -184,10 +184,17 @@ def way_back() -> Iterator[Part]:
             "The order is reversed, but that is not enough.",
             "What undoes a single turn about U?",
         ),
+        Mistake(
+            lambda both: close(both, np.eye(4), 2e-2),
+            "Multiplied by the way there, this is nearly the unit matrix.",
+            "Answer with the matrix as it is computed, not rounded.",
+            example=there.T.round(2),
+        ),
         otherwise=Wrong(
             "Multiplied by the way there, this is not the unit matrix.",
             "Write the product (4-1) out, and undo one factor at a time.",
         ),
+        example=np.eye(4),
     )
 
 
@@ -204,8 +211,10 @@ def angles_of_a_matrix() -> Iterator[Part]:
     targets = matrix_from_euler_angles(*triples.T)
     found = np.transpose(euler_angles(targets))
 
-    def reaches(angles: Array, which: slice, targets: Array = targets) -> bool:
-        return close(matrix_from_euler_angles(*angles.T)[which], targets[which], 1e-12)
+    def reaches(
+        angles: Array, which: slice, targets: Array = targets, within: float = 1e-12
+    ) -> bool:
+        return close(matrix_from_euler_angles(*angles.T)[which], targets[which], within)
 
     every, first, first_two = slice(3), slice(1), slice(2)
     yield Part(
@@ -224,6 +233,12 @@ def angles_of_a_matrix() -> Iterator[Part]:
             "Your angles are in degrees.",
             "Arctangents give radians: leave them so.",
             example=degrees,
+        ),
+        Mistake(
+            lambda found: reaches(found, every, within=2e-2),
+            "The matrices are close to the given ones, but not to 1e-12.",
+            "Answer with the angles as your function returns them, not rounded.",
+            example=found.round(2),
         ),
         Mistake(
             lambda found: reaches(found[:, ::-1], every),
@@ -329,15 +344,15 @@ ENDS = [(-1, -0.25635, -0.16313), (1, 0.25635, 0.2167)]
 VOLUME = -0.014078
 
 
-def as_photograph(answer: Any) -> tuple[Array, Array, Array, Array]:
-    """Return a camera, the depths of triangles, their order, and the triangles before it."""
+def as_photograph(answer: Any) -> tuple[Array, Array, Array, Array, Array]:
+    """Return a camera, the depths of triangles, their order, and the triangles before and after."""
     camera, triangles, order = parts(numbers(4, 4), numbers(None, 3, 3), numbers(None))(answer)
     if len(order) != len(triangles):
         raise ValueError(f"the order has {len(order)} numbers for {len(triangles)} triangles.")
     # Where the triangles were, and their divisors: the inverse matrix leads back.
     columns = np.concatenate([triangles, np.ones((*triangles.shape[:2], 1))], axis=2)
     back = columns @ np.linalg.pinv(camera).T
-    return camera, triangles[:, :, 2].mean(axis=1), order.astype(int), back
+    return camera, triangles[:, :, 2].mean(axis=1), order.astype(int), back, triangles
 
 
 @exercise(
@@ -390,6 +405,24 @@ def photograph_of_a_spoon() -> Iterator[Part]:
         example=(projection, triangles, near_last),
     )
     yield Part(
+        lambda camera: np.linalg.det(camera) > 0,
+        otherwise=Wrong(
+            "Your matrix mirrors the spoon.",
+            "Turns, translations and a perspective have determinant 1. Which step has not?",
+        ),
+        item=0,
+        example=(camera @ scaling([1, 1, -1]), triangles, near_last),
+    )
+    yield Part(
+        lambda photo: not close(ends_of(photo), ENDS, 1e-3),
+        otherwise=Wrong(
+            "Your triangles are still where the spoon was.",
+            "Transform the points by the matrix before you take those of each triangle.",
+        ),
+        item=4,
+        example=(camera, [[ENDS[0], ENDS[0], ENDS[1]]], [0]),
+    )
+    yield Part(
         lambda depth, order: close(np.sort(order), np.arange(len(depth))),
         otherwise=Wrong(
             "The order does not name each triangle once.",
@@ -405,6 +438,12 @@ def photograph_of_a_spoon() -> Iterator[Part]:
             "You fill the near triangles first.",
             "What is filled later hides what is there. Is a larger depth nearer or farther?",
             example=(camera, triangles, near_last[::-1]),
+        ),
+        Mistake(
+            lambda depth, order: (np.diff(depth) >= -1e-9).all(),
+            "You have already sorted the triangles, and your order sorts them again.",
+            "Give the triangles as the spoon has them. Your numbers say which comes when.",
+            example=(camera, triangles[near_last], near_last),
         ),
         otherwise=Wrong(
             "The triangles are not sorted by depth.",
@@ -454,7 +493,11 @@ def photograph_of_a_spoon() -> Iterator[Part]:
 
 def is_spoon(corners: Array) -> bool:
     """Tell whether triangles have the ends and the volume of the spoon."""
-    points = corners.reshape(-1, 3)
     volume = np.linalg.det(corners).sum() / 6
-    ends = [points.min(axis=0), points.max(axis=0)]
-    return close(ends, ENDS, 1e-3) and close(volume, VOLUME, 1e-5)
+    return close(ends_of(corners), ENDS, 1e-3) and close(volume, VOLUME, 1e-5)
+
+
+def ends_of(corners: Array) -> Array:
+    """Return the least and the greatest coordinates of triangles."""
+    points = corners.reshape(-1, 3)
+    return np.stack([points.min(axis=0), points.max(axis=0)])

@@ -197,6 +197,12 @@ def never_free() -> Iterator[Part]:
             example=threes[free.any(axis=0)],
         ),
         Mistake(
+            lambda chosen: min(map(len, chosen)) < 3,
+            "A choice names a row twice.",
+            "Choose three different rows; itertools.combinations does so.",
+            example=[*rows, [0, 0, 1]],
+        ),
+        Mistake(
             lambda chosen: max(map(max, chosen)) > 8,
             "A row number is too large.",
             "The nine rows have the numbers 0 to 8.",

@@ -78,7 +78,7 @@ def axis_and_angle_of_a_matrix() -> Iterator[Part]:
     one_third = np.rad2deg(np.arccos(matrix.trace() / 3))
     n = np.ones(3) / np.sqrt(3)
     yield Part(
-        lambda axis, degrees: unit(axis) and same_turn((axis, degrees), matrix, 2e-3),
+        lambda axis, degrees: unit(axis, 1e-2) and same_turn((axis, degrees), matrix, 2e-3),
         Mistake(
             lambda axis, degrees: radians_for_degrees(abs(degrees), right),
             *YOUR_RADIANS,
@@ -105,7 +105,7 @@ def axis_and_angle_of_a_matrix() -> Iterator[Part]:
             example=(n, 30),
         ),
         Mistake(
-            lambda axis, degrees: not unit(axis),
+            lambda axis, degrees: not unit(axis, 1e-2),
             "Your axis does not have length 1.",
             "The differences give a multiple of the axis. Divide by its length.",
             example=([1, 1, 1], 60),
@@ -264,6 +264,11 @@ def axis_too_long() -> Iterator[Part]:
             "Compute the matrix first, then what its transpose times itself should be.",
         ),
         Mistake(
+            0.003,
+            "The number is close, but not to two digits.",
+            "Three times the error of the axis is only a guess. Compute the matrix.",
+        ),
+        Mistake(
             0,
             "This axis was scaled to length 1.",
             "Use the function of the starter cell, which leaves the axis as it is.",
@@ -290,8 +295,9 @@ def rotation_of_a_spoon() -> Iterator[Part]:
     n, turn = axis_angle(truth)
 
     def right(axis: Array, angle: Array) -> bool:
-        sign = np.sign(axis @ n)
-        return close(sign * angle, turn, np.deg2rad(0.1)) and close(sign * axis, n, 1e-2)
+        # Every axis and angle of one rotation become the same ones.
+        axis, angle = axis_angle(rotation_matrix(axis, angle))
+        return close(angle, turn, np.deg2rad(0.1)) and close(axis, n, 1e-2)
 
     yield Part(
         lambda axis, angle: unit(axis, 1e-2) and right(axis, angle),
@@ -312,6 +318,12 @@ def rotation_of_a_spoon() -> Iterator[Part]:
             "Your axis does not have length 1.",
             "Divide it by its length.",
             example=(2 * n, turn),
+        ),
+        Mistake(
+            lambda axis, angle: same_rotation((axis, angle), truth, 3e-2),
+            "You are close, but not to 0.1° and 0.01.",
+            "Use all the vertices, and round at the end, if at all.",
+            example=(n, turn.round(2)),
         ),
         otherwise=Wrong(
             "The spoon does not arrive where it was measured.",

@@ -97,7 +97,7 @@ def unit_quaternion_of_a_turn() -> Iterator[Part]:
             example=in_degrees,
         ),
         Mistake(
-            lambda q: not unit(q),
+            lambda q: not unit(q, 1e-2),
             "Your quaternion does not have norm 1.",
             "How long is the axis (0, 3, 4), and how long should it be?",
             example=[np.cos(angle / 2), *(axis * np.sin(angle / 2))],
@@ -106,7 +106,7 @@ def unit_quaternion_of_a_turn() -> Iterator[Part]:
             "This is another rotation.",
             "Find the angle from the scalar part and the axis from the vector, and compare.",
         ),
-        within=1e-3,
+        within=5e-3,
         either_sign=True,
         example=[1, 0, 0, 0],
     )
@@ -201,12 +201,19 @@ def two_turns_in_a_row() -> Iterator[Part]:
     halves, quarters = (v2 * u2).components, (v4 * u4).components
     yield Part(
         halves,
+        Mistake(
+            lambda q: not unit(q),
+            "The first quaternion does not have norm 1.",
+            "Norms multiply, and i and j have norm 1.",
+            example=([0, 1, 1, 0], quarters),
+        ),
         otherwise=Wrong(
             "The two half turns make another rotation.",
             "Their quaternions are i and j. Which rule gives their product?",
         ),
         item=0,
         either_sign=True,
+        example=([1, 0, 0, 0], quarters),
     )
     yield Part(
         quarters,

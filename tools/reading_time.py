@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 from notebook_language import Block, Page, blocks, pages, plain, tags
 
-LOOKED_UP = {"api", "equations", "glossary", "references"}
+LOOKED_UP = {"api", "claims", "equations", "glossary", "references"}
 SECONDS = {"words": 60 / 130, "lines": 6, "formulas": 30, "scenes": 60, "by_hand": 150}
 LIMIT = 35
 

@@ -1,7 +1,7 @@
 """What the paper claims, and whether it is so.
 
-This is the one source of the tables of claims. The evidence is not kept here. The page that a claim
-links to names it beside the verdict, and the list in Chapter 6 adds a reason in a few words.
+This is the one source of the tables of claims. The evidence is not kept here: the page that a claim
+links to names it beside the verdict.
 """
 
 from collections import Counter
@@ -67,6 +67,8 @@ class Claim:
         The page of this book, without its ending, that shows it.
     condition : str
         For a claim that holds under a condition: which.
+    reason : str
+        Why, in a few words of Markdown, for the list of all claims.
     """
 
     number: int
@@ -75,6 +77,7 @@ class Claim:
     verdict: Verdict
     chapter: str
     condition: str = ""
+    reason: str = ""
 
     @property
     def link(self) -> str:
@@ -83,8 +86,9 @@ class Claim:
 
     @property
     def judgement(self) -> str:
-        """The verdict, in Markdown, and its condition if there is one."""
-        return f"**{self.verdict}**" + (f": {self.condition}" if self.condition else "")
+        """The verdict, in Markdown, with its condition and its reason, if there are any."""
+        why = "; ".join(text for text in (self.condition, self.reason) if text)
+        return f"**{self.verdict}**" + (f": {why}" if why else "")
 
 
 CLAIMS = (
@@ -101,6 +105,7 @@ CLAIMS = (
         ("1",),
         "does not hold",
         "01-introduction",
+        reason="counted, 16 + 12, E5",
     ),
     Claim(
         3,
@@ -108,6 +113,7 @@ CLAIMS = (
         ("1",),
         "does not hold",
         "01-introduction",
+        reason="three are, E6",
     ),
     Claim(
         4,
@@ -115,6 +121,7 @@ CLAIMS = (
         ("3",),
         "holds",
         "03-ordinary-rotation",
+        reason="(2-6) knows one axis only, so unlike things are compared",
     ),
     Claim(
         5,
@@ -130,6 +137,7 @@ CLAIMS = (
         ("1", "6"),
         "does not follow",
         "03-ordinary-rotation",
+        reason="a quaternion can be made a matrix, once, and then costs the same",
     ),
     Claim(
         7,
@@ -153,6 +161,7 @@ CLAIMS = (
         ("1", "4", "6"),
         "does not hold",
         "04-general-rotation",
+        reason="the formulas are a product of quaternions, and they start from three angles",
     ),
     Claim(
         10,
@@ -173,8 +182,12 @@ CLAIMS = (
         12,
         "Slerp has no form as a matrix times a vector like (5-3)",
         ("5",),
-        "does not hold",
+        "holds under a condition",
         "05-arcs",
+        "*slerp* is that of quaternions, and *like (5-3)* means about an axis in space, as"
+        " a cross product finds it",
+        reason="as a matrix times a vector it has two forms, E7; with three components, one of"
+        " them is (5-3)",
     ),
     Claim(
         13,
@@ -189,6 +202,7 @@ CLAIMS = (
         ("abstract", "1", "5", "6"),
         "does not follow",
         "05-orientations",
+        reason="points leave the roll open; there is another way, see 15",
     ),
     Claim(
         15,
@@ -205,15 +219,20 @@ CLAIMS = (
         16,
         "… and more efficiently",
         ("abstract",),
-        "does not hold",
+        "holds under a condition",
         "06-conclusions",
+        "what is done is to turn many points, as in 5, or to sample one arc many times, as in 32",
+        reason="to compose, store and repair rotations takes less with quaternions",
     ),
     Claim(
         17,
         "Rounding harms products of quaternions less",
         ("folklore",),
-        "does not hold",
+        "holds under a condition",
         "06-conclusions",
+        "the harm that counts is bending, which a quaternion never does, or one small turn is"
+        " repeated and the matrix is repaired by Gram and Schmidt's method",
+        reason="otherwise the matrix mostly ends closer to the truth",
     ),
     Claim(
         18,
@@ -221,6 +240,8 @@ CLAIMS = (
         ("5",),
         "not confirmed",
         "05-control-points",
+        reason="the paper has one half; Shoemake has one third, by a secondary source. We had no"
+        " copy of his article",
     ),
     Claim(
         19,
@@ -242,6 +263,7 @@ CLAIMS = (
         ("not claimed",),
         "does not hold",
         "05-closed-curve",
+        reason="its second derivative and its curvature jump at the points",
     ),
     Claim(
         22,
@@ -256,6 +278,7 @@ CLAIMS = (
         ("4",),
         "a matter of names",
         "04-general-rotation",
+        reason="they are the product of quaternions in other letters, sign included",
     ),
     Claim(
         24,
@@ -263,6 +286,7 @@ CLAIMS = (
         ("not claimed",),
         "does not hold",
         "05-orientations",
+        reason="with four components the same lines make a spline of rotations",
     ),
     Claim(
         25,
@@ -278,6 +302,7 @@ CLAIMS = (
         ("1",),
         "does not hold",
         "06-conclusions",
+        reason="to compose, store and repair rotations takes less with them; see 15, too",
     ),
     Claim(
         27,
@@ -335,6 +360,7 @@ CLAIMS = (
         ("1", "3"),
         "not confirmed",
         "04-general-rotation",
+        reason="what is fast enough depends on the machine",
     ),
     Claim(
         34,
@@ -342,6 +368,7 @@ CLAIMS = (
         ("1",),
         "not confirmed",
         "01-introduction",
+        reason="in our copy it ends with (2-6), E10",
     ),
     Claim(
         35,
@@ -349,6 +376,7 @@ CLAIMS = (
         ("2",),
         "does not hold",
         "02-quaternions",
+        reason="they have four and three dimensions, E1",
     ),
     Claim(
         36,
@@ -415,6 +443,7 @@ CLAIMS = (
         ("3",),
         "does not hold",
         "03-ordinary-rotation",
+        reason="18 + 12 for any axis, 4 + 2 for the one of (2-6), E5",
     ),
     Claim(
         45,
@@ -444,6 +473,7 @@ CLAIMS = (
         ("4",),
         "does not hold",
         "04-general-rotation",
+        reason="a direction ends in 0, E8",
     ),
     Claim(
         49,
@@ -458,6 +488,7 @@ CLAIMS = (
         ("5",),
         "does not hold",
         "05-arcs",
+        reason="that one is 3 × 3; (4-7) is meant, E9",
     ),
     Claim(
         51,
@@ -511,6 +542,7 @@ CLAIMS = (
         ("5",),
         "does not hold",
         "05-control-points",
+        reason="reversed, E2",
     ),
     Claim(
         58,
@@ -518,6 +550,7 @@ CLAIMS = (
         ("5",),
         "does not hold",
         "05-control-points",
+        reason="reversed, E3",
     ),
     Claim(
         59,
@@ -525,6 +558,8 @@ CLAIMS = (
         ("5",),
         "does not hold",
         "05-closed-curve",
+        reason="it reads what was never written, E4. Mended, its points lie on the curve, joined"
+        " by straight lines",
     ),
     Claim(
         60,
@@ -532,6 +567,7 @@ CLAIMS = (
         ("5",),
         "does not hold",
         "05-closed-curve",
+        reason="that of 120° is positive, E4b",
     ),
     Claim(
         61,
@@ -547,6 +583,7 @@ CLAIMS = (
         ("6",),
         "not confirmed",
         "06-conclusions",
+        reason="the paper counts no applications, and neither do we",
     ),
     Claim(
         63,
@@ -554,6 +591,7 @@ CLAIMS = (
         ("6",),
         "not confirmed",
         "06-conclusions",
+        reason="the paper names no example; Shoemake's curves join orientations",
     ),
     Claim(
         64,
@@ -592,6 +630,7 @@ CLAIMS = (
         ("5",),
         "does not hold",
         "05-closed-curve",
+        reason="a sum of sines and cosines, scaled to length 1, does without",
     ),
     Claim(
         69,
@@ -606,6 +645,8 @@ CLAIMS = (
         ("1",),
         "holds",
         "06-conclusions",
+        reason="to compose takes less; to turn a point takes twice as much, until the quaternion"
+        " is made a matrix",
     ),
     Claim(
         71,
@@ -618,40 +659,38 @@ CLAIMS = (
 )
 
 
-def claim_table(
-    numbers: Iterable[int] | None = None, reasons: Mapping[int, str] | None = None
-) -> Table:
-    """Make the table of claims, with links, for a page of the book.
+def claim_table(numbers: Iterable[int]) -> Table:
+    """Make a table of claims, with links, for a page of the book.
 
     Parameters
     ----------
-    numbers : iterable of int, optional
-        Which claims; they are listed in the order of `CLAIMS`. All, if it is left out.
-    reasons : mapping of int to str, optional
-        Why, in a few words of Markdown, by the number of the claim. A reason follows the verdict
-        and its condition, if there is one. Reasons for claims that are not listed are ignored.
+    numbers : iterable of int
+        Which claims; they are listed in the order of `CLAIMS`.
 
     Returns
     -------
     Table
+        Numbers of equations and errata are links.
 
     Examples
     --------
-    >>> claim_table([3], {3: "three are"})
+    >>> claim_table([3])
     | No. | The claim | In | Verdict | Shown in |
     | --- | --- | --- | --- | --- |
-    | 3 | Four of the nine entries of a rotation matrix are independent | 1 | **does not hold**: three are | [Chapter\N{NO-BREAK SPACE}1](01-introduction.ipynb) |
+    | 3 | Four of the nine entries of a rotation matrix are independent | 1 | **does not hold**: three are, [E6](#erratum-e6) | [Chapter\N{NO-BREAK SPACE}1](01-introduction.ipynb) |
     """  # noqa: E501
-    chosen = {claim.number for claim in CLAIMS} if numbers is None else set(numbers)
-    rows = []
-    for claim in CLAIMS:
-        if claim.number in chosen:
-            verdict = claim.judgement
-            if reasons and claim.number in reasons:
-                verdict += ("; " if claim.condition else ": ") + reasons[claim.number]
-            rows.append(
-                [str(claim.number), claim.claim, ", ".join(claim.where), verdict, claim.link]
-            )
+    chosen = set(numbers)
+    rows = [
+        [
+            str(claim.number),
+            linked(claim.claim),
+            ", ".join(claim.where),
+            linked(claim.judgement),
+            claim.link,
+        ]
+        for claim in CLAIMS
+        if claim.number in chosen
+    ]
     return Table(["No.", "The claim", "In", "Verdict", "Shown in"], rows)
 
 

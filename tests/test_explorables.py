@@ -75,7 +75,7 @@ def drawn(figure: Exploration, inputs: dict[str, Any]) -> pyvista.Plotter | dict
         return {"error": "DegenerateError", "message": message}
 
 
-ON_ONE_CIRCLE = {"points": [[1, 0, 0], [0, 1, 0], [0.2, -0.5, 0.8]], "one_circle": True}
+ON_ONE_CIRCLE = {"points": [[1, 0, 0], [0, 1, 0], [0.2, -0.5, 0.8]], "one_circle": True, "step": 4}
 HALF_A_TURN = [{"v": -90.0, "t": 0.25}, {"u": 180.0, "v": 90.0, "w": 0.0, "t": 0.25}]
 OPPOSITE = [{"what": "orientations", "turn": turn, "flip": turn == 0} for turn in (360.0, 0.0)]
 

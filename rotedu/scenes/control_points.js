@@ -17,7 +17,8 @@ export function controlPoints(
   const axis = one_circle && arcAxis(before, here);
   const after = one_circle ? cross(arcAxis(axis, held), axis) : held;
   const path = (k, [p, q], from, to) => {
-    const share = Math.min(1, Math.max(0, step - k));
+    // What is not yet taken is hidden, and whole: a tube needs a length.
+    const share = step > k ? Math.min(1, step - k) : 1;
     return SAMPLES.map((t) => slerp(p, q, from + share * t * (to - from)));
   };
   const reflected = slerp(before, here, 2);
@@ -38,13 +39,13 @@ export function controlPoints(
     "$P_i$": { at: here },
     "$P_{i+1}$": { at: after },
     halved: { paths: arcs([reflected], [after]), hidden: step <= 1 },
-    opposite: { at: opposite },
+    opposite: { at: opposite, hidden: step < 1 },
   };
   const labels = {
     "P_{i-1}": beside(before, [here]),
     P_i: beside(here, [before, after]),
     "P_{i+1}": beside(after, [here, reflected]),
-    opposite: beside(opposite, [], INWARD),
+    opposite: step < 1 ? null : beside(opposite, [], INWARD),
   };
   // With (5-13) as printed, b_i comes to the second auxiliary point and its name.
   const last = printed_double ? FAR : NEAR;
@@ -62,9 +63,6 @@ export function controlPoints(
     labels[name] = hidden ? null : beside(at, others, distance);
   });
 
-  const gapBefore = DEGREES * angleBetween(before, here);
-  const forward = combine(1, reflected, -1, before);
-  const along = (q) => DEGREES * angleBetween(here, q) * (dot(q, forward) < 0 ? -1 : 1);
   const [near, far] = [a, b].map((q) => angleBetween(here, q));
   const span = angleBetween(reflected, after);
   const halves = [angleBetween(reflected, middle), angleBetween(middle, after)];
@@ -81,11 +79,7 @@ export function controlPoints(
       equally_far: tested(4, Math.abs(near - far)),
       no_corner: tested(4, -dot(turnsIn, cross(here, a))),
       midway: tested(2, Math.max(...halves.map((x) => Math.abs(x - span / 2)))),
-      gap_before: gapBefore,
-      gap_after: along(after),
-      gaps_differ: gapBefore - along(after),
-      place_of_a: step < 3 ? notYet : along(a),
-      to_jump: 180 - DEGREES * span,
+      to_jump: step < 1 ? notYet : 180 - DEGREES * span,
     },
   };
 }

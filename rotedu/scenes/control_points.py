@@ -289,13 +289,13 @@ INWARD = -0.2
     },
     points=Handles(("P before", "P", "P after")),
     step=Slider(0, 4, "steps taken", step=1, stride=1, plays=8),
-    printed_axis=Switch("(5-9) as printed (step 2)"),
-    printed_double=Switch("(5-13) as printed (step 4)"),
+    printed_axis=Switch("step 2 with its misprint"),
+    printed_double=Switch("step 4 with its misprint"),
     one_circle=Switch("keep Pᵢ₊₁ on the great circle of the others"),
 )
 def control_points_by_hand(
     points: ArrayLike = AHEAD,
-    step: float = 4,
+    step: float = 0,
     printed_axis: bool = False,
     printed_double: bool = False,
     one_circle: bool = False,
@@ -323,7 +323,9 @@ def control_points_by_hand(
     before, here, held = np.asarray(points, float) / np.linalg.norm(points, axis=1, keepdims=True)
     axis = arc_axis(before, here) if one_circle else np.eye(3)[2]
     after = np.cross(arc_axis(axis, held), axis) if one_circle else held
-    share = np.clip(step - np.arange(4), 0, 1)[:, np.newaxis] * np.linspace(0, 1, 25)
+    ahead = step - np.arange(4)
+    # What is not yet taken is hidden, and whole: a tube needs a length.
+    share = np.where(ahead > 0, np.minimum(ahead, 1), 1)[:, np.newaxis] * np.linspace(0, 1, 25)
     reflected = slerp(before, here, 2)
     # About the reversed axis, half of the angle turns away from the next point.
     half = -0.5 if printed_axis else 0.5
@@ -346,8 +348,10 @@ def control_points_by_hand(
         add_label(plotter, beside(point, joined), PLAIN[name], VECTOR, name.strip("$"))
     add_arcs(plotter, [reflected], [after], CROSS, name="halved")
     plotter.actors["halved"].visibility = step > 1
-    add_point(plotter, -reflected, NEUTRAL, 0.03, name="opposite")
-    add_label(plotter, beside(-reflected, (), INWARD), "−P̄ᵢ₋₁", "black", "opposite")
+    opposite = add_point(plotter, -reflected, NEUTRAL, 0.03, name="opposite")
+    opposite.visibility = step >= 1
+    place = beside(-reflected, (), INWARD) if step >= 1 else None
+    add_label(plotter, place, "−P̄ᵢ₋₁", "black", "opposite")
 
     # With (5-13) as printed, b_i comes to the second auxiliary point and its name.
     last = FAR if printed_double else NEAR
@@ -365,12 +369,9 @@ def control_points_by_hand(
         line.visibility = taken
         add_point(plotter, way[-1], color, name=name).visibility = taken
         place = beside(way[-1], others, distance) if taken else None
-        add_label(plotter, place, PLAIN[name], ink, name.strip("$"))
+        # A misprint can turn these points red, but no frame colours a label.
+        add_label(plotter, place, PLAIN[name], "black", name.strip("$"))
 
-    forward = reflected - before
-    gap_after, place_of_a = (
-        np.degrees(angle_between(here, q)) * (-1 if q @ forward < 0 else 1) for q in (after, a)
-    )
     near, far = (angle_between(here, q) for q in (a, b))
     span = angle_between(reflected, after)
     halves = np.array([angle_between(reflected, middle), angle_between(middle, after)])
@@ -384,13 +385,8 @@ def control_points_by_hand(
     read_out(plotter, "now", STEPS[ceil(step)], "step")
     for name, made, label, error in tests:
         read_out(plotter, name, bool(error < SAME) if step >= made else NOT_YET, label)
-    read_out(plotter, "to_jump", 180 - np.degrees(span), "Pᵢ₊₁ to −P̄ᵢ₋₁", 0, "°")
-    gap_before = np.degrees(angle_between(before, here))
-    read_out(plotter, "gap_before", gap_before, "gap Pᵢ₋₁ to Pᵢ", 0, "°")
-    read_out(plotter, "gap_after", gap_after, "gap Pᵢ to Pᵢ₊₁ (behind: −)", 0, "°")
-    read_out(plotter, "gaps_differ", gap_before - gap_after, "first gap − second gap", 0, "°")
-    where = place_of_a if step >= 3 else NOT_YET
-    read_out(plotter, "place_of_a", where, "aᵢ after Pᵢ (behind: −)", 0, "°")
+    to_jump = 180 - np.degrees(span) if step >= 1 else NOT_YET
+    read_out(plotter, "to_jump", to_jump, "from Pᵢ₊₁ to −P̄ᵢ₋₁", 0, "°")
     describe(
         plotter,
         "A see-through sphere with three blue points P_{i-1}, P_i and P_{i+1} that can be dragged."

@@ -40,10 +40,10 @@ CHAPTERS = {
     "02-quaternions": "Chapter\N{NO-BREAK SPACE}2",
     "03-ordinary-rotation": "Chapter\N{NO-BREAK SPACE}3",
     "04-general-rotation": "Chapter\N{NO-BREAK SPACE}4",
-    "05-arcs": "Chapter\N{NO-BREAK SPACE}5, arcs",
-    "05-control-points": "Chapter\N{NO-BREAK SPACE}5, control points",
-    "05-closed-curve": "Chapter\N{NO-BREAK SPACE}5, closed curve",
-    "05-orientations": "Chapter\N{NO-BREAK SPACE}5, orientations",
+    "05-arcs": "Page\N{NO-BREAK SPACE}5\N{NO-BREAK SPACE}I",
+    "05-control-points": "Page\N{NO-BREAK SPACE}5\N{NO-BREAK SPACE}II",
+    "05-closed-curve": "Page\N{NO-BREAK SPACE}5\N{NO-BREAK SPACE}III",
+    "05-orientations": "Page\N{NO-BREAK SPACE}5\N{NO-BREAK SPACE}IV",
     "06-conclusions": "Chapter\N{NO-BREAK SPACE}6",
 }
 

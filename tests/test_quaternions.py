@@ -446,6 +446,31 @@ class TestProofs:
         assert vanishes(matrix(product.v) - matrix(rotate_about_u(r, theta)))
         assert not vanishes(matrix(product.v) - matrix(r))
 
+    @pytest.mark.equation("2-6")
+    def test_the_other_lines_of_2_6(self) -> None:
+        half = sp.Symbol("theta", real=True) / 2
+        c, s = sp.cos(half), sp.sin(half)
+        ru, rv, rw = self.r
+        r, u, a = map(np.array, (self.r, [1, 0, 0], [0, -rw, rv]))
+        first, last = Quaternion(c, s * u), Quaternion(c, -s * u)
+        lines = [
+            first * Quaternion(0, r) * last,
+            Quaternion(-s * ru, c * r + s * np.cross(u, r)) * last,
+            Quaternion(-s * ru, c * r + s * a) * last,
+            Quaternion(
+                -s * c * ru + c * s * ru,
+                c**2 * r
+                + c * s * a
+                + s**2 * ru * u
+                - c * s * np.cross(r, u)
+                - s**2 * np.cross(a, u),
+            ),
+            Quaternion(0, c**2 * r + 2 * c * s * a + s**2 * np.array([ru, -rv, -rw])),
+        ]
+        for line in lines[1:]:
+            assert vanishes(matrix((line - lines[0]).components))
+        assert not vanishes(matrix((lines[0] - Quaternion(0, r)).components))
+
     def test_matrix_of_axis_and_angle_is_3_3(self) -> None:
         n = sp.symbols("n_u n_v n_w", real=True)
         theta = sp.Symbol("theta", real=True)

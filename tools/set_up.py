@@ -158,10 +158,10 @@ if __name__ == "__main__":
         sys.exit(refused)
     called = time.time()
     try:
-        hold_checkout()
         if "--browser" in sys.argv:
             find_browser()
         else:
+            hold_checkout()
             set_up(called)
     except KeyboardInterrupt:
         sys.exit("[set-up] interrupted; the next call mends what is half done")

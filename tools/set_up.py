@@ -6,7 +6,9 @@ book. It installs something outside the checkout only if the system lacks an Ope
 browser, and only if it may use apt.
 
 It may be interrupted at any instant. A mark in ``.venv`` is taken away first and made last, and
-where this Python's mark is missing, the next call makes the environment anew.
+where this Python's mark is missing, the next call makes the environment anew. ``--mark`` prints its
+name for the Makefile, and takes away one that was made in another folder: an environment that has
+been moved or copied does not work.
 """
 
 import os
@@ -23,7 +25,6 @@ ROOT = Path(__file__).parents[1]
 VENV = ROOT / ".venv"
 PYTHON = VENV / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
 OLDEST, NEWEST = (3, 11), (3, 13)
-# The Makefile has the same name.
 MARK = VENV / "made-by-python{}.{}".format(*sys.version_info[:2])
 
 # Runs in a process of its own, because VTK crashes without an OpenGL library.
@@ -149,10 +150,20 @@ def set_up(called: float) -> None:
         mark.unlink()
     make_environment(whole)
     make_vtk_draw()
-    MARK.touch()
+    MARK.write_bytes(os.fsencode(ROOT))
+
+
+def name_of_mark() -> str:
+    """Return the name of the mark, and take away one of another folder."""
+    if MARK.exists() and MARK.read_bytes() != os.fsencode(ROOT):
+        MARK.unlink()
+    return MARK.name
 
 
 if __name__ == "__main__":
+    if "--mark" in sys.argv:
+        print(name_of_mark())
+        sys.exit()
     refused = refusal(*sys.version_info[:2])
     if refused:
         sys.exit(refused)

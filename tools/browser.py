@@ -8,6 +8,7 @@ where they need them.
 
 import functools
 import os
+import shlex
 import shutil
 import socket
 import subprocess
@@ -22,7 +23,7 @@ from typing import Any
 CHROMIUMS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
 # Without a window, and with WebGL drawn in software.
 CHROMIUM_FLAGS = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
-NO_BROWSER = f"No browser: {{}} does not start. To get one: {{}}{sys.executable} {__file__} {{}}"
+NO_BROWSER = "No browser: {} does not start. To get one: {}{}"
 PACKAGES = "sudo apt-get install chromium (Debian), sudo dnf install chromium (Fedora), or "
 DOWNLOADED = Path(__file__).parents[1] / ".venv" / "browsers"
 
@@ -57,14 +58,18 @@ def launch(name: str = "chromium") -> Iterator[Any]:
     tell_playwright()
     options: dict[str, Any] = {}
     if name == "chromium":
-        options = {"executable_path": installed_chromium(), "args": CHROMIUM_FLAGS}
+        # One that was downloaded is there because the system's does not work.
+        downloaded = any(DOWNLOADED.glob("chromium*/INSTALLATION_COMPLETE"))
+        path = None if downloaded else installed_chromium()
+        options = {"executable_path": path, "args": CHROMIUM_FLAGS}
     with sync_playwright() as playwright:
         try:
             browser = playwright[name].launch(**options)
             browser.new_page().close()
         except Error:
             what, packages = options.get("executable_path") or name, PACKAGES if options else ""
-            sys.exit(NO_BROWSER.format(what, packages, name))
+            download = shlex.join([sys.executable, __file__, name])
+            sys.exit(NO_BROWSER.format(what, packages, download))
         with browser:
             yield browser
 

@@ -13,7 +13,7 @@ import nbformat
 import numpy as np
 import pytest
 from PIL import Image
-from servers import jupyterlab
+from servers import jupyterlab, until
 from test_figures_in_browser import (
     CONTEXTS,
     INK,
@@ -145,10 +145,9 @@ def test_a_figure_lives_in_a_notebook(run: Open) -> None:
     scene.locator("canvas").focus()
     for key in ("ArrowDown", "0", "0", "Home"):
         page.keyboard.press(key)
-    page.wait_for_timeout(300)
+    until(lambda: difference(before, live_picture(scene)) < 0.1, "the view of the start")
     assert page.locator(".jp-Dialog").count() == 0
     assert page.locator(".jp-Cell.jp-mod-active").inner_text() == active
-    assert difference(before, live_picture(scene)) < 0.1
     page.evaluate("jupyterapp.shell.currentWidget.context.model.dirty = true")
     page.keyboard.press("Control+s")
     page.wait_for_function("() => !jupyterapp.shell.currentWidget.context.model.dirty")

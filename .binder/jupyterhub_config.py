@@ -5,6 +5,7 @@ import os
 import pwd
 import shutil
 import time
+from importlib.util import find_spec
 from urllib.parse import quote
 
 from jupyterhub.spawner import LocalProcessSpawner
@@ -17,6 +18,9 @@ SOCKETS = "/run/class"
 PROCESSORS = len(os.sched_getaffinity(0))
 
 c = get_config()
+
+if find_spec("debugpy"):
+    raise SystemExit("First type: /opt/class/bin/python -m pip uninstall debugpy")
 
 
 class SocketSpawner(LocalProcessSpawner):

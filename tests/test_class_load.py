@@ -49,7 +49,20 @@ def install(folder: Path) -> None:
         return text
 
     configuration.write_text(here(configuration.read_text("utf-8")), "utf-8")
-    subprocess.run(["sh", "-ec", here(packages + certificate)], cwd=checkout, check=True)
+    # Root's own files are often nobody else's.
+    script = here(packages + certificate)
+    subprocess.run(["sh", "-ec", script], cwd=checkout, check=True, umask=0o077)
+
+
+def without_debugger(folder: Path, command: list[str | Path]) -> None:
+    """See that the hub refuses to start while the debugger is installed."""
+    (packages,) = folder.glob("lib/python3*/site-packages")
+    assert not (packages / "debugpy").exists()
+    (packages / "debugpy").mkdir()
+    tried = ["timeout", str(PATIENCE), *command]
+    refusal = subprocess.run(tried, cwd=folder, stderr=subprocess.PIPE, text=True).stderr
+    (packages / "debugpy").rmdir()
+    assert "pip uninstall debugpy" in refusal
 
 
 @contextmanager
@@ -84,6 +97,7 @@ def hub(monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
             stack.enter_context(account(name, folder / "checkout" / "class" / "student"))
         log = folder / "hub" / "hub.log"
         command = ["jupyterhub", "-f", folder / "hub" / "jupyterhub_config.py"]
+        without_debugger(folder, command)
         with log.open("w") as stream:
             hub = subprocess.Popen(command, cwd=folder, stdout=stream, stderr=stream)
         stack.callback(hub.wait)
@@ -171,8 +185,6 @@ def test_thirty_log_in_at_once_and_nobody_reaches_another(hub: Path) -> None:
         visits = [pool.submit(attend, hub, name) for name in STUDENTS]
     assert [error for visit in visits if (error := visit.exception())] == []
 
-    # The debugger listens on a port as soon as somebody opens it.
-    assert not [*hub.glob("lib/python3*/site-packages/debugpy")]
     assert not listeners() & {pwd.getpwnam(name).pw_uid for name in STUDENTS}
     first, *others = STUDENTS
     homes = [Path("/home", name) for name in others]

@@ -1,4 +1,4 @@
-"""Section 5, first part: arcs on the unit sphere, (5-1) to (5-3).
+"""Section 5, page 5 I: arcs on the unit sphere, (5-1) to (5-3).
 
 The notation follows the equations: p and q are unit vectors, theta is the angle between them, and
 t is the fraction of the arc from p to q. Only the forms with an axis need three dimensions; the

@@ -1,4 +1,4 @@
-"""Section 5, third part: de Casteljau's arcs of arcs, and the closed curve made of them."""
+"""Section 5, page 5 III: de Casteljau's arcs of arcs, and the closed curve made of them."""
 
 from __future__ import annotations
 

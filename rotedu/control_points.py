@@ -1,4 +1,4 @@
-"""Section 5, second part: Double, Bisect and the control points, (5-4) to (5-15).
+"""Section 5, page 5 II: Double, Bisect and the control points, (5-4) to (5-15).
 
 Each step has two forms: a sum of vectors in any dimension, and a rotation in three dimensions.
 """

@@ -1,4 +1,4 @@
-"""Section 5, fourth part: orientations, interpolated as turns about axes.
+"""Section 5, page 5 IV: orientations, interpolated as turns about axes.
 
 A point of the sphere says where a camera looks, but not how it is turned about its line of sight.
 The curve of Section 5 consists of points; here the same construction runs on the turns between

@@ -1,4 +1,4 @@
-"""Scenes of Chapter 5, arcs: a camera, an arc and its axis, and slerp beside nlerp."""
+"""Scenes of page 5 I: a camera, an arc and its axis, and slerp beside nlerp."""
 
 from collections.abc import Sequence
 

@@ -1,4 +1,4 @@
-"""Scenes of Chapter 5, closed curve: de Casteljau's arcs, the curve of Figure 8, a camera."""
+"""Scenes of page 5 III: de Casteljau's arcs, the curve of Figure 8, a camera."""
 
 from collections.abc import Mapping
 from itertools import pairwise

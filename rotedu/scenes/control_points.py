@@ -1,4 +1,4 @@
-"""Scenes of Chapter 5, control points: the construction, and the misprints (5-9) and (5-13)."""
+"""Scenes of page 5 II: the construction, and the misprints (5-9) and (5-13)."""
 
 from math import ceil
 

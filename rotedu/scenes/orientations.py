@@ -1,4 +1,4 @@
-"""Scenes of Chapter 5, orientations: an arrow and a teaspoon carried along a curve."""
+"""Scenes of page 5 IV: an arrow and a teaspoon carried along a curve."""
 
 import numpy as np
 import pyvista

@@ -1,4 +1,4 @@
-"""Checks of the exercises of Chapter 5, Arcs."""
+"""Checks of the exercises of page 5 I."""
 
 from collections.abc import Iterator
 from itertools import count

@@ -1,4 +1,4 @@
-"""Checks of the exercises of Chapter 5, Closed curve."""
+"""Checks of the exercises of page 5 III."""
 
 from collections.abc import Iterable, Iterator
 

@@ -1,4 +1,4 @@
-"""Checks of the exercises of Chapter 5, Control points."""
+"""Checks of the exercises of page 5 II."""
 
 from collections.abc import Iterator
 

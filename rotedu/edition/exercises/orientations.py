@@ -1,4 +1,4 @@
-"""Checks of the exercises of Chapter 5, Points and orientations."""
+"""Checks of the exercises of page 5 IV."""
 
 from collections.abc import Iterator
 from typing import Any

@@ -159,10 +159,10 @@ def closed_curve(points: ClosedPoints, samples: Count = 100, fraction: Fraction 
     """
     a, b = control_points(points, fraction)
     next_point, next_b = np.roll(points, -1, axis=-1), np.roll(b, -1, axis=-1)
-    handles = "control points a and b between {i} and {j}"
+    pair = "control points a and b between {i} and {j}"
     theta = angle_between(a, next_b)
-    refuse_antipodal(theta, handles, "points")
-    warn_of_two_ways(theta, handles, "points", "antipodal")
+    refuse_antipodal(theta, pair, "points")
+    warn_of_two_ways(theta, pair, "points", "antipodal")
     return sampled(arcs_of_arcs, [points, a, next_b, next_point], samples)
 
 

@@ -138,7 +138,7 @@ def motion(
     model="closedCurve",
     points=Handles([f"P{k}" for k in range(MOST)], least=3, most=MOST),
     u=Slider(0, 1, "once round, u", plays=10),
-    fraction=Slider(0.2, 0.5, "length of handles", step=0.005),
+    fraction=Slider(0.2, 0.5, "how far aᵢ goes", step=0.005),
 )
 def closed_curve_by_hand(
     points: ArrayLike = FIGURE_8, u: float = 0.34, fraction: float = 1 / 2

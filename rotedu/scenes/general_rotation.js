@@ -150,6 +150,8 @@ export function eulerAngles({ u, v, w, tilt, t }, { noWay }) {
       by_slerp: here[1] ? DEGREES * axisAngle(here[1]).angle : noWay,
       matrix: here[0],
     },
-    charts: { speeds: { "three angles": byAngles, slerp, nlerp } },
+    charts: {
+      speeds: { "three angles": byAngles, "one turn": slerp, "one turn, uneven": nlerp },
+    },
   };
 }

@@ -298,7 +298,7 @@ def euler_angles_by_hand(
             add_point(plotter, place + SPOON * turn[:, 0], color, 0.045, name=f"{name} tip"),
         ):
             part.visibility = exists
-    texts = ("three angles", *names[1:])
+    texts = ("three angles", "one turn", "one turn, uneven")
     below = (1.75, 0.95, 0.95)
     for text, color, place, far in zip(texts, (CROSS, RESULT, "black"), places, below, strict=True):
         add_label(plotter, place - far * up, text, color)
@@ -314,7 +314,7 @@ def euler_angles_by_hand(
     turned = degrees_between(path[:-1], path[1:]).sum()
     read_out(plotter, "by_angles", turned, "three angles turn the spoon through", 0, "°")
     by_slerp = degrees_between(np.eye(3), here[1, 0]) if unique else NO_WAY
-    read_out(plotter, "by_slerp", by_slerp, "slerp turns it through", 0, "°")
+    read_out(plotter, "by_slerp", by_slerp, "one turn takes it through", 0, "°")
     nearby = pose(now + np.array([(1, 0, 0), (-1, 0, 0), (0, 0, 1)]))
     apart = degrees_between(nearby[:2], nearby[2]).min()
     read_out(plotter, "apart", apart, "1° of w replaces 1° of u to within", 2, "°")
@@ -327,7 +327,7 @@ def euler_angles_by_hand(
         y=(0, 200),
         label="speed, degrees for a step of 1 in t",
         colors=dict(zip(texts, colors, strict=True)),
-        dashed=("nlerp",),
+        dashed=texts[2:],
     )
     describe(
         plotter,

@@ -20,7 +20,7 @@ PROCESSORS = len(os.sched_getaffinity(0))
 c = get_config()
 
 if find_spec("debugpy"):
-    raise SystemExit("First type: /opt/class/bin/python -m pip uninstall debugpy")
+    raise SystemExit("First: /opt/class/bin/python -m pip uninstall debugpy")
 
 
 class SocketSpawner(LocalProcessSpawner):

@@ -200,7 +200,9 @@ def test_formulas_in_titles_are_announced_once(page: Any) -> None:
     for number in range(2, 7):
         assert press(page, "ArrowRight") == number
     said = page.locator("nav[aria-label=Sections] [role=status]").inner_text()
-    assert re.sub(r"\W+$", "", said) == "6 of 12: Third and fourth step: ai and bi"
+    # KaTeX ends an index with a space of no width.
+    said = re.sub(r"\W+$", "", said.replace("\N{ZERO WIDTH SPACE}", ""))
+    assert said == "6 of 12: Third and fourth step: ai and bi"
 
 
 def test_paper_shows_the_whole_page(page: Any) -> None:

@@ -94,7 +94,11 @@ SPECIAL = {
         {"points": round_about(5), "u": 1.0},
         {"points": round_about(8), "u": 0.5},
     ],
-    "control_points_by_hand": [ON_ONE_CIRCLE, {"printed_double": True, "step": 3.5}],
+    "control_points_by_hand": [
+        ON_ONE_CIRCLE,
+        {"step": 1.0},
+        {"printed_double": True, "step": 3.5},
+    ],
     # Of the two triples for this pose the matrix gives the farther one.
     "euler_angles_by_hand": [*HALF_A_TURN, {"v": 150.0, "tilt": 5.0}],
     "figure_1_by_hand": [{"theta": 0.0}],

@@ -118,7 +118,7 @@ def test_a_form_answers_the_keyboard(form: Any) -> None:
         ("0.7", "Not yet. Is this an angle in radians? For more, check again."),
         ("-320", f"Right. {EXERCISES['5.19'].because}"),
         ("40,0", "Write a point, not a comma: 0.5."),
-        ("\u2212120/3", f"Right. {EXERCISES['5.19'].because}"),
+        ("\u2212640/2", f"Right. {EXERCISES['5.19'].because}"),
         ("40/", f"Expected {EXERCISES['5.19'].expects}."),
     ):
         field.press("ControlOrMeta+a")

@@ -69,13 +69,13 @@ def plain(answer: Any, room: int = ROOM) -> Any:
         return float(answer)
     if callable(answer):
         return lambda *arguments: plain(answer(*arguments))
-    raise TypeError(f"a {kind.__name__} is no number, word, list or array. Make a list of it.")
+    raise TypeError(f"a {kind.__name__} is not a number, word, list or array. Make a list of it.")
 
 
 def word_of(text: str) -> str:
     """Return a text that is short enough for a word."""
     if len(text) > LONGEST_WORD:
-        raise ValueError(f"a text of {len(text)} letters is no word.")
+        raise ValueError(f"a text of {len(text)} letters is too long for a word.")
     return text
 
 

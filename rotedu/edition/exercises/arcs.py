@@ -38,7 +38,7 @@ def beyond_the_ends() -> Iterator[Part]:
         Mistake(
             t * (end - start),
             "You count from the first point, not from 0°.",
-            "At t = 0 the point is the first one. Your angles have it at 0°.",
+            "At t = 0 the point is the first one, but your angles have it at 0°.",
         ),
         Mistake(
             t * end,
@@ -75,7 +75,7 @@ def ends_exchanged() -> Iterator[Part]:
         Mistake(
             arc_axis(here, there),
             "About your axis, a positive angle leads away from the new second point.",
-            "What becomes of a cross product if its factors are exchanged?",
+            "What happens to a cross product if its factors change places?",
         ),
         Mistake(
             np.cross(there, here),
@@ -188,7 +188,7 @@ def great_circle_flight() -> Iterator[Part]:
             "Latitudes are counted from the equator.",
         ),
         otherwise=Wrong(
-            "The length is right, the latitude is not yet.",
+            "The length is right, but the latitude is not yet.",
             "The latitude of a point is the arcsine of its third coordinate. Take the largest"
             " on the way.",
         ),
@@ -259,12 +259,12 @@ def nlerp_between_keys() -> Iterator[Part]:
         enough,
         Mistake(
             enough - 1,
-            "That is not quite enough: each part is still off by a little more than 0.1°.",
+            "Not quite enough: each part is still off by a little more than 0.1°.",
             "Have you compared orientations, not quaternions?",
         ),
         otherwise=Wrong(
             "The number of parts is not right yet.",
-            "Take the first part alone: its key is on the arc, and its error is that of all parts.",
+            "Take the first part alone: its key is on the arc, and all parts have the same error.",
         ),
         item=2,
     )
@@ -300,7 +300,7 @@ def even_sweep() -> Iterator[Part]:
         lambda directions: close(directions[[0, -1]], stations[[0, -1]]),
         otherwise=Wrong(
             "The sweep should begin at the first station and end at the last.",
-            "Both ends count among the 1000 directions, and there is no way back.",
+            "Both ends are among the 1000 directions, and the sweep does not return.",
         ),
         example=right[::-1],
     )

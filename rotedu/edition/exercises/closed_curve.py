@@ -52,7 +52,7 @@ def leaving_and_arriving() -> Iterator[Part]:
         Mistake(
             [first + middle + last] * 2,
             "That is the mean speed on the whole piece.",
-            "The curve does not move evenly. Which arc decides how it leaves?",
+            "The speed of the curve varies. Which arc decides how fast it leaves?",
         ),
         Mistake(
             np.deg2rad([3 * first, 3 * last]),
@@ -70,7 +70,7 @@ def leaving_and_arriving() -> Iterator[Part]:
         along_equator(double(points[2], points[3])),
         Mistake(
             along_equator(points[2]),
-            "There the next piece would turn back.",
+            "From there the next piece would turn back.",
             "The velocity must keep its direction, not only its size.",
         ),
         Mistake(
@@ -80,7 +80,7 @@ def leaving_and_arriving() -> Iterator[Part]:
         ),
         Mistake(np.deg2rad(along_equator(double(points[2], points[3]))), *RADIANS),
         otherwise=Wrong(
-            "The speeds are right, the angle is not yet.",
+            "The speeds are right, but the angle is not yet.",
             "The next piece begins at 80° and must leave as fast as this one arrives.",
         ),
         item=2,
@@ -104,7 +104,7 @@ def number_of_arcs() -> Iterator[Part]:
         Mistake(
             degrees,
             "You count the first level only.",
-            "The points on these arcs are joined by arcs, too, and so on.",
+            "The points on these arcs are joined by arcs as well, and so on.",
         ),
         Mistake(
             degrees + 1, "You count the control points.", "How many arcs join them, one by one?"
@@ -218,7 +218,7 @@ def an_error_that_hides() -> Iterator[Part]:
         Mistake(
             1,
             "Which check is it? Look again, with b_i = Double(a_i, P_i).",
-            "What does the argument why the curve is C1 suppose about a_i?",
+            "What does the proof that the curve is C1 assume about a_i?",
         ),
         otherwise=Wrong(
             "The number of checks is not right yet.",
@@ -262,7 +262,7 @@ def energy_of_one_half() -> Iterator[Part]:
         Mistake(
             np.mean(half / third),
             "That is the mean.",
-            "A few hexagons with large quotients carry it far. The median does not mind them.",
+            "A few large quotients pull the mean upwards, but hardly move the median.",
         ),
         otherwise=Wrong(
             "The median is not right yet. Does your code give 1.14 for 0.4?",

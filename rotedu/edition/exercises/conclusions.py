@@ -52,7 +52,7 @@ def one_product_for_all() -> Iterator[Part]:
         Mistake(
             numbers(50 * POINT),
             "The product of the two matrices is not free.",
-            "Add what one product takes.",
+            "Add the operations that one product takes.",
         ),
         Mistake(
             numbers(2 * MATRICES + 50 * POINT),
@@ -107,7 +107,7 @@ def two_laws_of_growth() -> Iterator[Part]:
         Mistake(
             [first * longer**2, first * longer],
             "Random errors grow more slowly, not faster.",
-            "You squared what you should have done the reverse with.",
+            "You squared where you should have done the reverse.",
         ),
         Mistake(
             [root, longer],
@@ -234,7 +234,7 @@ def hours_of_a_game() -> Iterator[Part]:
             np.log(24 * 60 * days), "Is your last time in minutes?", "The exercise asks for days."
         ),
         otherwise=Wrong(
-            "The minutes are right, the days are not yet.",
+            "The minutes are right, but the days are not yet.",
             "How many times as large must the error become, and how many times as many steps does"
             " that take?",
         ),
@@ -284,7 +284,7 @@ def two_ways_to_average() -> Iterator[Part]:
         ),
         Mistake(
             lambda angles: close(angles[0], two, 0.1),
-            "The first angle is right, the second is not yet.",
+            "The first angle is right, but the second is not yet.",
             how,
             example=(two, 5),
         ),

@@ -126,7 +126,7 @@ def construction_on_a_circle() -> Iterator[Part]:
     hints = (
         Wrong(
             "The first angle is not right yet.",
-            "Double goes through 0°, and beyond it by as much as it came.",
+            "Double goes through 0°, and as far beyond it as it has come.",
         ),
         Wrong(
             "The second angle is not right yet.",
@@ -138,7 +138,7 @@ def construction_on_a_circle() -> Iterator[Part]:
         ),
         Wrong(
             "The fourth angle is not right yet.",
-            "Double reflects the third angle in that of the middle point, not the reverse.",
+            "Double reflects the third angle in that of the middle point, not the other way round.",
         ),
     )
     for i, (angle, hint) in enumerate(
@@ -159,7 +159,7 @@ def construction_on_a_circle() -> Iterator[Part]:
             "Double carries the gap before the point to the side after it.",
         ),
         otherwise=Wrong(
-            "The four angles are right, the rule is not yet.",
+            "The four angles are right, but the rule is not yet.",
             "Do the four steps with letters in place of numbers.",
         ),
         item=4,
@@ -211,7 +211,7 @@ def reversed_ring() -> Iterator[Part]:
         Mistake(
             right[::-1],
             "Your angles begin with the last point.",
-            "Bring the reversed b_i into the order of the a_i, not the reverse.",
+            "Bring the reversed b_i into the order of the a_i, not the other way round.",
         ),
         Mistake(np.deg2rad(right), *RADIANS),
         otherwise=Wrong(
@@ -315,7 +315,7 @@ def rule_for_two_gaps() -> Iterator[Part]:
         Mistake(
             without_full_turns(quarter - 90 * far),
             "Your rule always jumps to the same side.",
-            "It holds if the gaps add up to a positive angle. Try it with both gaps negated.",
+            "It is right if the gaps add up to a positive angle. Try it with both gaps negated.",
         ),
         Mistake(
             without_full_turns(quarter + 90 * np.sign(before + after) * far),
@@ -325,12 +325,12 @@ def rule_for_two_gaps() -> Iterator[Part]:
         Mistake(np.deg2rad(right), *RADIANS),
         Mistake(
             lambda places: close(places[~far], right[~far], 0.01),
-            "Your rule holds as long as the gaps differ by less than 180°, but not beyond.",
+            "Your rule is right as long as the gaps differ by less than 180°, but not beyond.",
             follow,
             example=lambda before, after: (before + after) / 4 * (abs(before - after) < 180),
         ),
         otherwise=Wrong(
-            "Your rule does not even hold for gaps that differ by less than 180°.", follow
+            "Your rule is not even right for gaps that differ by less than 180°.", follow
         ),
         within=0.01,
     )

@@ -125,7 +125,7 @@ def order_of_a_product() -> Iterator[Part]:
         Mistake(
             lambda letters: close(product(letters), product("wvu")),
             "This product turns about U first.",
-            "The column stands on the right of the product. Which matrix does it meet first?",
+            "The column comes on the right of the product. Which matrix does it meet first?",
             example=("WVU", w, 180),
         ),
         otherwise=Wrong(
@@ -176,22 +176,22 @@ def way_back() -> Iterator[Part]:
         Mistake(there @ there, "This is the way there, not the way back.", "What undoes one turn?"),
         Mistake(
             matrix_from_euler_angles(-u, -v, -w) @ there,
-            "The signs are changed, but that is not enough.",
+            "Changing the signs is not enough.",
             "You put on socks, then shoes. What do you take off first?",
         ),
         Mistake(
             rotation_u(u) @ rotation_v(v) @ rotation_w(w) @ there,
-            "The order is reversed, but that is not enough.",
+            "Reversing the order is not enough.",
             "What undoes a single turn about U?",
         ),
         Mistake(
             lambda both: close(both, np.eye(4), 2e-2),
-            "Multiplied by the way there, this is nearly the unit matrix.",
+            "Multiplied by the matrix of the way there, yours is nearly the unit matrix.",
             "Answer with the matrix as it is computed, not rounded.",
             example=there.T.round(2),
         ),
         otherwise=Wrong(
-            "Multiplied by the way there, this is not the unit matrix.",
+            "Multiplied by the matrix of the way there, yours is not the unit matrix.",
             "Write the product (4-1) out, and undo one factor at a time.",
         ),
         example=np.eye(4),
@@ -222,7 +222,7 @@ def angles_of_a_matrix() -> Iterator[Part]:
         lambda found: not close(np.sin(found[2] - triples[2])[[0, 2]], [0, 0]),
         otherwise=Wrong(
             "At gimbal lock these are the angles that went in.",
-            "The function sees the matrix only, and many angles give this one. Which does it find?",
+            "The function sees only a matrix, which many angles give. Which does it find?",
         ),
         example=triples,
     )
@@ -242,7 +242,7 @@ def angles_of_a_matrix() -> Iterator[Part]:
         ),
         Mistake(
             lambda found: reaches(found[:, ::-1], every),
-            "Your angles stand in the order W, V, U.",
+            "Your angles are in the order W, V, U.",
             "(4-1) begins with U.",
             example=found[:, ::-1],
         ),
@@ -265,8 +265,8 @@ def angles_of_a_matrix() -> Iterator[Part]:
             example=np.transpose(euler_angles(np.swapaxes(targets, 1, 2))),
         ),
         otherwise=Wrong(
-            "Already the first triple gives another matrix.",
-            "Which entries of (4-2) hold only the second angle, or that and one other?",
+            "Even the first triple gives another matrix.",
+            "Which entries of (4-2) contain only the second angle, or only that and one other?",
         ),
         example=-triples,
     )
@@ -326,7 +326,7 @@ def shear_by_rotations() -> Iterator[Part]:
         ),
         Mistake(
             lambda left, middle, right: close(right @ middle @ left, shear, 1e-12),
-            "The three matrices stand in the wrong order.",
+            "The three matrices are in the wrong order.",
             "Write the product as it is computed.",
             example=(first, stretch, last),
         ),
@@ -373,7 +373,7 @@ def photograph_of_a_spoon() -> Iterator[Part]:
         lambda camera: not close(camera[3, :3], np.zeros(3)),
         otherwise=Wrong(
             "This camera has no perspective.",
-            "Look at the last row. What must it hold to make far things small?",
+            "Look at the last row. What must it contain to make far things small?",
         ),
         item=0,
         example=(turned, triangles, near_last),
@@ -382,7 +382,7 @@ def photograph_of_a_spoon() -> Iterator[Part]:
         lambda camera: close(np.cross(camera[3, :3], camera[2, :3]), np.zeros(3)),
         otherwise=Wrong(
             "The camera projects before the scene has moved into place.",
-            "What acts last stands first in the product.",
+            "What acts last comes first in the product.",
         ),
         item=0,
         example=(turned @ projection, triangles, near_last),
@@ -408,7 +408,7 @@ def photograph_of_a_spoon() -> Iterator[Part]:
         lambda camera: np.linalg.det(camera) > 0,
         otherwise=Wrong(
             "Your matrix mirrors the spoon.",
-            "Turns, translations and a perspective have determinant 1. Which step has not?",
+            "Turns, translations and a perspective have determinant 1. Which step has another?",
         ),
         item=0,
         example=(camera @ scaling([1, 1, -1]), triangles, near_last),
@@ -442,7 +442,7 @@ def photograph_of_a_spoon() -> Iterator[Part]:
         Mistake(
             lambda depth, order: (np.diff(depth) >= -1e-9).all(),
             "You have already sorted the triangles, and your order sorts them again.",
-            "Give the triangles as the spoon has them. Your numbers say which comes when.",
+            "Give the triangles in the spoon's own order; your numbers then say which comes when.",
             example=(camera, triangles[near_last], near_last),
         ),
         otherwise=Wrong(
@@ -474,7 +474,7 @@ def photograph_of_a_spoon() -> Iterator[Part]:
         lambda back: len(back) == TRIANGLES,
         otherwise=Wrong(
             "These are not all the triangles of the spoon.",
-            "Keep also those that others hide. Filling them in order hides them.",
+            "Keep those that others hide, too, since filling them in order hides them.",
         ),
         item=3,
         example=(camera, triangles, near_last),

@@ -33,13 +33,13 @@ def axes_in_turn() -> Iterator[Part]:
         Mistake(
             right.T,
             "Your matrix turns the other way: it takes V to U.",
-            "Do the images of the axes stand in the rows of a matrix, or in its columns?",
+            "Are the images of the axes the rows of a matrix, or its columns?",
         ),
         Mistake(
             np.eye(3), "This matrix leaves every axis where it is.", "Multiply it by the axis U."
         ),
         otherwise=Wrong(
-            "Some axis does not go where it should.",
+            "At least one axis does not go where it should.",
             "Multiply your matrix by the column (1, 0, 0), and see which part of it you get.",
         ),
     )
@@ -86,11 +86,11 @@ def quaternion_of_a_friend() -> Iterator[Part]:
         Mistake(
             lambda *turn: same_turn(turn, friend.conjugate(), 2e-3),
             "This turns in the opposite sense.",
-            "A positive sine has the sign of the axis left over. Look at the sign of -0.8.",
+            "If the sine is positive, the sign of -0.8 can only be that of the axis.",
             example=([0, 0, 1], 106.26, "same"),
         ),
         otherwise=Wrong(
-            "Axis and angle do not make this quaternion.",
+            "Your axis and angle do not give this quaternion.",
             "Compare the cosine and the sine of half your angle with the four numbers.",
         ),
         item=slice(2),
@@ -99,7 +99,7 @@ def quaternion_of_a_friend() -> Iterator[Part]:
     yield Part(
         lambda judgement: judgement == "same",
         otherwise=Wrong(
-            "The second quaternion is judged wrong.",
+            "You are wrong about the second quaternion.",
             "Find its axis and its angle as well, and turn a point by both.",
         ),
         item=2,
@@ -135,7 +135,7 @@ def columns_left_out() -> Iterator[Part]:
         [cost.multiplications, cost.additions],
         otherwise=Wrong(
             "The counts are not those of the cheapest way.",
-            "Write out one entry of the third column and count. A subtraction is an addition.",
+            "Write out one entry of the third column and count, with a subtraction as an addition.",
         ),
         item=1,
     )
@@ -198,7 +198,7 @@ def never_free() -> Iterator[Part]:
         ),
         Mistake(
             lambda chosen: min(map(len, chosen)) < 3,
-            "A choice names a row twice.",
+            "One of your choices names a row twice.",
             "Choose three different rows; itertools.combinations does so.",
             example=[*rows, [0, 0, 1]],
         ),
@@ -215,7 +215,7 @@ def never_free() -> Iterator[Part]:
             example=rows,
         ),
         otherwise=Wrong(
-            "Some of these choices can be free.",
+            "At least one of these choices can be free.",
             "A choice belongs to the list if its rank is below 3 at every one of the rotations.",
         ),
         example=[*rows, *rows.T, [0, 4, 8]],

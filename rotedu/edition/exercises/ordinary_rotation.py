@@ -151,12 +151,12 @@ def turned_back() -> Iterator[Part]:
         ),
         Mistake(
             lambda *words: "identity" in wrong(*words),
-            "One matrix of the two still turns points.",
-            "You get the identity if you turn forward and then back. Here you only turn once.",
+            "One of the two matrices still turns points.",
+            "Turning forward and then back gives the identity, but here you turn only once.",
             example=("identity", "transpose"),
         ),
         otherwise=Wrong(
-            "One matrix of the two does change.",
+            "One of the two matrices does change.",
             "Where does the sine change its sign, and where does the axis appear once, not twice?",
         ),
         example=("transpose", "same"),
@@ -274,7 +274,7 @@ def axis_too_long() -> Iterator[Part]:
             "Use the function of the starter cell, which leaves the axis as it is.",
         ),
         otherwise=Wrong(
-            "The largest entry has another size.",
+            "This is not the size of the largest entry.",
             "Let M be `as_printed(too_long, np.pi / 2)`. Take the largest of the absolute values of"
             " MᵀM − I.",
         ),
@@ -321,7 +321,7 @@ def rotation_of_a_spoon() -> Iterator[Part]:
         ),
         Mistake(
             lambda axis, angle: same_rotation((axis, angle), truth, 3e-2),
-            "You are close, but not to 0.1° and 0.01.",
+            "You are close, but not within 0.1° and 0.01.",
             "Use all the vertices, and round at the end, if at all.",
             example=(n, turn.round(2)),
         ),

@@ -51,7 +51,7 @@ def turn_between_cameras() -> Iterator[Part]:
         ),
         Mistake(
             r1 @ r2,
-            "You do both turns, and undo none.",
+            "You do both turns and undo neither.",
             "T has to take back the first turn before it does the second.",
         ),
         Mistake(
@@ -147,7 +147,7 @@ def carried_platform() -> Iterator[Part]:
         Mistake(
             180 + right,
             "That is the sum of the angles of the triangle.",
-            "The area is what this sum has more than the sum in the plane.",
+            "The area is the excess of this sum over the sum in the plane.",
         ),
         Mistake(
             np.deg2rad(right),
@@ -156,7 +156,7 @@ def carried_platform() -> Iterator[Part]:
         ),
         Mistake(
             0,
-            "The platform was never turned about its vertical, but that is not enough.",
+            "That the platform was never turned about its vertical does not answer the question.",
             "Which way does a mark on it point on the equator, and which way when it is back?",
         ),
         Mistake(
@@ -166,7 +166,7 @@ def carried_platform() -> Iterator[Part]:
         ),
         otherwise=Wrong(
             "Find the three angles of the triangle first.",
-            "Two of them are between a meridian and the equator. What is their sum beyond 180°?",
+            "Two are between a meridian and the equator. By how much does the sum exceed 180°?",
         ),
         within=0.1,
         period=360,
@@ -300,7 +300,7 @@ def upright_flights() -> Iterator[Part]:
         Mistake(
             1 / uneven,
             "Your third column is upside down.",
-            "Divide the greatest speed by the smallest.",
+            "Divide the greatest speed by the least.",
         ),
         otherwise=Wrong(
             "The third column is not right yet.",

@@ -42,12 +42,12 @@ def product_by_hand() -> Iterator[Part]:
         Mistake(
             (q * p).components,
             "You multiplied in the other order.",
-            "Which vector stands first in the cross product?",
+            "Which vector comes first in the cross product?",
         ),
         Mistake(
             right - crossed,
             "One part of the vector is missing.",
-            "The vector of a product has three parts, and one is a product of vectors.",
+            "The vector of a product has three parts, one of which is a product of vectors.",
         ),
         Mistake(
             right + 2 * dotted, "The scalar part has a wrong sign in it.", "What is i times i?"
@@ -58,7 +58,7 @@ def product_by_hand() -> Iterator[Part]:
         Mistake(
             p.components * q.components,
             "You multiplied number by number.",
-            "Each of the four numbers on the left meets each of those on the right.",
+            "Each of the four numbers on the left is multiplied by each of those on the right.",
         ),
         otherwise=Wrong(
             "This is not the product.",
@@ -294,7 +294,7 @@ def between_two_photographs() -> Iterator[Part]:
     yield Part(
         lambda who: who == "both",
         otherwise=Wrong(
-            "Axes and angle are right, your judgement is not.",
+            "Axes and angle are right, but your judgement is not.",
             "Try each result once to the left of the first photograph and once to its right.",
         ),
         item=3,
@@ -337,7 +337,7 @@ def average_of_orientations() -> Iterator[Part]:
         Mistake(
             nearer(1, truth.conjugate()),
             "You averaged the inverse rotations.",
-            "Did a conjugate come in? Compare your signs with those of one measurement.",
+            "Is there a conjugate in your mean? Compare its signs with those of one measurement.",
             example=truth.conjugate(),
         ),
         Mistake(
@@ -354,7 +354,7 @@ def average_of_orientations() -> Iterator[Part]:
         ),
         Mistake(
             nearer(1, Quaternion(sizes[0], sizes[1:])),
-            "Absolute values also lose the signs that belong to the rotation.",
+            "Absolute values also lose signs that belong to the rotation.",
             "A quaternion has one sign to choose, for all four numbers together.",
             example=sizes,
         ),

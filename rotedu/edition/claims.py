@@ -1,4 +1,4 @@
-"""What the paper claims, and whether it is so.
+"""What the paper claims, and whether it is true.
 
 This is the one source of the tables of claims. The evidence is not kept here: the page that a claim
 links to names it beside the verdict.
@@ -23,17 +23,17 @@ Verdict = Literal[
 ]
 
 VERDICTS: dict[Verdict, str] = {
-    "holds": "true as stated, wherever the things it speaks of exist",
-    "holds under a condition": "true wherever the condition named beside it is met; elsewhere"
-    " false, or 0/0",
+    "holds": "true as stated, wherever what it speaks of exists",
+    "holds under a condition": "true wherever the condition named beside it is met, and"
+    " elsewhere false or 0/0",
     "does not hold": "false in a case that it covers, and no condition would save its point",
-    "does not follow": "the reason given does not lead there, whether or not another one does",
+    "does not follow": "no consequence of the reason given, whether or not of another",
     "not confirmed": "nothing that we could read or run decides it",
     "a matter of names": "the formulas are right, under either of two names in use",
 }
 
 OTHERS = {"folklore", "not claimed"}
-"""What is often said beside the paper, and what a reader may suspect."""
+"""What is often said outside the paper, and what a reader may suspect."""
 
 CHAPTERS = {
     "01-introduction": "Chapter\N{NO-BREAK SPACE}1",
@@ -50,7 +50,7 @@ CHAPTERS = {
 
 @dataclass(frozen=True, slots=True)
 class Claim:
-    """A claim of the paper, or one that is often made beside it.
+    """A claim of the paper, or one that is often made outside it.
 
     Attributes
     ----------
@@ -105,7 +105,7 @@ CLAIMS = (
         ("1",),
         "does not hold",
         "01-introduction",
-        reason="counted, 16 + 12, E5",
+        reason="it takes 16 + 12 when counted, E5",
     ),
     Claim(
         3,
@@ -121,7 +121,7 @@ CLAIMS = (
         ("3",),
         "holds",
         "03-ordinary-rotation",
-        reason="(2-6) knows one axis only, so unlike things are compared",
+        reason="but (2-6) turns about one axis only, so unlike things are compared",
     ),
     Claim(
         5,
@@ -137,7 +137,7 @@ CLAIMS = (
         ("1", "6"),
         "does not follow",
         "03-ordinary-rotation",
-        reason="a quaternion can be made a matrix, once, and then costs the same",
+        reason="a quaternion can be made into a matrix once, and then costs the same",
     ),
     Claim(
         7,
@@ -161,7 +161,7 @@ CLAIMS = (
         ("1", "4", "6"),
         "does not hold",
         "04-general-rotation",
-        reason="the formulas are a product of quaternions, and they start from three angles",
+        reason="the formulas are a product of quaternions and start from three given angles",
     ),
     Claim(
         10,
@@ -184,8 +184,8 @@ CLAIMS = (
         ("5",),
         "holds under a condition",
         "05-arcs",
-        "*slerp* is that of quaternions, and *like (5-3)* means about an axis in space, as"
-        " a cross product finds it",
+        "*slerp* is that of quaternions, and *like (5-3)* means about an axis in space that"
+        " a cross product finds",
         reason="as a matrix times a vector it has two forms, E7; with three components, one of"
         " them is (5-3)",
     ),
@@ -202,7 +202,7 @@ CLAIMS = (
         ("abstract", "1", "5", "6"),
         "does not follow",
         "05-orientations",
-        reason="points leave the roll open; there is another way, see 15",
+        reason="points leave the roll open; but there is another way, see 15",
     ),
     Claim(
         15,
@@ -221,8 +221,8 @@ CLAIMS = (
         ("abstract",),
         "holds under a condition",
         "06-conclusions",
-        "what is done is to turn many points, as in 5, or to sample one arc many times, as in 32",
-        reason="to compose, store and repair rotations takes less with quaternions",
+        "many points are turned, as in 5, or one arc is sampled many times, as in 32",
+        reason="composing, storing and repairing rotations takes less with quaternions",
     ),
     Claim(
         17,
@@ -240,8 +240,8 @@ CLAIMS = (
         ("5",),
         "not confirmed",
         "05-control-points",
-        reason="the paper has one half; Shoemake has one third, by a secondary source. We had no"
-        " copy of his article",
+        reason="the paper goes one half of the way, Shoemake one third according to a secondary"
+        " source; we had no copy of his article",
     ),
     Claim(
         19,
@@ -302,7 +302,7 @@ CLAIMS = (
         ("1",),
         "does not hold",
         "06-conclusions",
-        reason="to compose, store and repair rotations takes less with them; see 15, too",
+        reason="composing, storing and repairing rotations takes less with them; see also 15",
     ),
     Claim(
         27,
@@ -321,7 +321,7 @@ CLAIMS = (
         ("abstract", "1"),
         "holds under a condition",
         "06-conclusions",
-        "rotations are composed, stored or repaired; many points are not turned with them",
+        "rotations are composed, stored or repaired, but do not turn many points",
     ),
     Claim(
         29,
@@ -329,7 +329,7 @@ CLAIMS = (
         ("abstract", "1"),
         "holds under a condition",
         "02-quaternions",
-        "the question is about axis and angle; a matrix shows more plainly where a point goes",
+        "the question is about axis and angle, as a matrix shows better where a point goes",
     ),
     Claim(
         30,
@@ -465,7 +465,7 @@ CLAIMS = (
         ("4",),
         "holds under a condition",
         "04-general-rotation",
-        "in the end something turns; otherwise (4-3) is 0/0",
+        "the single rotation is not the identity; otherwise (4-3) is 0/0",
     ),
     Claim(
         48,
@@ -542,7 +542,7 @@ CLAIMS = (
         ("5",),
         "does not hold",
         "05-control-points",
-        reason="reversed, E2",
+        reason="the factors of the cross product are exchanged, E2",
     ),
     Claim(
         58,
@@ -550,7 +550,7 @@ CLAIMS = (
         ("5",),
         "does not hold",
         "05-control-points",
-        reason="reversed, E3",
+        reason="the points are exchanged, E3",
     ),
     Claim(
         59,
@@ -558,8 +558,8 @@ CLAIMS = (
         ("5",),
         "does not hold",
         "05-closed-curve",
-        reason="it reads what was never written, E4. Mended, its points lie on the curve, joined"
-        " by straight lines",
+        reason="it reads what was never written, E4; once corrected, its points lie on the curve,"
+        " joined by straight lines",
     ),
     Claim(
         60,
@@ -567,7 +567,7 @@ CLAIMS = (
         ("5",),
         "does not hold",
         "05-closed-curve",
-        reason="that of 120° is positive, E4b",
+        reason="the sine of 120° is positive, E4b",
     ),
     Claim(
         61,
@@ -607,7 +607,7 @@ CLAIMS = (
         ("4", "6"),
         "holds under a condition",
         "04-general-rotation",
-        "the three angles of (4-1) are given, and in the end something turns",
+        "the three angles of (4-1) are given, and the rotation is not the identity",
     ),
     Claim(
         66,
@@ -630,7 +630,7 @@ CLAIMS = (
         ("5",),
         "does not hold",
         "05-closed-curve",
-        reason="a sum of sines and cosines, scaled to length 1, does without",
+        reason="a sum of sines and cosines, scaled to length 1, is smooth without them",
     ),
     Claim(
         69,
@@ -645,8 +645,8 @@ CLAIMS = (
         ("1",),
         "holds",
         "06-conclusions",
-        reason="to compose takes less; to turn a point takes twice as much, until the quaternion"
-        " is made a matrix",
+        reason="composing takes less, while turning a point takes twice as much until the"
+        " quaternion is made into a matrix",
     ),
     Claim(
         71,

@@ -67,7 +67,7 @@ EQUATIONS = (
         "a quaternion is a scalar and a vector",
         ("quaternions.Quaternion",),
         "convention",
-        "the set of all is $\\mathbb R^4$: E1",
+        "together they make up $\\mathbb R^4$: E1",
     ),
     Equation(
         "2-2",
@@ -94,7 +94,7 @@ EQUATIONS = (
         "the quotient of two quaternions",
         ("quaternions.Quaternion.__truediv__",),
         "convention",
-        "undoes a product from the right only",
+        "undoes a product only from the right",
     ),
     Equation(
         "2-6",
@@ -141,7 +141,7 @@ EQUATIONS = (
         "the axis of the one rotation that replaces the three",
         ("general_rotation.axis_angle_from_euler_angles",),
         "convention",
-        "0/0 where nothing turns; there the code returns the U axis",
+        "0/0 where nothing turns; the code then returns the U axis",
     ),
     Equation(
         "4-4",

@@ -21,7 +21,7 @@ class Erratum:
     place : str
         Where in the paper it is.
     printed, correct : str
-        What is there, and what should be, in Markdown.
+        What is printed there, and what it should be, in Markdown.
     kind : str
         What is wrong: a "result" that is computed, a "fact" that is stated, or only the "wording".
         An "open" one may be none: the text has another reading, or our copy lacks a part.

@@ -155,3 +155,5 @@ def test_what_is_no_number_hears_so() -> None:
     assert "True, False and None" in check("5.19", zero.any(), hint=2).text
     assert "True, False and None" in check("5.13", np.array([True, False]), hint=2).text
     assert "True, False and None" in check("5.11", lambda before, after: None, hint=2).text
+    assert "words, True" in check("3.1", ["-2", "1", "3"], hint=2).text
+    assert "words, True" in check("5.11", lambda before, after: str(before), hint=2).text

@@ -334,8 +334,8 @@ def holds(answer: Any, test: Callable[[Any], bool]) -> bool:
 
 def as_array(answer: Any, shape: Sequence[int | None]) -> Array:
     """Return an answer as finite numbers of a given shape; None stands for any length."""
-    if holds(answer, lambda item: item is None or isinstance(item, bool)):
-        raise ValueError("True, False and None are not numbers.")
+    if holds(answer, lambda item: item is None or isinstance(item, (bool, str))):
+        raise ValueError("words, True, False and None are not numbers.")
     array = np.asarray(answer, dtype=np.float64)
     if len(array.shape) != len(shape) or any(
         wanted not in (None, length) for wanted, length in zip(shape, array.shape, strict=True)

@@ -12,6 +12,9 @@ from rotedu.edition.exercises import check, general_rotation
 from rotedu.quaternions import Quaternion
 
 A_WAY_BACK = [[0.35, -0.68, -0.64, 0], [0.93, 0.19, 0.3, 0], [-0.08, -0.71, 0.7, 0], [0, 0, 0, 1]]
+SECRET = np.random.default_rng(12)
+AXIS_OF_THE_SPOON, ANGLE_OF_THE_SPOON = SECRET.normal(size=3), SECRET.uniform(0, np.pi)
+AXIS_OF_THE_SPOON /= np.linalg.norm(AXIS_OF_THE_SPOON)
 A_THIRD_BACK = [[0, 0, 1], [-1, 0, 0], [0, -1, 0]]
 
 
@@ -79,8 +82,10 @@ WRONG: list[tuple[str, Any, str]] = [
     ("1.4", [*combinations_with_replacement(range(9), 3)], "names a row twice"),
     ("2.4", ([0, 1, 1, 0], [0.5, 0.5, 0.5, -0.5]), "norm 1"),
     ("2.6", [0.091, 0.333, -0.661, 0.666], "scalar parts positive"),
+    ("2.6", Quaternion.from_axis_angle([-1, 2, -2], np.deg2rad(181)), "the truth, exactly"),
     ("3.5", 0.003, "two digits"),
     ("3.6", ([-0.005, 0.816, 0.578], 0.56), "close"),
+    ("3.6", (-AXIS_OF_THE_SPOON, -ANGLE_OF_THE_SPOON), "the truth, exactly"),
     ("4.4", A_WAY_BACK, "nearly the unit matrix"),
     ("4.5", np.deg2rad([(10, 20, 30), (-170, 20, -150), (30, 90, 0)]).round(4), "to 1e-12"),
     ("4.5", np.deg2rad([(10, 20, 30), (10, 160, 30), (40, 90, 10)]), "that went in"),

@@ -21,6 +21,7 @@ from rotedu.quaternions import Quaternion
 
 __all__ = [
     "EXERCISES",
+    "NOT_THE_TRUTH",
     "RADIANS",
     "YOUR_RADIANS",
     "Exercise",
@@ -63,6 +64,11 @@ class Wrong(NamedTuple):
 # Hints for an angle in radians where degrees are asked for.
 RADIANS = Wrong("Are these radians?", "The exercise asks for degrees.")
 YOUR_RADIANS = Wrong("Your angle is in radians.", "A full turn has 360 degrees.")
+# A hint for what went into a simulated measurement.
+NOT_THE_TRUTH = Wrong(
+    "This is the truth, exactly. Nobody who measures knows it.",
+    "The cell knows it only to make the data. Find your answer from the data alone.",
+)
 
 
 class Mistake(NamedTuple):

@@ -7,6 +7,7 @@ import numpy as np
 
 from rotedu._vectors import Array
 from rotedu.edition.exercises.judging import (
+    NOT_THE_TRUTH,
     YOUR_RADIANS,
     Mistake,
     Part,
@@ -330,4 +331,9 @@ def rotation_of_a_spoon() -> Iterator[Part]:
             "Turn the points by your axis and angle. The rest should be as small as the noise.",
         ),
         example=(n, turn + 0.1),
+    )
+    yield Part(
+        lambda *turn: not same_rotation(turn, truth, 1e-9),
+        otherwise=NOT_THE_TRUTH,
+        example=(n, turn),
     )

@@ -7,6 +7,7 @@ import numpy as np
 
 from rotedu._vectors import Array
 from rotedu.edition.exercises.judging import (
+    NOT_THE_TRUTH,
     YOUR_RADIANS,
     Mistake,
     Part,
@@ -327,6 +328,11 @@ def average_of_orientations() -> Iterator[Part]:
 
         return test
 
+    yield Part(
+        lambda average: not nearer(1e-6, truth)(average),
+        otherwise=NOT_THE_TRUTH,
+        example=truth,
+    )
     yield Part(
         nearer(0.5, truth),
         Mistake(

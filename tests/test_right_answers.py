@@ -38,11 +38,21 @@ def photographed_from(distance: float, tilt: float = -1.1, back: float = 0.5) ->
     return seen @ moved @ tilted @ quarter
 
 
+A_PHOTOGRAPH = spoon_and_order(photographed_from(2.2))
+
+
+def rule_with_jump(limit: float) -> Any:
+    """Return an answer to 5.11 that jumps where the gaps differ by more than this."""
+    return lambda before, after: (
+        (before + after) / 4 - 90 * np.sign(before + after) * (abs(before - after) > limit)
+    )
+
+
 RIGHT: list[tuple[str, Any]] = [
     ("2.2", (0.87, 0, 0.3, 0.4)),
     ("3.2", ([0.58, 0.58, 0.58], 60)),
     ("3.6", ([0.005, -0.816, -0.578], 2 * np.pi - 0.5633)),
-    ("4.7", spoon_and_order(photographed_from(2.2))),
+    ("4.7", A_PHOTOGRAPH),
     ("5.1", [25, 130, -50]),
     ("5.1", (385, 130, 310)),
     ("5.2", [[0.783, -0.206, -0.587], [0.622, 0.277, 0.732], [0.622, 0.277, 0.732]]),
@@ -59,6 +69,7 @@ RIGHT: list[tuple[str, Any]] = [
     ("5.16", (1.63, False)),
     ("5.16", (1.62, "no")),
     ("5.17", A_THIRD_BACK),
+    ("5.17", np.pad(A_THIRD_BACK, (0, 1)) + np.diag([0, 0, 0, 1])),
     ("5.17", Quaternion(0.5, [-0.5, 0.5, -0.5])),
     ("5.17", [-0.5, 0.5, -0.5, 0.5]),
     ("5.18", (150, -30, -30)),
@@ -98,6 +109,13 @@ WRONG: list[tuple[str, Any, str]] = [
     (
         "4.7",
         spoon_and_order(photographed_from(2.2), np.arange(3840).clip(None, 1919)),
+        "all the triangles",
+    ),
+    ("4.7", spoon_and_order(photographed_from(2.2), [*range(1, 3840), 1]), "all the triangles"),
+    ("4.7", (*A_PHOTOGRAPH[:2], A_PHOTOGRAPH[2] + 0.4), "an order of n numbers"),
+    (
+        "4.7",
+        (A_PHOTOGRAPH[0], *spoon_and_order(photographed_from(2.1))[1:]),
         "leave the spoon's",
     ),
     ("4.7", spoon_and_order(photographed_from(2.2) @ np.diag([1, 1, -1, 1])), "mirrors"),
@@ -110,11 +128,16 @@ WRONG: list[tuple[str, Any, str]] = [
     ("5.4", (-1, 0, 3), "only at some moments"),
     ("5.6", (-1, -2, 2), "not on the sphere"),
     ("5.9", (50, 77, 63, 75), "begin with the last"),
+    ("5.11", rule_with_jump(175), "not even right"),
+    ("5.11", rule_with_jump(185), "but not beyond"),
+    ("5.11", lambda g, h: rule_with_jump(180)(g, h) * (g % 1 == 0), "not even right"),
     ("5.12", (60, 30, 1.571), "radians"),
     ("5.16", (1.8, False), "the mean"),
     ("5.16", (1.65, False), "not right yet"),
     ("5.19", -40, "the other way"),
     ("5.17", [-1, 1, -1, 1], "unit quaternion"),
+    ("5.17", np.pad(A_THIRD_BACK, (0, 1)) + np.diag([0, 0, 0, 2]), "Expected a turn"),
+    ("5.17", np.pad(A_THIRD_BACK, (0, 1), constant_values=1), "Expected a turn"),
     ("5.19", 320, "the other way"),
     ("5.21", [[4, -1.01, 1.0], [3, 1.02, 1.4], [24, 1.18, 3.9], [5, 1.01, 1.0]], "second column"),
     ("6.5", (0, 0), "do differ"),

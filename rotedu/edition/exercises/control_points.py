@@ -285,7 +285,8 @@ def two_repairs() -> Iterator[Part]:
     )
 
 
-STEPS = (-165, -110, -70, -20, 15, 40, 100, 150, 170)
+# Also fractions, 0, and pairs that differ by little more and little less than 180.
+STEPS = (-165, -110, -82, -78, -20.5, 0, 15, 40, 100, 150, 170)
 GAPS = [(g, h) for g in STEPS for h in STEPS if abs(g - h) != 180 and abs(g + h) != 360]
 
 

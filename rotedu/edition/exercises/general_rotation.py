@@ -352,6 +352,8 @@ def as_photograph(answer: Any) -> tuple[Array, Array, Array, Array, Array]:
     # Where the triangles were, and their divisors: the inverse matrix leads back.
     columns = np.concatenate([triangles, np.ones((*triangles.shape[:2], 1))], axis=2)
     back = columns @ np.linalg.pinv(camera).T
+    if (order % 1).any():
+        raise ValueError("the order has numbers that are not whole.")
     return camera, triangles[:, :, 2].mean(axis=1), order.astype(int), back, triangles
 
 
@@ -471,7 +473,8 @@ def photograph_of_a_spoon() -> Iterator[Part]:
         example=(camera, triangles / 100, near_last),
     )
     yield Part(
-        lambda back: len(back) == TRIANGLES,
+        # A triangle twice is one triangle.
+        lambda back: len(np.unique(back.round(6), axis=0)) == TRIANGLES == len(back),
         otherwise=Wrong(
             "These are not all the triangles of the spoon.",
             "Keep those that others hide, too, since filling them in order hides them.",
@@ -479,7 +482,7 @@ def photograph_of_a_spoon() -> Iterator[Part]:
         item=3,
         example=(camera, triangles, near_last),
     )
-    many = np.broadcast_to(triangles[0], (TRIANGLES, 3, 3))
+    many = np.random.default_rng(0).uniform(-1, 1, size=(TRIANGLES, 3, 3))
     yield Part(
         lambda back: is_spoon(back[..., :3] / back[..., 3:]),
         otherwise=Wrong(
@@ -487,7 +490,7 @@ def photograph_of_a_spoon() -> Iterator[Part]:
             "Transform the points by this matrix, then take those of each triangle.",
         ),
         item=3,
-        example=(camera, many, np.arange(TRIANGLES)),
+        example=(camera, many, np.argsort(many[:, :, 2].mean(axis=1))),
     )
 
 

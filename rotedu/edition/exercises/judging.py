@@ -370,7 +370,10 @@ def as_rotation(answer: Any) -> Array:
             raise ValueError("the quaternion does not have norm 1.")
         return Quaternion(w, v).matrix()
     if shape == (4, 4):
-        return as_array(answer, shape)[:3, :3]
+        matrix = as_array(answer, shape)
+        if not close((matrix[3], matrix[:, 3]), 2 * [[0, 0, 0, 1]]):
+            raise ValueError("the matrix does more than turn.")
+        return matrix[:3, :3]
     return as_array(answer, (3, 3))
 
 

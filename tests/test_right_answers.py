@@ -90,9 +90,13 @@ RIGHT: list[tuple[str, Any]] = [
 # Wrong answers that look right, and what their hints say.
 WRONG: list[tuple[str, Any, str]] = [
     ("1.2", ([0, 0, -1], 106, "same"), "more digits"),
+    ("1.3", ([-0.8, 0, 0.6], (3, 6), np.eye(3)), "changed places"),
     ("1.4", [*combinations_with_replacement(range(9), 3)], "names a row twice"),
+    ("2.1", [7, 1, 2, 1], "come last"),
+    ("2.2", (0, 0.3, 0.4, 0.87), "come last"),
     ("2.4", ([0, 1, 1, 0], [0.5, 0.5, 0.5, -0.5]), "norm 1"),
     ("2.6", [0.091, 0.333, -0.661, 0.666], "scalar parts positive"),
+    ("2.6", [0.333, -0.667, 0.667, 0.01], "come last"),
     ("2.6", Quaternion.from_axis_angle([-1, 2, -2], np.deg2rad(181)), "the truth, exactly"),
     ("3.5", 0.003, "two digits"),
     ("3.6", ([-0.005, 0.816, 0.578], 0.56), "close"),
@@ -100,6 +104,7 @@ WRONG: list[tuple[str, Any, str]] = [
     ("4.4", A_WAY_BACK, "nearly the unit matrix"),
     ("4.5", np.deg2rad([(10, 20, 30), (-170, 20, -150), (30, 90, 0)]).round(4), "to 1e-12"),
     ("4.5", np.deg2rad([(10, 20, 30), (10, 160, 30), (40, 90, 10)]), "that went in"),
+    ("4.5", np.deg2rad([(10, -170, 30), (20, 20, 90), (30, -150, 0)]), "columns"),
     ("4.5", np.full((3, 3), np.nan), "not finite"),
     ("4.5", np.deg2rad([(10, 20, 30), (10, 160, 30), (400, 90, 10)]), "that went in"),
     ("4.5", np.deg2rad([(10, 20, 30), (10, 160, 30), (220, 90, 190)]), "that went in"),
@@ -123,10 +128,13 @@ WRONG: list[tuple[str, Any, str]] = [
     ("4.7", spoon_and_order(photographed_from(2.2, tilt=0)), "straight above"),
     ("4.7", spoon_and_order(photographed_from(2.2, back=-4)), "behind the eye"),
     ("5.3", (6011, 67.2), "degrees for radians"),
+    ("5.3", (9200, 67.2), "close"),
+    ("5.3", (9156, 67), "close"),
     ("5.3", (82.34, 67.2), "an angle"),
     ("5.3", (1.437, 67.2), "an angle"),
     ("5.4", (-1, 0, 3), "only at some moments"),
     ("5.6", (-1, -2, 2), "not on the sphere"),
+    ("5.7", (0, 0, 1), "in the middle"),
     ("5.9", (50, 77, 63, 75), "begin with the last"),
     ("5.11", rule_with_jump(175), "not even right"),
     ("5.11", rule_with_jump(185), "but not beyond"),
@@ -140,6 +148,7 @@ WRONG: list[tuple[str, Any, str]] = [
     ("5.17", np.pad(A_THIRD_BACK, (0, 1), constant_values=1), "Expected a turn"),
     ("5.19", 320, "the other way"),
     ("5.21", [[4, -1.01, 1.0], [3, 1.02, 1.4], [24, 1.18, 3.9], [5, 1.01, 1.0]], "second column"),
+    ("6.4", (27, -19, 35, 579), "positive"),
     ("6.5", (0, 0), "do differ"),
 ]
 

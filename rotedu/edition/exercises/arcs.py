@@ -166,6 +166,11 @@ def great_circle_flight() -> Iterator[Part]:
             "Multiply by the radius.",
         ),
         Mistake(np.rad2deg(northernmost), "Is this the latitude?", "The length in km comes first."),
+        Mistake(
+            np.round(radius * theta, -2),
+            "The length is close, but not to within 5 km.",
+            "Round it less, or not at all.",
+        ),
         otherwise=Wrong(
             "The length is not right yet. Do your two points have length 1?",
             "Turn degrees into radians, then latitude and longitude into a vector. The third"
@@ -186,6 +191,11 @@ def great_circle_flight() -> Iterator[Part]:
             90 - np.rad2deg(northernmost),
             "You found how close the flight comes to the pole.",
             "Latitudes are counted from the equator.",
+        ),
+        Mistake(
+            np.rad2deg(northernmost).round(),
+            "The latitude is close, but not to within 0.1°.",
+            "Round it less, or not at all.",
         ),
         otherwise=Wrong(
             "The length is right, but the latitude is not yet.",
@@ -289,7 +299,7 @@ def even_sweep() -> Iterator[Part]:
 
     right = at(np.linspace(0, ends[-1], 1000))
     yield Part(
-        lambda directions: close(np.linalg.norm(directions, axis=1), np.ones(1000)),
+        lambda directions: close(np.linalg.norm(directions, axis=1), np.ones(1000), 1e-3),
         otherwise=Wrong(
             "Some of your directions do not have length 1.",
             "A point between two directions on a straight line is inside the sphere.",
@@ -297,7 +307,7 @@ def even_sweep() -> Iterator[Part]:
         example=np.linspace(stations[0], stations[-1], 1000),
     )
     yield Part(
-        lambda directions: close(directions[[0, -1]], stations[[0, -1]]),
+        lambda directions: close(directions[[0, -1]], stations[[0, -1]], 1e-3),
         otherwise=Wrong(
             "The sweep should begin at the first station and end at the last.",
             "Both ends are among the 1000 directions, and the sweep does not return.",
@@ -311,6 +321,12 @@ def even_sweep() -> Iterator[Part]:
             at(equal_times),
             "Each arc takes the same time, so the speed changes from arc to arc.",
             "Are the arcs equally long? A longer one needs more directions.",
+        ),
+        Mistake(
+            lambda directions: close(directions, right, 1e-3),
+            "Your directions are close, but not to nine digits.",
+            "Answer with the directions as they are computed in 64 bits, not rounded.",
+            example=right.round(3),
         ),
         otherwise=Wrong(
             "The steps are not equal.",

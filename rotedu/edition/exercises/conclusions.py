@@ -164,8 +164,8 @@ def joints_of_an_arm() -> Iterator[Part]:
     "6.4",
     expects="four numbers: three times in minutes and one in days",
     because="An error that is repeated wins over one that cancels.",
-    # Of logarithms, because every mistake is a factor.
-    read=lambda answer: np.log(numbers(4)(answer)),
+    # Of logarithms, because every mistake is a factor. A negative time becomes hardly any.
+    read=lambda answer: np.log(numbers(4)(answer).clip(1e-9)),
 )
 def hours_of_a_game() -> Iterator[Part]:
     """Yield how long a product of rounded steps keeps its length; within 3 %."""
@@ -179,6 +179,12 @@ def hours_of_a_game() -> Iterator[Part]:
     days = 3000 * ratio**2 / per_day
     yield Part(
         np.log(minutes),
+        Mistake(
+            lambda times: times.min() < np.log(1e-8),
+            "Not all of your times are positive.",
+            "The length falls to 0.999 if that of a step is below 1, and else grows to 1.001.",
+            example=[-minutes[0], *minutes[1:], days],
+        ),
         Mistake(
             np.log(60 * minutes),
             "Are your times in seconds, or steps divided by 60?",

@@ -91,7 +91,7 @@ def middle_of_an_arc() -> Iterator[Part]:
             "Which vector points between the two, and not from one to the other?",
         ),
         otherwise=Wrong(
-            "Your point is not the same distance from both.",
+            "Your point is not in the middle of the arc.",
             "A sum of two vectors of one length points halfway between them.",
         ),
         within=2e-3,
@@ -195,7 +195,7 @@ def reversed_ring() -> Iterator[Part]:
         ),
         Mistake(
             np.rad2deg(angle_between(a, back_a[::-1])),
-            "You compare a_i with a_i.",
+            "You compare a_i with a_i, or b_i with b_i.",
             "Which control point is after a point if you travel the other way?",
         ),
         Mistake(

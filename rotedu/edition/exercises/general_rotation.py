@@ -247,6 +247,12 @@ def angles_of_a_matrix() -> Iterator[Part]:
             example=found[:, ::-1],
         ),
         Mistake(
+            lambda found: reaches(found.T, every),
+            "Your triples are the columns.",
+            "Each row should hold the three angles of one matrix.",
+            example=found.T,
+        ),
+        Mistake(
             lambda found: reaches(found, first_two),
             "The triple at gimbal lock gives another matrix.",
             "Where the cosine of the second angle is 0, which four entries are left?",
@@ -299,6 +305,14 @@ def shear_by_rotations() -> Iterator[Part]:
     for side, item in sides.items():
         yield Part(
             lambda matrix: close(matrix.T @ matrix, np.eye(3), 1e-12),
+            Mistake(
+                lambda matrix: close(matrix.T @ matrix, np.eye(3), 2e-2),
+                f"The matrix on the {side} is nearly orthogonal.",
+                "Answer with the matrices as they are computed, not rounded.",
+                example=(last, stretch, first.round(2))
+                if item
+                else (last.round(2), stretch, first),
+            ),
             otherwise=Wrong(
                 f"The matrix on the {side} is not orthogonal.",
                 "A rotation keeps lengths. Multiply the matrix by its transpose.",

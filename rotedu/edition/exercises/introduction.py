@@ -133,6 +133,11 @@ def columns_left_out() -> Iterator[Part]:
     cost = count(np.cross, first, second)
     yield Part(
         [cost.multiplications, cost.additions],
+        Mistake(
+            [cost.additions, cost.multiplications],
+            "The two counts have changed places.",
+            "Multiplications come first.",
+        ),
         otherwise=Wrong(
             "The counts are not those of the cheapest way.",
             "Write out one entry of the third column and count, with a subtraction as an addition.",

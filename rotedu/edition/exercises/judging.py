@@ -23,6 +23,7 @@ __all__ = [
     "EXERCISES",
     "NOT_THE_TRUTH",
     "RADIANS",
+    "SCALAR_LAST",
     "YOUR_RADIANS",
     "Exercise",
     "Mistake",
@@ -64,6 +65,7 @@ class Wrong(NamedTuple):
 # Hints for an angle in radians where degrees are asked for.
 RADIANS = Wrong("Are these radians?", "The exercise asks for degrees.")
 YOUR_RADIANS = Wrong("Your angle is in radians.", "A full turn has 360 degrees.")
+SCALAR_LAST = Wrong("Does your scalar part come last?", "In this book it comes first.")
 # A hint for what went into a simulated measurement.
 NOT_THE_TRUTH = Wrong(
     "This is the truth, exactly. Nobody who measures knows it.",

@@ -8,6 +8,7 @@ import numpy as np
 from rotedu._vectors import Array
 from rotedu.edition.exercises.judging import (
     NOT_THE_TRUTH,
+    SCALAR_LAST,
     YOUR_RADIANS,
     Mistake,
     Part,
@@ -61,6 +62,7 @@ def product_by_hand() -> Iterator[Part]:
             "You multiplied number by number.",
             "Each of the four numbers on the left is multiplied by each of those on the right.",
         ),
+        Mistake(np.roll(right, -1), *SCALAR_LAST),
         otherwise=Wrong(
             "This is not the product.",
             "Find the scalar part first, then the three parts of the vector, one by one.",
@@ -103,6 +105,7 @@ def unit_quaternion_of_a_turn() -> Iterator[Part]:
             "How long is the axis (0, 3, 4), and how long should it be?",
             example=[np.cos(angle / 2), *(axis * np.sin(angle / 2))],
         ),
+        Mistake(np.roll(right.components, -1), *SCALAR_LAST),
         otherwise=Wrong(
             "This is another rotation.",
             "Find the angle from the scalar part and the axis from the vector, and compare.",
@@ -345,6 +348,11 @@ def average_of_orientations() -> Iterator[Part]:
             "You averaged the inverse rotations.",
             "Is there a conjugate in your mean? Compare its signs with those of one measurement.",
             example=truth.conjugate(),
+        ),
+        Mistake(
+            lambda average: nearer(1, truth)(np.roll(average, 1)),
+            *SCALAR_LAST,
+            example=np.roll(truth.components, -1),
         ),
         Mistake(
             nearer(1, Quaternion(mean[0], mean[1:])),

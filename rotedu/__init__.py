@@ -2,7 +2,7 @@
 
 The paper is F. Cheng et al., "We Don't Really Need Quaternions in Geometric Modeling, Computer
 Graphics and Animation: Here Is Why", Computer-Aided Design & Applications 20(6), 2023, 1061-1073,
-doi:10.14733/cadaps.2023.1061-1073. One module serves one section; every function names the
+doi:10.14733/cadaps.2023.1061-1073. Each module serves one section, and every function names the
 equation it computes.
 
 Conventions, the same everywhere:
@@ -16,8 +16,8 @@ Conventions, the same everywhere:
   else float64.
 - Arguments that must be unit vectors are normalised. A matrix that is a rotation to half of its
   digits is replaced by the nearest rotation. An argument that is zero where it must not be, not
-  finite, of the wrong shape or no rotation raises a `ValueError` that names it. A geometry without
-  an answer raises `rotedu.errors.DegenerateError`, which is a `ValueError` too.
+  finite, of the wrong shape or not a rotation raises a `ValueError` that names it. A geometry
+  without an answer raises `rotedu.errors.DegenerateError`, which is a `ValueError` too.
 - Arrays of dtype object may hold something other than numbers, such as the counting scalars of
   `rotedu.cost` or symbols. Their shapes are checked and their values are not. Where a unit vector
   is expected, they must already be one.

@@ -79,9 +79,9 @@ def arc_axis(p: Unit3, q: Unit3) -> Vector:
 
     Notes
     -----
-    The equations (5-1), (5-6), (5-9), (5-12) and (5-15) all have this form. In (5-9) the paper
-    has the operands in the wrong order, which reverses the axis (erratum E2). The arc runs from the
-    reflected point to P_{i+1}, so the reflected point comes first.
+    The equations (5-1), (5-6), (5-9), (5-12) and (5-15) all have this form. In (5-9) the paper has
+    the operands in the wrong order, which reverses the axis (erratum E2): the arc runs from the
+    reflected point to P_{i+1}, so the reflected point must come first.
 
     References
     ----------
@@ -131,14 +131,14 @@ def slerp(p: Unit, q: Unit, t: Number) -> Vector:
     -----
     As printed, (5-2) divides by sin(theta), so it is 0/0 where p = q and leaves the sphere near pi.
     The code combines m, the midpoint of the arc, with c, the direction of the chord:
-    ``cos((t - 1/2) theta) m + sin((t - 1/2) theta) c``. These two vectors are perpendicular, so
-    nothing cancels.
+    ``cos((t - 1/2) theta) m + sin((t - 1/2) theta) c``. Since m and c are perpendicular, nothing
+    cancels.
 
-    The formula is slerp. The paper says that slerp has no matrix form like (5-3) (erratum E7). For
-    points of the sphere, (5-3) is such a form.
+    The formula is slerp. Although the paper says that slerp has no matrix form like (5-3) (erratum
+    E7), (5-3) is such a form for points of the sphere.
 
-    If p and q are unit quaternions, the arc is the shorter turn if p . q is positive. If p . q is
-    negative, use -q, which is the same rotation.
+    If p and q are unit quaternions, the arc is the shorter turn as long as p . q is positive; if
+    it is negative, use -q, which is the same rotation.
 
     References
     ----------
@@ -236,7 +236,8 @@ def nlerp(p: Unit, q: Unit, t: Number) -> Vector:
 
     Notes
     -----
-    The paper does not use it. Computer graphics calls it normalised linear interpolation.
+    The paper does not use this function, which computer graphics calls normalised linear
+    interpolation.
 
     Examples
     --------

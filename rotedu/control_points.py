@@ -36,11 +36,11 @@ def double(p: Unit, q: Unit) -> Vector:
 
     Notes
     -----
-    In (5-13) the paper exchanges the operands. It computes Double(P_i, a_i), which leads back to
-    the midpoint of the second step (erratum E3). Its text and (5-14) have Double(a_i, P_i), as
+    In (5-13) the paper exchanges the operands and so computes Double(P_i, a_i), which leads back
+    to the midpoint of the second step (erratum E3). Its text and (5-14) have Double(a_i, P_i), as
     here.
 
-    Along the great circle, p and its reflection are 2 theta apart. If theta is more than 90
+    Along the great circle, p and its reflection are 2 theta apart, but if theta is more than 90
     degrees, this is not the angle between them (erratum E11).
 
     References
@@ -115,8 +115,8 @@ def bisect(p: Unit, q: Unit) -> Vector:
     Notes
     -----
     The paper's factor, sin(theta / 2) / sin(theta), equals 1 / abs(p + q). It is 0/0 where p = q,
-    which always happens for equally spaced points of a great circle. (Text extracted from the paper
-    loses the bar in the denominators, which marks the angle between these two points.)
+    which always happens for equally spaced points of a great circle. In text extracted from the
+    paper, the denominators lack the bar that marks the angle between these two points.
 
     References
     ----------
@@ -210,9 +210,9 @@ def control_points(points: ClosedPoints, fraction: Fraction = 1 / 2) -> tuple[Ve
     printed formulas are 0/0; repeated points; and gaps beyond 90 degrees. Where the points go out
     and back by less than 90 degrees, a_i = b_i = P_i, and the curve stops there for a moment.
 
-    Bisect takes the shorter arc. On a great circle, with the gaps g_1 and g_2 before and after P_i,
-    a_i lies (g_1 + g_2) / 4 beyond P_i, unless abs(g_1 - g_2) > 180 degrees. There it jumps to the
-    other side. Near such a jump, a small change in the data moves a_i a lot.
+    Bisect takes the shorter arc. On a great circle, with the gaps g_1 and g_2 before and after
+    P_i, a_i lies (g_1 + g_2) / 4 beyond P_i, unless abs(g_1 - g_2) > 180 degrees, where it jumps
+    to the other side. Near such a jump, a small change in the data moves a_i a lot.
 
     References
     ----------

@@ -221,7 +221,7 @@ def quaternion_from_euler_angles(u: Number, v: Number, w: Number) -> Quaternion:
 
     Notes
     -----
-    The paper introduces these four numbers without the word quaternion. They are the product
+    The paper introduces these four numbers without the word quaternion, but they are the product
     q_w q_v q_u of the quaternions of the principal rotations.
 
     References
@@ -270,9 +270,9 @@ def axis_angle_from_euler_angles(u: Number, v: Number, w: Number) -> tuple[Vecto
 
     Notes
     -----
-    (4-5) gives the sine of half the angle and (4-6) its cosine. Both are needed, because the sine
+    (4-5) gives the sine of half the angle and (4-6) its cosine. Both are needed, since the sine
     alone does not distinguish an angle from the rest of a full turn. (4-3) is 0/0 where nothing
-    turns. A rotation smaller than the rounding of the three angles counts as none.
+    turns; a rotation smaller than the rounding of the three angles counts as none.
 
     References
     ----------
@@ -327,8 +327,8 @@ def euler_angles(matrix: RotationOrPose) -> tuple[Number, Number, Number]:
 
     Notes
     -----
-    The first column of (4-2) gives v and w. The code undoes the turn about W before it reads off
-    u. So u keeps its digits near gimbal lock, where w is lost to rounding.
+    The first column of (4-2) gives v and w. The code then undoes the turn about W before it reads
+    off u, which therefore keeps its digits near gimbal lock, where w is lost to rounding.
 
     References
     ----------
@@ -375,9 +375,9 @@ def homogeneous(matrix: Matrix3) -> HomogeneousMatrix:
 
     Notes
     -----
-    A point has the fourth coordinate 1. A direction has 0, so no translation moves it. The paper
-    gives the axis of (4-7) the fourth coordinate 1; as a direction it should be
-    (a_u, a_v, a_w, 0) (erratum E8).
+    A point has the fourth coordinate 1, while a direction has 0, so that no translation moves it.
+    The paper gives the axis of (4-7) the fourth coordinate 1; as a direction it should be (a_u,
+    a_v, a_w, 0) (erratum E8).
 
     References
     ----------

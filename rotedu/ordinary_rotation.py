@@ -273,8 +273,8 @@ def axis_angle(matrix: Rotation) -> tuple[Vector3, Number]:
     Notes
     -----
     Each row of `sixteen_products` is a multiple of the rotation's unit quaternion. Shepperd's
-    method takes the row with the largest diagonal entry. That entry is at least 1, so no digits
-    are lost. The textbook formula ``arccos((trace - 1) / 2)`` loses half of them near 0 and pi, and
+    method takes the row with the largest diagonal entry, which is at least 1, so no digits are
+    lost. The textbook formula ``arccos((trace - 1) / 2)`` loses half of them near 0 and pi, and
     dividing the skew-symmetric part by ``2 sin(theta)`` loses the axis near pi.
 
     References

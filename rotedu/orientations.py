@@ -1,8 +1,8 @@
 """Section 5, page 5 IV: orientations, interpolated as turns about axes.
 
 A point of the sphere says where a camera looks, but not how it is turned about its line of sight.
-The curve of Section 5 consists of points; here the same construction runs on the turns between
-rotation matrices.
+While the curve of Section 5 consists of points, here the same construction runs on the turns
+between rotation matrices.
 """
 
 from __future__ import annotations
@@ -58,10 +58,10 @@ def slerp_rotations(r1: Rotation, r2: Rotation, t: Number) -> Rotation:
     -----
     R1^T R2 is the turn from R1 to R2, and its axis and angle are its logarithm. The exponential
     (3-3) of the same axis and a fraction of the angle is part of that turn. The result is slerp of
-    quaternions without the choice of sign: the turn is always the shorter one. The longer one,
-    by an angle of theta - 2 pi about the same axis, has to be asked for as such. The paper claims
-    this but gives no formula; its Section 5 interpolates points on the sphere, which are not
-    orientations.
+    quaternions without the choice of sign: the turn is always the shorter one. The longer one, by
+    an angle of theta - 2 pi about the same axis, has to be asked for as such. The paper claims
+    that ordinary rotation interpolates orientations, too, but gives no formula: its Section 5
+    interpolates points on the sphere, which are not orientations.
 
     References
     ----------
@@ -118,15 +118,17 @@ def closed_rotation_curve(
 
     Notes
     -----
-    The construction is the same as for points. Its arcs are turns, each kept as its axis times its
-    angle, from 0 to 360 degrees, and turns in succession become one turn by the half-angle rule.
-    The matrices fix the turns between neighbours; everything else follows from these. Joining two
-    matrices directly, as `slerp_rotations` does, would take the shorter way instead of the route
-    by which they were reached, and another curve wherever that route exceeds half a turn.
+    The construction is the same as for points, but its arcs are turns, each kept as its axis times
+    its angle, from 0 to 360 degrees, and turns in succession become one turn by the half-angle
+    rule. The matrices fix the turns between neighbours; everything else follows from these.
+    Joining two matrices directly, as `slerp_rotations` does, would take the shorter way instead of
+    the route by which they were reached, and another curve wherever that route exceeds half a
+    turn.
 
     As rotations these are the orientations of `rotedu.closed_curve.closed_curve` for quaternions
     whose signs agree. Where the signs cannot agree all the way round, as when a body turns right
-    round once, the quaternions close after two rounds, q followed by -q, and this is the first.
+    round once, the quaternions close after two rounds, q followed by -q, of which this is the
+    first.
 
     References
     ----------

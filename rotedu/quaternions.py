@@ -1,8 +1,8 @@
 """Section 2: quaternions and the rotations they represent.
 
-The notation follows the equations: a quaternion q = [w, v] has a scalar part w and a vector part v.
-The quaternions form a space of four dimensions, and those of norm 1 form its unit sphere S^3. (The
-paper calls the space S^3 and the sphere S^2, one dimension too few in each case: erratum E1.)
+The notation follows the equations: a quaternion q = [w, v] has a scalar part w and a vector part
+v. The quaternions form a space of four dimensions, and those of norm 1 form its unit sphere S^3.
+The paper calls the space S^3 and the sphere S^2, one dimension too few in each case (erratum E1).
 """
 
 from __future__ import annotations
@@ -333,7 +333,7 @@ class Quaternion:
         Notes
         -----
         The angle is ``2 * arctan2(abs(v), w)``, because ``2 * arccos(w)`` would lose half of the
-        digits of a small angle. Quaternions of any other norm are normalised first.
+        digits of a small angle. Quaternions whose norm is not 1 are normalised first.
 
         Examples
         --------
@@ -373,7 +373,7 @@ class Quaternion:
 
         Notes
         -----
-        Quaternions of any other norm are normalised first, so the method computes q [0, r] q^-1.
+        Quaternions whose norm is not 1 are normalised first, so the method computes q [0, r] q^-1.
         For a unit quaternion the product is [0, r + 2 w v x r + 2 v x (v x r)].
 
         References
@@ -411,7 +411,7 @@ class Quaternion:
 
         Notes
         -----
-        Quaternions of any other norm are normalised first. q and -q have the same matrix.
+        Quaternions whose norm is not 1 are normalised first. q and -q have the same matrix.
 
         Examples
         --------
@@ -455,8 +455,8 @@ def rotate_about_u(points: Vector3, angle: Number) -> Vector:
 
     Notes
     -----
-    In print, the last line lacks a comma and has the angle about V in one place. The code follows
-    the line before it, with one angle and three components.
+    In our text of the paper, the last line lacks a comma and has the angle about V in one place,
+    so the code follows the line before it, with one angle and three components.
 
     References
     ----------

@@ -2,8 +2,8 @@
 
 A scene is a box with the shape of its picture. It contains the poster and, over the poster, one
 element for each label, placed in per cent of the box so that it keeps its place at any size. A
-reader sees this without any script. On pages with scenes a small script waits until they come near
-the screen, and then makes them live.
+reader sees all this without any script; where there is one, it waits until a scene comes near the
+screen and then makes it live.
 
 On paper and in an EPUB (every builder but ``html``) the poster and its labels are all there is.
 """
@@ -23,8 +23,8 @@ from sphinx.application import Sphinx
 
 from rotedu.figures.backend import MIME_TYPE
 
-NO_SCRIPT = "This figure can be turned where JavaScript is on."
-ON_PAPER = "Online, this figure answers the hand: its points and sliders can be moved."
+NO_SCRIPT = "With JavaScript on, this figure can be turned."
+ON_PAPER = "Online, the points and sliders of this figure can be moved."
 BUILDERS = ("html", "singlehtml", "epub")
 
 

@@ -266,7 +266,7 @@ def euler_angles_by_hand(
     level = pose(set_by_hand)
     sideways = pose([0, 0, w])[:, 0]
     tilted = rotation_matrix(sideways, np.deg2rad(tilt)) @ level
-    # What was not tilted keeps its angles, also where others lead to the same pose.
+    # What was not tilted keeps its angles, even where others lead to the same pose.
     angles = nearest_angles(tilted, set_by_hand) if tilt else set_by_hand
     now = t * angles
     back = np.array([0.48, -0.74, 0.47])
@@ -317,7 +317,7 @@ def euler_angles_by_hand(
     read_out(plotter, "by_slerp", by_slerp, "one turn takes it through", 0, "°")
     nearby = pose(now + np.array([(1, 0, 0), (-1, 0, 0), (0, 0, 1)]))
     apart = degrees_between(nearby[:2], nearby[2]).min()
-    read_out(plotter, "apart", apart, "1° of w replaces 1° of u to within", 2, "°")
+    read_out(plotter, "apart", apart, "1° of w does what 1° of u does, to within", 2, "°")
     draw_chart(
         plotter,
         "speeds",

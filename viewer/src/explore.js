@@ -97,7 +97,7 @@ export function explore(element, live, data, models, python) {
     hint?.remove();
     // A new address that the figure does not follow: it is there already.
     history.replaceState(null, "", `#explore-${data.name}?${toText(inputs, data.start)}`);
-    write("The address of this page now leads to this state.");
+    write("The address of this page now opens the figure as it is set.");
   };
 
   const handles = addHandles(scene, live, data.inputs, () => inputs, change);

@@ -44,6 +44,6 @@ export function openWebGL(scene) {
   const canvas = document.createElement("canvas");
   Object.assign(canvas, pixels(scene));
   const opened = canvas.getContext("webgl2", { alpha: true, antialias: true });
-  if (!opened) throw new Error("this browser draws no WebGL");
+  if (!opened) throw new Error("this browser cannot draw with WebGL");
   return opened;
 }

@@ -187,7 +187,7 @@ test("the address leads to the state, and the state follows the address", () => 
   write("u", "0.5");
   find("[data-action=link]").click();
   assert.equal(location.hash, "#explore-some-figure?u=0.5");
-  assert.equal(status(), "The address of this page now leads to this state.");
+  assert.equal(status(), "The address of this page now opens the figure as it is set.");
   assert.deepEqual(shown().values(), { u: 0.5, v: 1, sum: 1.5 });
   history.replaceState(null, "", "#explore-some-figure?v=0.5");
   dispatchEvent(new Event("hashchange"));

@@ -94,7 +94,7 @@ def arc_axis(p: Unit3, q: Unit3) -> Vector:
     """
     refuse_coincident(p, q)
     refuse_antipodal(angle_between(p, q))
-    # This product is twice p x q. Its factors are at right angles, so that nothing cancels.
+    # This product is twice p x q, but its factors are at right angles, so nothing cancels.
     return unit(cross(p + q, q - p))
 
 

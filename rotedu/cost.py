@@ -1,7 +1,7 @@
 """Operation counts, found by running the code.
 
 `count` calls a function on scalars that record every operation done with them. Nothing is
-estimated: the counted code is the code that otherwise runs on floating-point arrays.
+estimated, since the counted code is the same that otherwise runs on floating-point arrays.
 """
 
 import operator
@@ -136,8 +136,8 @@ class CountingScalar:
     """A number that records every operation done with it in a tally.
 
     NumPy calls the methods ``cos``, ``sqrt`` and so on of the elements of an object array. The
-    value may be a counting scalar of another tally, so counts can be nested. There is no
-    conversion to float, because operations on a float would go uncounted.
+    value may be a counting scalar of another tally, so that counts can be nested. Nothing is
+    converted to float, because operations on a float would go uncounted.
     """
 
     __slots__ = ("tally", "value")

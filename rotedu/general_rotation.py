@@ -291,7 +291,7 @@ def axis_angle_from_euler_angles(u: Number, v: Number, w: Number) -> tuple[Vecto
     [1. 0. 0.] 0.0
     """
     ((delta, vector),) = parts(quaternion_from_euler_angles(u, v, w))
-    # A turn smaller than the rounding of the given angles is none. Objects are not rounded.
+    # A turn smaller than the rounding of the given angles counts as none. Objects are not rounded.
     eps = rounding(delta)
     rounded = eps and eps * (abs(u) + abs(v) + abs(w)) / 2
     axis, sine = axis_and_length(vector, negligible=rounded)

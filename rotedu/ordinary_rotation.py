@@ -293,7 +293,7 @@ def axis_angle(matrix: Rotation) -> tuple[Vector3, Number]:
     w, x, y, z = np.choose(largest, table)
     axis, sine = axis_and_length(np.stack([x, y, z]))
 
-    # Take q or -q so that w > 0; at a half turn, that the axis begins above 0.
+    # Take q or -q so that w > 0 or, at a half turn, so that the axis begins above 0.
     tiny = 4 * rounding(matrix)
     first = np.choose(np.argmax(np.abs(axis) > tiny, axis=0), axis)
     half_turn = np.abs(w) <= tiny * sine

@@ -1,7 +1,7 @@
 """The paper's numbered equations and figures, and the functions that compute and draw them.
 
-Their tables are made from this list alone. The test of an equation carries its number as a mark,
-``@pytest.mark.equation("5-2")``.
+Their tables are made from this list alone, and the test of an equation carries its number as a
+mark, ``@pytest.mark.equation("5-2")``.
 """
 
 from dataclasses import dataclass

@@ -1,11 +1,11 @@
 """Figures for a book, made from pyvista scenes.
 
-A page in a browser has no Python behind it. This package turns the window that ``Plotter.show()``
-would open into something that a page can carry. `backend` makes a poster, labels and an alternative
-text, `gltf` writes the scene to a file, and `pages` puts everything on a page of Sphinx. There the
-viewer in the folder ``viewer`` replaces the poster with the scene, which the reader can turn. A
-notebook shows the same figure as a `widget`. `explorable` lets the hand change what a scene shows.
-Nothing here depends on what the scenes show.
+A page in a browser has no Python behind it, so this package turns the window that
+``Plotter.show()`` would open into something that a page can carry. `backend` makes a poster,
+labels and an alternative text, `gltf` writes the scene to a file, and `pages` puts everything on a
+page of Sphinx. There the viewer in the folder ``viewer`` replaces the poster with the scene, which
+the reader can turn. A notebook shows the same figure as a `widget`. With `explorable`, a reader
+can change what a scene shows. Nothing here depends on the contents of the scenes.
 
 Use in another book
 -------------------

@@ -52,8 +52,9 @@ def needs_no_display() -> bool:
 def choose_render_window() -> None:
     """Tell VTK which off-screen window to use where there is no display.
 
-    Otherwise VTK would try the display first and complain on stderr, in the middle of the page. A
-    widget needs no picture, so without any library VTK gets a window that only must not be drawn.
+    Otherwise VTK would try the display first and complain on stderr, in the middle of the page.
+    Since a widget needs no picture, VTK without any library gets a window that must never be
+    drawn.
     """
     if not needs_no_display():
         return
@@ -157,7 +158,7 @@ def book_figure(plotter: pyvista.Plotter, **_: object) -> BookFigure:
 def still_picture(plotter: pyvista.Plotter, **_: object) -> Image.Image:
     """Take a picture of a scene, as the handler of the pyvista backend ``still``.
 
-    pyvista's own backend ``static`` keeps every scene open, and each takes 40 MB. This one closes a
+    While pyvista's own backend ``static`` keeps every scene open, at 40 MB each, this one closes a
     scene when its cell has run.
 
     Parameters

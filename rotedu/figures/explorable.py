@@ -1,8 +1,8 @@
 """Figures that answer the hand: a function that draws a scene, and what of it can be changed.
 
-A figure that only slides needs no code for the page: its frames are computed here, in advance for a
-page, at once in a notebook. A figure with handles names a model, a function of the viewer that
-computes the same frames from the same inputs while the hand moves.
+A figure with sliders alone needs no code for the page: its frames are computed here, for a page in
+advance and for a notebook when they are wanted. A figure with handles names a model, a function of
+the viewer that computes the same frames from the same inputs while a point is dragged.
 """
 
 import base64
@@ -39,8 +39,8 @@ def explorable(
         Name of the viewer's model that computes the same frames. Without one, the frames come from
         the function itself.
     constants : mapping, optional
-        Colours and texts that the model cannot know, as JSON holds them. It is given them with the
-        inputs.
+        Colours and texts that the model cannot know, as JSON holds them. The model gets them with
+        the inputs.
     **inputs
         What can be changed: arguments of the function.
 
@@ -72,7 +72,7 @@ def explore(function: Scene, **sliders: Slider | tuple[float, float]) -> "Explor
     Returns
     -------
     Exploration
-        The figure. Each input is an attribute, which follows the hand and can be set.
+        The figure. Each input is an attribute, which follows what the reader does and can be set.
 
     Raises
     ------
@@ -267,7 +267,7 @@ class Exploration:
 
     def _ipython_display_(self) -> None:
         if pyvista.global_theme.jupyter_backend != "widget":
-            # So IPython asks for the formats below.
+            # IPython then asks for the formats below.
             raise NotImplementedError
         self.widget()._ipython_display_()
 

@@ -1,13 +1,14 @@
 """The pyvista backend ``widget``: a figure that turns in a notebook, drawn as on a page.
 
 Python sends the scene as glTF and draws nothing itself. The viewer that draws it is in the folder
-``static``, where ``viewer/build.js`` puts it. A small loader travels with each figure, the viewer
-only with the first of a kernel. Where that one is missing the loader asks for it: on a page of the
-browser that does not have it, or when it has been closed.
+``static``, where ``viewer/build.js`` puts it. A small loader travels with each figure, but the
+viewer only with the first of a kernel. Where the viewer is missing, because this page of the
+browser never had it or the first figure has been closed, the loader asks for it.
 
-A saved notebook keeps no figure alive, so the browser once sends a picture of each figure. It
-stands in an output of its own after the figure, because JupyterLab shows one format of an output:
-for a widget without its kernel, an error. While the figure lives, its styles hide the picture.
+A saved notebook keeps no figure alive, so the browser once sends a picture of each. The picture
+has an output to itself after the figure, because JupyterLab shows only one format of an output,
+and for a widget without its kernel that is an error. While the figure lives, its styles hide the
+picture.
 """
 
 import base64

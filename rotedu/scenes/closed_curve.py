@@ -100,7 +100,7 @@ def beside(polygon: NDArray[np.float64]) -> NDArray[np.float64]:
 
 MOST = 8
 """Number of points that `closed_curve_by_hand` can show."""
-# Control points of more points have no room for their names.
+# With more points than this, the names of control points have no room.
 NAMED = 5
 STEP = 3e-4
 # Of a row of points, all but the last and all but the first: the ends of the arcs between them.

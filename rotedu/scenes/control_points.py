@@ -26,7 +26,7 @@ from rotedu.scenes.parts import (
     turning,
 )
 
-# The points of figures 3 to 7 are 60 degrees apart, then 90. So no bisected angle equals the angle
+# The points of figures 3 to 7 are 60 degrees apart, then 90, so no bisected angle equals the angle
 # that its name would mean without the bar.
 NEIGHBOURS = ((1.0, 0.0, 0.0), (0.5, 0.75**0.5, 0.0), (0.0, 0.0, 1.0))
 

@@ -23,9 +23,9 @@ from rotedu.scenes.parts import (
 )
 
 W = np.array([0.0, 0.0, 1.0])
-# In degrees. An arc that is smaller has no room for the head of its arrow.
+# An arc of fewer degrees has no room for the head of its arrow.
 SMALLEST_ARC = 8.0
-# In degrees. What is this close to its start is back.
+# What is within this many degrees of its start is back.
 BACK = 0.5
 # Length of the ribbon.
 RIBBON = 1.1

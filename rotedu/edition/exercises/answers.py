@@ -26,8 +26,8 @@ def plain(answer: Any, room: int = ROOM) -> Any:
     Parameters
     ----------
     answer : object
-        Anything. It is not changed. A quaternion stands for its four numbers, an operation count
-        for its multiplications and additions. What a function returns will be made plain, too.
+        Anything; it is not changed. A quaternion is read as its four numbers, an operation count
+        as its multiplications and additions. What a function returns will be made plain, too.
     room : int
         How many numbers it may have. Items share the room of their list, and each has at most half
         of it, so that a list which contains itself comes to an end.

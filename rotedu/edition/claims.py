@@ -221,8 +221,9 @@ CLAIMS = (
         ("abstract",),
         "holds under a condition",
         "06-conclusions",
-        "many points are turned, as in 5, or one arc is sampled many times, as in 32",
-        reason="composing, storing and repairing rotations takes less with quaternions",
+        "many points are turned, as in 5",
+        reason="composing, storing and repairing rotations takes less with quaternions; for arcs"
+        " see 32",
     ),
     Claim(
         17,
@@ -230,8 +231,8 @@ CLAIMS = (
         ("folklore",),
         "holds under a condition",
         "06-conclusions",
-        "the harm that counts is bending, which a quaternion never does, or one small turn is"
-        " repeated and the matrix is repaired by Gram and Schmidt's method",
+        "the harm that counts is bending, which a quaternion never does; or the turns are tiny; or"
+        " one small turn is repeated and the matrix is repaired by Gram and Schmidt's method",
         reason="otherwise the matrix mostly ends closer to the truth",
     ),
     Claim(
@@ -274,7 +275,7 @@ CLAIMS = (
     ),
     Claim(
         23,
-        "(4-3) to (4-6) belong to ordinary rotation, not to quaternions",
+        "(4-3) to (4-6) are ordinary rotation",
         ("4",),
         "a matter of names",
         "04-general-rotation",
@@ -344,19 +345,20 @@ CLAIMS = (
         ("1",),
         "holds under a condition",
         "03-ordinary-rotation",
-        "the turn is nearly a half turn, or nearly none",
+        "the turn is nearly a half turn; or nearly none, if the trace is to give the angle",
     ),
     Claim(
         32,
         "Rotations, too, are interpolated more efficiently by ordinary rotation",
         ("abstract",),
-        "holds under a condition",
+        "does not hold",
         "06-conclusions",
-        "many samples of one arc are wanted, as matrices, and the quaternion stays a quaternion",
+        reason="an arc used once takes more; many samples of one arc, wanted as matrices, take as"
+        " much, and as quaternions less",
     ),
     Claim(
         33,
-        "That each point is multiplied once makes real-time performance possible",
+        "That each point is multiplied once makes real-time performance possible, besides hardware",
         ("1", "3"),
         "not confirmed",
         "04-general-rotation",
@@ -595,11 +597,13 @@ CLAIMS = (
     ),
     Claim(
         64,
-        "Instead of two quaternions on $S^3$, two vectors on $S^2$ will do",
+        "For the task of Section 5, two vectors on $S^2$ will do instead of two quaternions on"
+        " $S^3$",
         ("5",),
         "holds under a condition",
         "05-orientations",
-        "directions are to be joined, not orientations",
+        "the task is the one stated, to join points of a sphere, and not that of the title, to"
+        " interpolate rotations",
     ),
     Claim(
         65,
@@ -628,8 +632,9 @@ CLAIMS = (
         68,
         "A smooth curve needs cubic composite Bézier curves",
         ("5",),
-        "does not hold",
+        "holds under a condition",
         "05-closed-curve",
+        "*needs* means that arcs alone will not do, as in 51",
         reason="a sum of sines and cosines, scaled to length 1, is smooth without them",
     ),
     Claim(

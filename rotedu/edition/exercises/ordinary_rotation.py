@@ -333,7 +333,7 @@ def rotation_of_a_spoon() -> Iterator[Part]:
         example=(n, turn + 0.1),
     )
     yield Part(
-        lambda *turn: not same_rotation(turn, truth, 1e-9),
+        lambda *turn: not same_rotation(turn, truth, 1e-5),
         otherwise=NOT_THE_TRUTH,
         example=(n, turn),
     )

@@ -332,7 +332,7 @@ def average_of_orientations() -> Iterator[Part]:
         return test
 
     yield Part(
-        lambda average: not nearer(1e-6, truth)(average),
+        lambda average: not nearer(1e-2, truth)(average),
         otherwise=NOT_THE_TRUTH,
         example=truth,
     )

@@ -144,8 +144,8 @@ def closed_curve(points: ClosedPoints, samples: Count = 100, fraction: Fraction 
     Notes
     -----
     Segment C_i has the control points P_{i-1}, a_{i-1}, b_i, P_i. The curve is C1, with a
-    derivative at P_i of 3 times the tangent vector from P_i to a_i. It is neither C2 nor, in
-    general, G2.
+    derivative at P_i of 3 times the tangent vector from P_i to a_i. In general it is neither C2
+    nor G2.
 
     References
     ----------

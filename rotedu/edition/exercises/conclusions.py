@@ -182,7 +182,7 @@ def hours_of_a_game() -> Iterator[Part]:
         Mistake(
             lambda times: times.min() < np.log(1e-8),
             "Not all of your times are positive.",
-            "The length falls to 0.999 if that of a step is below 1, and else grows to 1.001.",
+            "The length falls to 0.999 if that of a step is below 1, and otherwise grows to 1.001.",
             example=[-minutes[0], *minutes[1:], days],
         ),
         Mistake(

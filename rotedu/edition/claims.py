@@ -330,7 +330,7 @@ CLAIMS = (
         ("abstract", "1"),
         "holds under a condition",
         "02-quaternions",
-        "the question is about axis and angle, as a matrix shows better where a point goes",
+        "the question is about axis and angle; where a point goes, a matrix shows better",
     ),
     Claim(
         30,

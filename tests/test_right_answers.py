@@ -41,6 +41,13 @@ def photographed_from(distance: float, tilt: float = -1.1, back: float = 0.5) ->
 A_PHOTOGRAPH = spoon_and_order(photographed_from(2.2))
 
 
+def with_one_triangle_twice(camera: Any, photo: Any, order: Any) -> Any:
+    """Return an answer to 4.7 whose second triangle is the first, from another corner on."""
+    photo = photo.copy()
+    photo[1] = photo[0, [1, 2, 0]]
+    return camera, photo, order
+
+
 def rule_with_jump(limit: float) -> Any:
     """Return an answer to 5.11 that jumps where the gaps differ by more than this."""
     return lambda before, after: (
@@ -53,6 +60,7 @@ RIGHT: list[tuple[str, Any]] = [
     ("3.2", ([0.58, 0.58, 0.58], 60)),
     ("3.6", ([0.005, -0.816, -0.578], 2 * np.pi - 0.5633)),
     ("4.7", A_PHOTOGRAPH),
+    ("4.7", spoon_and_order(photographed_from(2.2).round(2))),
     ("5.1", [25, 130, -50]),
     ("5.1", (385, 130, 310)),
     ("5.2", [[0.783, -0.206, -0.587], [0.622, 0.277, 0.732], [0.622, 0.277, 0.732]]),
@@ -116,7 +124,7 @@ WRONG: list[tuple[str, Any, str]] = [
         spoon_and_order(photographed_from(2.2), np.arange(3840).clip(None, 1919)),
         "all the triangles",
     ),
-    ("4.7", spoon_and_order(photographed_from(2.2), [*range(1, 3840), 1]), "all the triangles"),
+    ("4.7", with_one_triangle_twice(*A_PHOTOGRAPH), "all the triangles"),
     ("4.7", (*A_PHOTOGRAPH[:2], A_PHOTOGRAPH[2] + 0.4), "an order of n numbers"),
     (
         "4.7",

@@ -111,7 +111,7 @@ ERRATA = (
         "after (5-3)",
         "slerp cannot be a matrix times a vector, like (5-3)",
         "it can: a 4 × 4 rotation matrix",
-        "fact",
+        "wording",
     ),
     Erratum(
         "E8",

@@ -23,11 +23,11 @@ Verdict = Literal[
 ]
 
 VERDICTS: dict[Verdict, str] = {
-    "holds": "true as stated, wherever what it speaks of exists",
+    "holds": "true as stated, wherever its terms are defined",
     "holds under a condition": "true wherever the condition named beside it is met, and"
     " elsewhere false or 0/0",
     "does not hold": "false in a case that it covers, and no condition would save its point",
-    "does not follow": "no consequence of the reason given, whether or not of another",
+    "does not follow": "no consequence of the reason given, though perhaps of another",
     "not confirmed": "nothing that we could read or run decides it",
     "a matter of names": "the formulas are right, under either of two names in use",
 }
@@ -184,8 +184,8 @@ CLAIMS = (
         ("5",),
         "holds under a condition",
         "05-arcs",
-        "*slerp* is that of quaternions, and *like (5-3)* means about an axis in space that"
-        " a cross product finds",
+        "*slerp* is that of quaternions, and *like (5-3)* means that a cross product finds"
+        " the axis, an axis in space",
         reason="as a matrix times a vector it has two forms, E7; with three components, one of"
         " them is (5-3)",
     ),
@@ -211,9 +211,8 @@ CLAIMS = (
         "holds under a condition",
         "06-conclusions",
         "*ordinary rotation* includes axes with angles up to 360°, composed by the half-angle rule,"
-        " which is the product of quaternions in other letters (23); a matrix alone tells neither"
-        " an odd from an even number of full turns nor a single turn by more than half a turn from"
-        " the shorter one",
+        " which is the product of quaternions in other letters (23); a matrix alone cannot tell"
+        " an odd number of full turns from an even one, nor the long way round from the short one",
     ),
     Claim(
         16,
@@ -231,7 +230,7 @@ CLAIMS = (
         ("folklore",),
         "holds under a condition",
         "06-conclusions",
-        "the harm that counts is bending, which a quaternion never does; or the turns are tiny; or"
+        "the harm that counts is to shapes, which a quaternion never bends; or the turns are tiny; or"
         " one small turn is repeated and the matrix is repaired by Gram and Schmidt's method",
         reason="otherwise the matrix mostly ends closer to the truth",
     ),
@@ -345,7 +344,7 @@ CLAIMS = (
         ("1",),
         "holds under a condition",
         "03-ordinary-rotation",
-        "the turn is nearly a half turn; or nearly none, if the trace is to give the angle",
+        "the turn is nearly a half turn; or it is tiny, and the trace is to give its angle",
     ),
     Claim(
         32,
@@ -353,12 +352,12 @@ CLAIMS = (
         ("abstract",),
         "does not hold",
         "06-conclusions",
-        reason="an arc used once takes more; many samples of one arc, wanted as matrices, take as"
-        " much, and as quaternions less",
+        reason="an arc used once takes more, and so do many samples of one arc, unless they are wanted"
+        " as matrices, which take as much either way",
     ),
     Claim(
         33,
-        "That each point is multiplied once makes real-time performance possible, besides hardware",
+        "Besides hardware, multiplying each point only once makes real-time performance possible",
         ("1", "3"),
         "not confirmed",
         "04-general-rotation",
@@ -486,7 +485,7 @@ CLAIMS = (
     ),
     Claim(
         50,
-        "The 4 × 4 matrix of (5-3) and its like is defined in (3-3)",
+        "The 4 × 4 matrix in (5-3), and in formulas like it, is defined in (3-3)",
         ("5",),
         "does not hold",
         "05-arcs",
@@ -494,7 +493,7 @@ CLAIMS = (
     ),
     Claim(
         51,
-        "Arcs alone make no smooth curve; one of cubic pieces does",
+        "Arcs alone make no smooth curve; cubic pieces do",
         ("5",),
         "holds under a condition",
         "05-closed-curve",
@@ -715,7 +714,7 @@ def evidence_table(evidence: Mapping[int, str]) -> Table:
     Examples
     --------
     >>> evidence_table({3: "three are, E6"})
-    | No. | The paper says | Verdict | Seen where |
+    | No. | The paper says | Verdict | Evidence |
     | --- | --- | --- | --- |
     | 3 | Four of the nine entries of a rotation matrix are independent | **does not hold** | three are, [E6](#erratum-e6) |
     """  # noqa: E501
@@ -724,7 +723,7 @@ def evidence_table(evidence: Mapping[int, str]) -> Table:
         claim = next(claim for claim in CLAIMS if claim.number == number)
         said = linked(claim.claim) + (" (not claimed)" if "not claimed" in claim.where else "")
         rows.append([str(number), said, f"**{claim.verdict}**", linked(seen)])
-    return Table(["No.", "The paper says", "Verdict", "Seen where"], rows)
+    return Table(["No.", "The paper says", "Verdict", "Evidence"], rows)
 
 
 def verdict_table() -> Table:

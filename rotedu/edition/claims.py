@@ -230,8 +230,8 @@ CLAIMS = (
         ("folklore",),
         "holds under a condition",
         "06-conclusions",
-        "the harm that counts is to shapes, which a quaternion never bends; or the turns are tiny; or"
-        " one small turn is repeated and the matrix is repaired by Gram and Schmidt's method",
+        "the harm that counts is to shapes, which a quaternion never bends; or the turns are tiny;"
+        " or one small turn is repeated and the matrix is repaired by Gram and Schmidt's method",
         reason="otherwise the matrix mostly ends closer to the truth",
     ),
     Claim(
@@ -352,8 +352,8 @@ CLAIMS = (
         ("abstract",),
         "does not hold",
         "06-conclusions",
-        reason="an arc used once takes more, and so do many samples of one arc, unless they are wanted"
-        " as matrices, which take as much either way",
+        reason="an arc used once takes more, and so do many samples of one arc, unless they are"
+        " wanted as matrices, which take as much either way",
     ),
     Claim(
         33,

@@ -137,7 +137,7 @@ class TestWhatTheAnswersSay:
         page = pages()["05-orientations.ipynb"]
         [question] = page.boxes("question")
         assert f"comes back turned {once_round(np.eye(3))}" in question.body
-        assert "an eighth of the sphere, of 720°" in answers("05-orientations")
+        assert "an eighth of the sphere's 720°" in answers("05-orientations")
         assert f"its picture is rolled {once_round(np.array(scenes.CAMERA_TARGETS))}" in page.text
 
     def test_spin_of_an_upright_camera(self) -> None:

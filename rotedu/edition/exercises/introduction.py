@@ -126,7 +126,7 @@ def columns_left_out() -> Iterator[Part]:
         ),
         otherwise=Wrong(
             "The third column does not complete a rotation matrix.",
-            "It has length 1, and it is perpendicular to both of the others.",
+            "The right one has length 1 and is perpendicular to both of the others.",
         ),
         item=0,
     )
@@ -159,7 +159,7 @@ def columns_left_out() -> Iterator[Part]:
         lambda another: not close(another, given),
         otherwise=Wrong(
             "Your other matrix is the one that you have completed.",
-            "Does a rotation have to keep the third row of this one?",
+            "Does the same corner force the same third row?",
         ),
         item=2,
         example=(third, (6, 3), given),

@@ -90,7 +90,7 @@ def test_table_has_a_row_for_each_claim_that_is_asked_for() -> None:
 
 
 def test_a_reason_follows_the_verdict_and_its_condition() -> None:
-    judged = Claim(1, "A", ("1",), "holds under a condition", "05-arcs", "if so", "why").judgement
+    judged = Claim(1, "A", ("1",), "holds under a condition", "05-arcs", "so", "why").judgement
     assert judged == "**holds under a condition**: if so; why"
     assert Claim(1, "A", ("1",), "does not hold", "05-arcs", reason="why").judgement.endswith(
         "**: why"

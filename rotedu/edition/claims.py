@@ -66,7 +66,7 @@ class Claim:
     chapter : str
         The page of this book, without its ending, that shows it.
     condition : str
-        For a claim that holds under a condition: which.
+        For a claim that holds under a condition: which, without its *if*.
     reason : str
         Why, in a few words of Markdown, for the list of all claims.
     """
@@ -87,7 +87,8 @@ class Claim:
     @property
     def judgement(self) -> str:
         """The verdict, in Markdown, with its condition and its reason, if there are any."""
-        why = "; ".join(text for text in (self.condition, self.reason) if text)
+        condition = self.condition and f"if {self.condition}"
+        why = "; ".join(text for text in (condition, self.reason) if text)
         return f"**{self.verdict}**" + (f": {why}" if why else "")
 
 
@@ -121,7 +122,7 @@ CLAIMS = (
         ("3",),
         "holds",
         "03-ordinary-rotation",
-        reason="but (2-6) turns about one axis only, so unlike things are compared",
+        reason="unlike things are compared, as (2-6) turns about one axis only",
     ),
     Claim(
         5,
@@ -211,8 +212,9 @@ CLAIMS = (
         "holds under a condition",
         "06-conclusions",
         "*ordinary rotation* includes axes with angles up to 360°, composed by the half-angle rule,"
-        " which is the product of quaternions in other letters (23); a matrix alone cannot tell"
-        " an odd number of full turns from an even one, nor the long way round from the short one",
+        " which is the product of quaternions in other letters (23)",
+        reason="a matrix alone cannot tell an odd number of full turns from an even one, nor the"
+        " long way round from the short one",
     ),
     Claim(
         16,
@@ -230,7 +232,7 @@ CLAIMS = (
         ("folklore",),
         "holds under a condition",
         "06-conclusions",
-        "the harm that counts is to shapes, which a quaternion never bends; or the turns are tiny;"
+        "the harm that counts is to shapes, which a quaternion never bends, or the turns are tiny,"
         " or one small turn is repeated and the matrix is repaired by Gram and Schmidt's method",
         reason="otherwise the matrix mostly ends closer to the truth",
     ),
@@ -344,7 +346,7 @@ CLAIMS = (
         ("1",),
         "holds under a condition",
         "03-ordinary-rotation",
-        "the turn is nearly a half turn; or it is tiny, and the trace is to give its angle",
+        "the turn is nearly a half turn, or it is tiny and the trace is to give its angle",
     ),
     Claim(
         32,

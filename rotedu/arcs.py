@@ -155,11 +155,13 @@ def slerp(p: Unit, q: Unit, t: Number) -> Vector:
         ...
     rotedu.errors.DegenerateError: p and q are antipodal: no unique arc joins them
     """
-    theta, chord, middle = angle_between(p, q), q - p, p + q
-    refuse_antipodal(theta)
+    chord, middle = q - p, p + q
     # Near pi, where the chord has length 2, rounding tilts the short middle; undo it.
-    m = unit(middle - dot(middle, chord) / 4 * chord)
-    c = unit(chord)
+    middle = middle - dot(middle, chord) / 4 * chord
+    across, along = length(chord), length(middle)
+    theta = 2 * np.arctan2(across, along)
+    refuse_antipodal(theta)
+    m, c = middle / along, chord / np.where(across == 0, 1, across)
     alpha = (t - 1 / 2) * theta
     return np.cos(alpha) * m + np.sin(alpha) * c
 

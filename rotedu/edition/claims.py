@@ -203,7 +203,8 @@ CLAIMS = (
         ("abstract", "1", "5", "6"),
         "does not follow",
         "05-orientations",
-        reason="points leave the roll open; but there is another way, see 15",
+        reason="points leave the roll open, and an arc brings one that nobody chose; but there is"
+        " another way, see 15",
     ),
     Claim(
         15,

@@ -500,7 +500,7 @@ CLAIMS = (
         ("5",),
         "holds under a condition",
         "05-closed-curve",
-        "the points do not follow one another at equal distances on one great circle",
+        "the points do not follow one another all the way round one great circle",
     ),
     Claim(
         52,

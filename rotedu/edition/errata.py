@@ -107,10 +107,10 @@ ERRATA = (
     ),
     Erratum(
         "E7",
-        "Slerp does have a matrix",
+        "Slerp has a matrix, though not about an axis in space",
         "after (5-3)",
         "slerp cannot be a matrix times a vector, like (5-3)",
-        "it can: a 4 × 4 rotation matrix",
+        "true of a turn about an axis in space; it has a 4 × 4 rotation matrix",
         "wording",
     ),
     Erratum(

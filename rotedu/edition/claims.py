@@ -122,7 +122,7 @@ CLAIMS = (
         ("3",),
         "holds",
         "03-ordinary-rotation",
-        reason="unlike things are compared, as (2-6) turns about one axis only",
+        reason="33 + 16 against the quaternion's 18 + 12",
     ),
     Claim(
         5,
@@ -130,7 +130,7 @@ CLAIMS = (
         ("1", "3", "6"),
         "holds under a condition",
         "03-ordinary-rotation",
-        "each point is turned by the quaternion itself, about any axis",
+        "each point is turned by the quaternion itself, not by its matrix",
     ),
     Claim(
         6,
@@ -297,7 +297,7 @@ CLAIMS = (
         ("3",),
         "holds under a condition",
         "03-ordinary-rotation",
-        "each point is turned by the quaternion itself, about any axis",
+        "each point is turned by the quaternion itself, not by its matrix",
     ),
     Claim(
         26,
@@ -447,7 +447,7 @@ CLAIMS = (
         ("3",),
         "does not hold",
         "03-ordinary-rotation",
-        reason="18 + 12 for any axis, 4 + 2 for the one of (2-6), E5",
+        reason="it takes 18 + 12; the last line of (2-6), 4 + 2, is the matrix about U, E5",
     ),
     Claim(
         45,

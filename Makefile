@@ -81,7 +81,7 @@ clean: ## remove everything that make has made
 	find benchmarks book rotedu tests tools viewer -depth \
 	    '(' -name __pycache__ -o -name '.*_cache' -o -name .ipynb_checkpoints ')' -exec rm -rf {} +
 
-$(READY): requirements.txt pyproject.toml tools/set_up.py
+$(READY): requirements.txt pyproject.toml live/requirements.txt tools/runtime.py tools/set_up.py
 	@"$(PYTHON)" tools/set_up.py
 
 $(VIEWER): $(READY) package-lock.json $(wildcard viewer/*.* viewer/src/*.js rotedu/scenes/*.js)

@@ -4,6 +4,7 @@ import sys
 from pathlib import Path
 
 from docutils import nodes
+from nbformat import NotebookNode
 
 sys.path.append(str(Path(__file__).parents[2] / "tools"))
 from notebook_language import caption_title, exercise_number, pages, part_of
@@ -14,12 +15,17 @@ def code_cells(tree: nodes.Node) -> list[nodes.Element]:
     return [node for node in tree.findall(nodes.container) if node.get("nb_element") == "cell_code"]
 
 
-def part_of_exercise(cell: nodes.Element) -> tuple[str, str]:
-    """Return which part of an exercise a cell is, and the number; else two empty strings."""
+def notebook_cell(cell: nodes.Element) -> NotebookNode | None:
+    """Return what the notebook of the page says about a cell; nothing for a text with cells."""
     # MyST-NB leaves out the id of a cell, but says where the cell stands in which notebook.
     page = pages()[Path(cell.source).name]
-    # A text with cells has no ids of its own.
-    return part_of(page.cells[cell["cell_index"]].id) if page.code else ("", "")
+    return page.cells[cell["cell_index"]] if page.code else None
+
+
+def part_of_exercise(cell: nodes.Element) -> tuple[str, str]:
+    """Return which part of an exercise a cell is, and the number; else two empty strings."""
+    found = notebook_cell(cell)
+    return part_of(found.id) if found else ("", "")
 
 
 def bold(paragraph: nodes.Element) -> str:
@@ -37,3 +43,13 @@ def caption_of(paragraph: nodes.Element) -> str:
 def exercise_of(paragraph: nodes.Element) -> str:
     """Return the number if a paragraph begins an exercise."""
     return exercise_number(bold(paragraph))
+
+
+def is_dropdown(node: nodes.Node) -> bool:
+    """Tell whether a node is a folded text of sphinx-design."""
+    return isinstance(node, nodes.container) and node.get("design_component") == "dropdown"
+
+
+def belongs_to_solution(node: nodes.Node) -> bool:
+    """Tell whether a node is the reason of a solution, or the caption of its picture."""
+    return is_dropdown(node) or (isinstance(node, nodes.paragraph) and bool(caption_of(node)))

@@ -28,7 +28,13 @@ from sphinx.util.nodes import inline_all_toctrees
 from sphinxcontrib import katex
 
 import rotedu
-from cells import caption_of, code_cells, exercise_of, part_of_exercise
+from cells import (
+    belongs_to_solution,
+    code_cells,
+    exercise_of,
+    is_dropdown,
+    part_of_exercise,
+)
 
 ON_PAPER = ("singlehtml", "epub")
 SOLUTIONS = "book/solutions"
@@ -48,16 +54,6 @@ def name_of(prefix: str, number: str) -> str:
 def link(target: str, text: str, *content: nodes.Node) -> nodes.reference:
     """Make a link inside the book."""
     return nodes.reference("", text, *content, refuri=target, internal=True)
-
-
-def is_dropdown(node: nodes.Node) -> bool:
-    """Tell whether a node is a folded text of sphinx-design."""
-    return isinstance(node, nodes.container) and node.get("design_component") == "dropdown"
-
-
-def belongs_to_solution(node: nodes.Node) -> bool:
-    """Tell whether a node is the reason of a solution, or the caption of its picture."""
-    return is_dropdown(node) or (isinstance(node, nodes.paragraph) and bool(caption_of(node)))
 
 
 def opened(dropdown: nodes.Element) -> nodes.Element:

@@ -20,6 +20,7 @@ FRAME = (
     "book/_ext/**/*",
     "book/_paper/**/*",
     "book/_static/**/*",
+    "live/*.*",
     "tools/notebook_language.py",
     "viewer/**/*",
     "rotedu/scenes/*.js",

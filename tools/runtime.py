@@ -24,11 +24,7 @@ STAND_INS = LIVE / "python"
 WANTED = LIVE / "requirements.txt"
 DOWNLOADED = ROOT / ".venv" / "live"
 PYODIDE = LIBRARIES / "pyodide"
-# A folder of static files: the site has it as `_static/live`.
-STATIC = ROOT / "_build" / "live"
-RUNTIME = STATIC / "live"
-# What the large files there have been made of; written last.
-MADE_OF = STATIC / ".made-of"
+RUNTIME = ROOT / "_build" / "live"
 
 NUMPY = re.compile(r".*/numpy-[^/]*\.tar\.gz")
 PACKAGES = "lib/python3.11/site-packages/"
@@ -101,33 +97,37 @@ def zipped(files: Files) -> bytes:
     return packed.getvalue()
 
 
-def put_together() -> Path:
+def put_together(folder: Path = RUNTIME) -> Path:
     """Make the runtime; the large files only if Pyodide or the wheel has changed.
+
+    Parameters
+    ----------
+    folder : Path
+        Where to make it.
 
     Returns
     -------
     Path
-        A folder of static files, with everything below ``live``.
+        The same folder, for a site to have as ``_static/live``.
     """
     inputs = (PYODIDE / "package.json", WANTED, Path(__file__))
-    made_of = hashlib.sha256(b"".join(file.read_bytes() for file in inputs)).hexdigest()
-    if not MADE_OF.exists() or MADE_OF.read_text() != made_of:
-        shutil.rmtree(STATIC, ignore_errors=True)
-        RUNTIME.mkdir(parents=True)
+    digest = hashlib.sha256(b"".join(file.read_bytes() for file in inputs)).hexdigest()
+    made_of = folder / ".made-of"
+    if not made_of.exists() or made_of.read_text() != digest:
+        shutil.rmtree(folder, ignore_errors=True)
+        folder.mkdir(parents=True)
         for script in ("pyodide.js", "pyodide.asm.js"):
-            shutil.copy(PYODIDE / script, RUNTIME)
+            shutil.copy(PYODIDE / script, folder)
         module = (PYODIDE / "pyodide.asm.wasm").read_bytes()
         # Small on any server, also on one that compresses nothing.
-        (RUNTIME / "pyodide.asm.wasm.gz").write_bytes(gzip.compress(module, mtime=0))
-        (RUNTIME / "python_stdlib.zip").write_bytes(zipped(library_files()))
-        (RUNTIME / "numpy.zip").write_bytes(zipped(numpy_files()))
-        MADE_OF.write_text(made_of)
-    (RUNTIME / "rotedu.zip").write_bytes(zipped(rotedu_files()))
-    sizes = {name: (RUNTIME / name).stat().st_size for name in FETCHED}
-    (RUNTIME / "sizes.js").write_text(f"const SIZES = {json.dumps(sizes)};\n")
-    for script in LIVE.glob("*.js"):
-        shutil.copy(script, RUNTIME)
-    return STATIC
+        (folder / "pyodide.asm.wasm.gz").write_bytes(gzip.compress(module, mtime=0))
+        (folder / "python_stdlib.zip").write_bytes(zipped(library_files()))
+        (folder / "numpy.zip").write_bytes(zipped(numpy_files()))
+        made_of.write_text(digest)
+    (folder / "rotedu.zip").write_bytes(zipped(rotedu_files()))
+    sizes = {name: (folder / name).stat().st_size for name in FETCHED}
+    (folder / "sizes.js").write_text(f"const SIZES = {json.dumps(sizes)};\n")
+    return folder
 
 
 if __name__ == "__main__":

@@ -3,6 +3,7 @@
 The setting is ``python_in_page``. Without it the book is as it would be without this extension.
 """
 
+import shutil
 import sys
 import tomllib
 from itertools import takewhile
@@ -17,9 +18,9 @@ from sphinx.transforms.post_transforms import SphinxPostTransform
 from cells import belongs_to_solution, code_cells, exercise_of, notebook_cell, part_of_exercise
 
 sys.path.append(str(Path(__file__).parents[2] / "tools"))
-import runtime
 from class_notebooks import Classroom
 from notebook_language import ROOT, notebooks, tags
+from runtime import LIVE, put_together
 
 SCRIPT = "live/live.js"
 
@@ -86,13 +87,15 @@ def serve(app: Sphinx) -> None:
     """Put Python and the notebooks to hand in among the static files of the website."""
     if not app.config.python_in_page or app.builder.name != "html":
         return
-    app.config.html_static_path.append(str(runtime.put_together()))
+    folder = Path(app.outdir).parent / "static" / "live"
+    shutil.copytree(put_together(), folder)
+    for script in LIVE.glob("*.js"):
+        shutil.copy(script, folder)
     settings = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["tool"]["rotedu"]
     classroom = Classroom(settings["book"], settings["wheel"])
-    folder = runtime.RUNTIME / "notebooks"
-    folder.mkdir(exist_ok=True)
+    (folder / "notebooks").mkdir()
     for page in notebooks():
-        nbformat.write(classroom.notebook(page, "student"), folder / page.name)
+        nbformat.write(classroom.notebook(page, "student"), folder / "notebooks" / page.name)
 
 
 def setup(app: Sphinx) -> dict[str, Any]:

@@ -199,6 +199,13 @@ def run(code: str, name: str, figures: str, tell: Callable[[str], Any]) -> str:
     return json.dumps(done | {"out": str(out), "changed": CHANGED, "verdict": verdict})
 
 
+def start() -> None:
+    """Forget all names and figures."""
+    FIGURES.clear()
+    NAMESPACE.clear()
+    NAMESPACE["__name__"] = "__main__"
+
+
 def versions() -> str:
     """Say what runs."""
     return (

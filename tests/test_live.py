@@ -1,0 +1,121 @@
+"""The Python of the pages: what a notebook stores comes out there, too, and answers are judged."""
+
+import inspect
+import json
+import re
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import pytest
+import test_exercises
+import test_right_answers
+from nbformat import NotebookNode
+from node import run_node
+from notebook_language import ROOT, Page, notebooks, part_of, tags
+from runtime import put_together
+
+# Not where a build makes it meanwhile.
+FOLDER = ROOT / "_build" / "cases" / "live"
+EXPLORED = re.compile(r"\bexplore\(scenes\.(\w+)")
+# Lets the page's Python read the tests of the checks.
+STAND_INS = """\
+import sys
+from unittest.mock import MagicMock
+
+for name in ("pytest", "notebook_language"):
+    sys.modules[name] = MagicMock()
+sys.modules["pytest"].mark.parametrize = lambda *_, **__: lambda test: test
+"""
+JUDGE = """\
+for number, answer, hint in WRONG:
+    test_a_wrong_answer_hears_what_is_wrong(number, answer, hint)
+for number, answer in RIGHT:
+    test_a_right_answer_passes_in_every_form(number, answer)
+for number in EXERCISES:
+    TestCheck().test_each_mistake_and_all_else_get_their_own_hints(number)
+    TestCheck().test_says_what_it_expects(number)
+"""
+
+
+class Ran(NamedTuple):
+    """A cell, and what came of it in the page's Python."""
+
+    cell: NotebookNode
+    done: dict[str, Any]
+
+    @property
+    def stored(self) -> tuple[str, str]:
+        """What the notebook stores: what is printed, and the value of the last line."""
+        out = "".join(o.text for o in self.cell.outputs if o.output_type == "stream")
+        data = next((o.data for o in self.cell.outputs if o.output_type == "execute_result"), {})
+        return out, data.get("text/markdown", data.get("text/plain", ""))
+
+
+def in_order(page: Page) -> list[NotebookNode]:
+    """Return the cells of a page: text, exercises, and at the end what needs a desk.
+
+    A page leaves out exercises, and what needs a desk, when it runs the cells above one.
+    """
+
+    def later(cell: NotebookNode) -> int:
+        return 2 if "desk" in tags(cell) else bool(part_of(cell.id)[0])
+
+    return sorted(page.code, key=later)
+
+
+def figures(page: Page) -> list[str]:
+    """Return the names of the figures of a page that answer the hand."""
+    shown = [name for cell in page.code for name in EXPLORED.findall(cell.source)]
+    return [name.replace("_", "-") for name in shown]
+
+
+def in_page(pages: list[dict[str, Any]], folder: Path) -> list[list[dict[str, Any]]]:
+    """Run lists of cells in the page's Python, each list in a namespace of its own."""
+    cases, answers = folder / "cases.json", folder / "answers.json"
+    cases.write_text(json.dumps(pages), encoding="utf-8")
+    run_node("tests/live.mjs", str(put_together(FOLDER)), str(cases), str(answers))
+    results: list[list[dict[str, Any]]] = json.loads(answers.read_text("utf-8"))
+    return results
+
+
+@pytest.fixture(scope="module")
+def ran(tmp_path_factory: pytest.TempPathFactory) -> dict[str, list[Ran]]:
+    cases = [
+        {
+            "figures": [
+                name.replace("_", "-") for c in page.code for name in EXPLORED.findall(c.source)
+            ],
+            "cells": [cell.source for cell in in_order(page)],
+        }
+        for page in notebooks()
+    ]
+    results = in_page(cases, tmp_path_factory.mktemp("live"))
+    return {
+        page.name: list(map(Ran, in_order(page), done))
+        for page, done in zip(notebooks(), results, strict=True)
+    }
+
+
+@pytest.mark.parametrize("page", notebooks(), ids=repr)
+def test_a_cell_without_the_tag_runs(page: Page, ran: dict[str, list[Ran]]) -> None:
+    found = {r.cell.id: r.done["error"] for r in ran[page.name] if "desk" not in tags(r.cell)}
+    assert not {name: error for name, error in found.items() if error}
+
+
+@pytest.mark.parametrize("page", notebooks(), ids=repr)
+def test_a_cell_prints_what_the_notebook_stores(page: Page, ran: dict[str, list[Ran]]) -> None:
+    for run in ran[page.name]:
+        if not {"desk", "nbval-ignore-output"} & tags(run.cell):
+            assert (run.done["out"], run.done["value"]) == run.stored, run.cell.id
+
+
+@pytest.mark.parametrize("page", notebooks(), ids=repr)
+def test_a_cell_with_the_tag_needs_a_desk(page: Page, ran: dict[str, list[Ran]]) -> None:
+    kinds = {r.cell.id: r.done["kind"] for r in ran[page.name] if "desk" in tags(r.cell)}
+    assert set(kinds.values()) <= {"NotInPage"}, kinds
+
+
+def test_every_answer_of_the_tests_gets_its_verdict_in_a_page(tmp_path: Path) -> None:
+    tests = [inspect.getsource(module) for module in (test_exercises, test_right_answers)]
+    [done] = in_page([{"figures": [], "cells": [STAND_INS, *tests, JUDGE]}], tmp_path)
+    assert [result["error"] for result in done] == [""] * 4

@@ -10,6 +10,9 @@ LAB_AS_ROOT := $(if $(filter 0,$(shell id -u)),--allow-root --no-browser)
 # The viewer for notebooks.
 VIEWER := rotedu/figures/static/figure.js
 
+# The Python of the pages.
+LIVE := _build/live/.made-of
+
 # The test of a class adds accounts to the machine.
 CLASS := tests/test_class_load.py
 AS_ROOT := $(if $(filter-out 0,$(shell id -u)),sudo)
@@ -22,18 +25,18 @@ AS_ROOT := $(if $(filter-out 0,$(shell id -u)),sudo)
 help: ## list the targets
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' Makefile | expand -t 20
 
-book: $(READY) ## build the book into _build/html
+book: $(READY) $(LIVE) ## build the book into _build/html
 	$(BIN)/jupyter-book build . -W --keep-going
 	@echo "The book is here: _build/html/index.html"
 
-test: $(READY) $(VIEWER) .venv/browser ## check code, notebooks and the built book
+test: $(READY) $(VIEWER) $(LIVE) .venv/browser ## check code, notebooks and the built book
 	$(BIN)/ruff check
 	$(BIN)/ruff format --check
 	$(BIN)/mypy
 	$(BIN)/lint-imports
 	$(BIN)/pytest
 
-test-slow: $(READY) $(VIEWER) .venv/browser ## install the wheel on its own; test random input for minutes
+test-slow: $(READY) $(VIEWER) $(LIVE) .venv/browser ## install the wheel on its own; test random input for minutes
 	$(BIN)/pytest -m "slow or hypothesis" --hypothesis-profile=long --deselect=$(CLASS)
 	$(AS_ROOT) $(BIN)/pytest -m slow $(CLASS)
 
@@ -81,8 +84,11 @@ clean: ## remove everything that make has made
 	find benchmarks book rotedu tests tools viewer -depth \
 	    '(' -name __pycache__ -o -name '.*_cache' -o -name .ipynb_checkpoints ')' -exec rm -rf {} +
 
-$(READY): requirements.txt pyproject.toml live/requirements.txt tools/runtime.py tools/set_up.py
+$(READY): requirements.txt pyproject.toml tools/set_up.py
 	@"$(PYTHON)" tools/set_up.py
+
+$(LIVE): $(READY) package-lock.json live/requirements.txt tools/runtime.py tools/page_python.mjs
+	@$(BIN)/python tools/runtime.py
 
 $(VIEWER): $(READY) package-lock.json $(wildcard viewer/*.* viewer/src/*.js rotedu/scenes/*.js)
 	@$(BIN)/python tools/bundle.py

@@ -78,9 +78,11 @@ async function load({ compiled, files }) {
     python.unpackArchive(files[name], "zip", { extractDir: site });
   }
   const page = python.pyimport("page");
-  // From here on, nothing is fetched: what a reader pastes into a cell must not talk to other hosts.
+  // From here on, what a reader pastes into a cell talks to no other host.
   for (const name of ["fetch", "XMLHttpRequest", "WebSocket", "EventSource", "importScripts"]) {
-    self[name] = undefined;
+    self[name] = () => {
+      throw new Error(`${name}: Python in a page talks to no host`);
+    };
   }
   postMessage({ ready: true, versions: page.versions(), compiled, files });
   return { python, page };

@@ -11,11 +11,9 @@ import test_exercises
 import test_right_answers
 from nbformat import NotebookNode
 from node import run_node
-from notebook_language import ROOT, Page, notebooks, part_of, tags
+from notebook_language import Page, notebooks, part_of, tags
 from runtime import put_together
 
-# Not where a build makes it meanwhile.
-FOLDER = ROOT / "_build" / "cases" / "live"
 EXPLORED = re.compile(r"\bexplore\(scenes\.(\w+)")
 # Lets the page's Python read the tests of the checks.
 STAND_INS = """\
@@ -73,7 +71,7 @@ def in_page(pages: list[dict[str, Any]], folder: Path) -> list[list[dict[str, An
     """Run lists of cells in the page's Python, each list in a namespace of its own."""
     cases, answers = folder / "cases.json", folder / "answers.json"
     cases.write_text(json.dumps(pages), encoding="utf-8")
-    run_node("tests/live.mjs", str(put_together(FOLDER)), str(cases), str(answers))
+    run_node("tools/page_python.mjs", str(put_together()), str(answers), str(cases))
     results: list[list[dict[str, Any]]] = json.loads(answers.read_text("utf-8"))
     return results
 

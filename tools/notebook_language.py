@@ -33,6 +33,7 @@ EXERCISE = re.compile(r"Exercise (\w+\.\d+)")
 QUESTION = re.compile(rf"\*\*{EXERCISE.pattern}\*\* \((.+), (\d+) minutes?\)\.")
 DIRECTIVE = re.compile(r"\{([\w-]+)\} *(.*)")
 OPTIONS = re.compile(r"(?::[\w-]+:.*\n)*")
+BY_HAND = re.compile(r"(figure = )?explore\(scenes\.")
 OPTION = re.compile(r":([\w-]+): *(.*)")
 
 MYST = MarkdownIt("commonmark").enable("table").use(dollarmath_plugin, allow_labels=True)
@@ -225,6 +226,11 @@ def tags(cell: NotebookNode) -> set[str]:
     return set(cell.metadata.get("tags", []))
 
 
+def answers_the_hand(cell: NotebookNode) -> bool:
+    """Tell whether a cell shows a figure that answers the hand."""
+    return bool(BY_HAND.match(cell.source))
+
+
 @functools.cache
 def pages() -> dict[str, Page]:
     """Read all pages, in the order of the contents."""
@@ -262,5 +268,5 @@ def captions_by_hand() -> list[Block]:
         next(blocks(below.source))
         for page in chapters()
         for cell, below in pairwise(page.cells)
-        if cell.source.startswith("explore(scenes.")
+        if answers_the_hand(cell)
     ]

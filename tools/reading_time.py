@@ -13,7 +13,7 @@ from collections.abc import Iterator
 from math import ceil
 from typing import NamedTuple
 
-from notebook_language import Block, Page, blocks, pages, plain, tags
+from notebook_language import Block, Page, answers_the_hand, blocks, pages, plain, tags
 
 LOOKED_UP = {"api", "claims", "equations", "glossary", "references"}
 SECONDS = {"words": 60 / 130, "lines": 6, "formulas": 30, "scenes": 60, "by_hand": 150}
@@ -91,7 +91,7 @@ def count(page: Page) -> Count:
             prose = block.title if block.kind in ("admonition", "dropdown") else block.source
             words += len(WORD.findall(prose if block.kind == "printed" else plain(prose)))
     minutes = sum(exercise.minutes for exercise in page.exercises.values())
-    by_hand = sum(cell.source.startswith("explore(scenes.") for cell in page.cells)
+    by_hand = sum(map(answers_the_hand, page.cells))
     return Count(words, lines, formulas, scenes - by_hand, by_hand, minutes)
 
 

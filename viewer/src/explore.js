@@ -108,6 +108,8 @@ export function explore(element, live, data, models, python) {
   };
   if (JSON.stringify(inputs) === JSON.stringify(data.start)) show(data.frame);
   else set({});
+  // In a page, Python runs beside the figure.
+  element.addEventListener("rotedu:set", ({ detail }) => set(detail));
   if (!python) {
     follow();
     addEventListener("hashchange", follow);

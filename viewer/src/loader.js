@@ -84,7 +84,11 @@ function begin() {
   watch(goLive);
 }
 
-for (const scene of scenes) scene.dataset.state = "poster";
+for (const scene of scenes) {
+  scene.dataset.state = "poster";
+  // Python in the page sets a figure that nobody has seen yet.
+  scene.addEventListener("rotedu:live", () => goLive(scene));
+}
 if (location.protocol === "file:") {
   // Browsers fetch nothing for a page opened from a file.
   watch((scene) => fail(scene, SERVE));

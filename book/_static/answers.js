@@ -35,9 +35,9 @@ const addForm = (place) => {
     <fieldset>
       <legend>Check your answer to ${number} here</legend>
       ${fields.map(label).join("")}
-      <button>Check</button>
+      <button name="check">Check</button>
     </fieldset>
-    <output></output>
+    <output class="verdict"></output>
   </form>`;
   const form = place.firstChild;
   const inputs = [...form.querySelectorAll("input")];
@@ -64,8 +64,10 @@ const addForm = (place) => {
   form.addEventListener("submit", (event) => {
     event.preventDefault();
     const [right, text] = verdict();
-    output.dataset.right = right;
+    if (right === null) delete output.dataset.right;
+    else output.dataset.right = right;
     output.textContent = text;
+    form.dispatchEvent(new CustomEvent("rotedu:verdict", { detail: { right, text } }));
   });
 };
 

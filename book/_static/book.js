@@ -81,7 +81,7 @@ if (pageHead) {
   addEventListener("keydown", (event) => {
     const { key, target } = event;
     if (!presents() || event.ctrlKey || event.metaKey || event.altKey) return;
-    const kept = target.closest(".scene, .explorable, input, [tabindex='0']");
+    const kept = target.closest(".scene, .explorable, input, [contenteditable], [tabindex='0']");
     if (key === "Escape") return kept ? sections[place].focus() : leave();
     if (kept || (key === " " && target.closest("a, button, summary"))) return;
     const step = key === " " && event.shiftKey ? -1 : steps[key];

@@ -13,8 +13,8 @@
 "use strict";
 
 const HERE = new URL(".", self.location);
-// SIZES of what is fetched, in bytes.
-importScripts(new URL("sizes.js", HERE));
+// All scripts at once: a worker in reserve needs no network later. SIZES are of all else, in bytes.
+importScripts(...["sizes.js", "pyodide.js", "pyodide.asm.js"].map((name) => new URL(name, HERE)));
 // Pyodide asks for a list of packages that it could load: none.
 const LOCK = { info: { arch: "wasm32", platform: "emscripten_3_1_45", version: "0.24.1", python: "3.11.3" }, packages: {} };
 const PAGE = 65536;
@@ -71,7 +71,6 @@ async function load({ compiled, files }) {
   });
   const local = { "pyodide-lock.json": JSON.stringify(LOCK), "python_stdlib.zip": files["python_stdlib.zip"] };
   self.fetch = async (address) => new Response(local[String(address).split("/").at(-1)]);
-  importScripts(new URL("pyodide.js", HERE));
   const python = await loadPyodide({ indexURL: HERE.href });
   const site = python.runPython("import site; site.getsitepackages()[0]");
   for (const name of ["numpy.zip", "rotedu.zip"]) {

@@ -153,6 +153,22 @@ def put_together_large_files() -> None:
     pack("numpy.zip", with_compiled(numpy_files(), PACKAGES, compiled))
 
 
+def bundle(folder: Path) -> None:
+    """Write the scripts of the pages: one for every page, the editor and the worker for later."""
+
+    def build(name: str, *options: str) -> None:
+        esbuild = (node(), LIBRARIES / "esbuild" / "bin" / "esbuild", "--bundle", "--minify")
+        common = ("--target=es2022", "--legal-comments=eof", "--log-level=warning")
+        files = (LIVE / name, f"--outfile={folder / name}")
+        subprocess.run((*esbuild, *common, *files, *options), check=True)
+
+    build("editor.js", "--format=esm")
+    # An address of its own for each edition, because browsers keep what they have fetched.
+    editor = f"editor.js?v={digest(folder / 'editor.js')[:8]}"
+    build("live.js", "--format=iife", f"--define:EDITOR={json.dumps(editor)}")
+    shutil.copy(LIVE / "worker.js", folder)
+
+
 if __name__ == "__main__":
     install()
     put_together()

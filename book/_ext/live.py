@@ -20,7 +20,7 @@ from cells import belongs_to_solution, code_cells, exercise_of, notebook_cell, p
 sys.path.append(str(Path(__file__).parents[2] / "tools"))
 from class_notebooks import Classroom
 from notebook_language import ROOT, notebooks, tags
-from runtime import LIVE, put_together
+from runtime import bundle, put_together
 
 SCRIPT = "live/live.js"
 
@@ -89,8 +89,7 @@ def serve(app: Sphinx) -> None:
         return
     folder = Path(app.outdir).parent / "static" / "live"
     shutil.copytree(put_together(), folder)
-    for script in LIVE.glob("*.js"):
-        shutil.copy(script, folder)
+    bundle(folder)
     settings = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["tool"]["rotedu"]
     classroom = Classroom(settings["book"], settings["wheel"])
     (folder / "notebooks").mkdir()

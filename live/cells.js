@@ -1,0 +1,270 @@
+/*
+ * The cells of the page. Run opens one for editing and runs it, after the cells above it that have
+ * not run yet. The data-run of a cell is stored, waiting, running, done or error.
+ */
+/* global EDITOR */
+import { button, home, make, output, say } from "./elements.js";
+import * as figures from "./figures.js";
+import * as runtime from "./runtime.js";
+import * as store from "./store.js";
+
+const MEGABYTE = 1e6;
+const TYPING = 400;
+const SERVE =
+  "To run this, the page must come from a server: run “python -m http.server” in the folder of" +
+  " the book and open http://localhost:8000.";
+const KEYS = "Shift+Enter runs the cell. To leave it with Tab, press Escape first.";
+const DESK = "Runs at a desk, in the notebook: it draws, or needs SciPy or SymPy.";
+const OF_EXERCISE = /^(start|solution)-/;
+const PICTURE = ":is(figure, img, .scene, .explorable)";
+
+// All that run, and those whose code the page shows.
+const cells = [];
+const listed = [];
+const bar = make("progress", { className: "live-progress" });
+const stopButton = button("stop", "Stop", () => stop());
+let notebook;
+let failures = 0;
+
+/**
+ * Find the cells that can run, and give them their buttons.
+ * @param {function} sources returns a promise of the code of all cells, by id
+ */
+export function bind(sources) {
+  notebook = sources;
+  document.querySelectorAll(".cell").forEach((box, index) => {
+    const listing = box.querySelector(".cell_input");
+    const { cell: id } = box.dataset;
+    if (!id) return listing?.after(make("p", { className: "live-tools" }, DESK));
+    const cell = { id, box, listing, name: `Cell ${index + 1}`, ran: false };
+    box.dataset.run = "stored";
+    cells.push(cell);
+    if (listing) listed.push(dress(cell));
+  });
+  return listed;
+}
+
+function dress(cell) {
+  const { box, listing, name } = cell;
+  const pre = listing.querySelector("pre");
+  const called = name.toLowerCase();
+  box.id ||= `cell-${cell.id}`;
+  Object.assign(cell, {
+    pre,
+    source: pre.textContent.trimEnd(),
+    asPrinted: [...pre.childNodes],
+    stored: box.querySelectorAll(`.cell_output > :not(${PICTURE}, :has(${PICTURE}))`),
+    run: button("run", "Run", () => edit(cell).then(() => run(cell)), `Run ${called}`),
+    reset: button("reset", "Reset", () => reset(cell), `Reset ${called}`),
+    message: make("span", { className: "live-message" }),
+    output: make("div", { className: "live-output" }),
+  });
+  const number = make("span", { className: "live-name" }, name);
+  cell.tools = make("div", { className: "live-tools" }, cell.run, cell.reset, cell.message, number);
+  listing.after(cell.tools);
+  // A click that ends a selection only selects.
+  pre.addEventListener("click", (event) => getSelection().isCollapsed && edit(cell, event));
+  restore(cell);
+  return cell;
+}
+
+/** Tell whether a reader has changed a cell, and whether it looks other than in the book. */
+export const isChanged = ({ code, source }) => code !== source;
+export const isTouched = (cell) => isChanged(cell) || cell.output.isConnected;
+
+/** Show the code that is stored for a cell, else that of the book. */
+export function restore(cell) {
+  const { code } = store.read(cell.id);
+  cell.code = typeof code === "string" ? code : cell.source;
+  cell.editor?.dom.parentNode.remove();
+  cell.editor = null;
+  cell.pre.parentNode.hidden = false;
+  cell.pre.replaceChildren(...(isChanged(cell) ? [cell.code] : cell.asPrinted));
+  cell.reset.hidden = !isChanged(cell);
+}
+
+function reset(cell) {
+  clearTimeout(cell.typing);
+  const inside = cell.box.contains(document.activeElement);
+  cell.ran = false;
+  cell.output.remove();
+  for (const each of cell.stored) each.hidden = false;
+  tell(cell, "");
+  outdate(cell);
+  store.write(cell.id, { code: undefined });
+  restore(cell);
+  if (inside) cell.run.focus();
+}
+
+/** Put all cells back to what the book has, and end Python. */
+export function resetAll() {
+  stop();
+  listed.forEach(reset);
+}
+
+/** Say something beside the buttons of a cell. */
+const tell = (cell, ...content) => cell.message.replaceChildren(...content);
+
+/** What stands below a change looks as if it had not run. */
+function outdate(cell) {
+  for (const { box } of cells.slice(cells.indexOf(cell))) {
+    if (["done", "error"].includes(box.dataset.run)) box.dataset.run = "stored";
+  }
+}
+
+/** Open the editor of a cell, where it was clicked. */
+export async function edit(cell, click) {
+  if (cell.editor) return;
+  if (location.protocol === "file:") return tell(cell, SERVE);
+  try {
+      const again = failures ? `&again=${failures}` : "";
+    const { open } = await import(new URL(EDITOR + again, home));
+    if (!cell.editor) show(cell, open);
+    if (!click) return;
+    const anchor = cell.editor.posAtCoords({ x: click.clientX, y: click.clientY }, false);
+    cell.editor.dispatch({ selection: { anchor } });
+    cell.editor.focus();
+  } catch {
+    failures += 1;
+    tell(cell, "The editor could not be fetched. Click the code to try again.");
+  }
+}
+
+function show(cell, open) {
+  const place = make("div", { className: "highlight live-editor" });
+  cell.listing.append(place);
+  cell.pre.parentNode.hidden = true;
+  cell.reset.hidden = false;
+  const said = { "aria-label": `Code of ${cell.name.toLowerCase()}`, "aria-description": KEYS };
+  const change = (code) => {
+    cell.code = code;
+    outdate(cell);
+    clearTimeout(cell.typing);
+    cell.typing = setTimeout(keep, TYPING, cell);
+  };
+  cell.editor = open(place, cell.code, said, { run: () => void run(cell), change });
+}
+
+function keep(cell) {
+  clearTimeout(cell.typing);
+  store.write(cell.id, { code: isChanged(cell) ? cell.code : undefined });
+}
+
+// Cells run one after the other, in the order in which they were asked for.
+let last = Promise.resolve();
+let stops = 0;
+
+/** Run a cell, once if it is asked for twice. A cell may have a judge for what comes out. */
+export function run(cell) {
+  if (location.protocol === "file:") return tell(cell, SERVE);
+  if (cell.busy) return cell.busy;
+  keep(cell);
+  const [before, asked] = [cell.box.dataset.run, stops];
+  cell.box.dataset.run = "waiting";
+  cell.busy = last.then(async () => {
+    if (asked === stops) await work(cell).catch((error) => fail(cell, error));
+    else cell.box.dataset.run = before;
+    cell.busy = null;
+  });
+  last = cell.busy;
+  return cell.busy;
+}
+
+/** End Python and whatever waits for it. */
+export function stop() {
+  stops += 1;
+  for (const cell of cells) cell.ran = false;
+  runtime.stop();
+}
+
+/** The cells above one that must run first: none of other exercises, no solutions. */
+function above(cell) {
+  const own = cell.id.replace(/^solution-/, "start-");
+  const needed = ({ id, ran }) => !ran && (id === own || !OF_EXERCISE.test(id));
+  return cells.slice(0, cells.indexOf(cell)).filter(needed);
+}
+
+async function work(cell) {
+  const begun = stops;
+  cell.run.setAttribute("aria-disabled", "true");
+  cell.message.before(stopButton, bar);
+  bar.hidden = true;
+  try {
+    const sources = await notebook();
+    if (begun !== stops) throw new Error(runtime.STOPPED);
+    const first = above(cell);
+    for (const [index, each] of first.entries()) {
+      tell(cell, `The cells above run first: ${index + 1} of ${first.length}`);
+      const { error } = await runOne(each, cell, each.code ?? sources.get(each.id));
+      if (error) return blame(cell, each, error);
+    }
+    const done = await runOne(cell, cell, cell.code);
+    say(`${cell.name}: ${done.error || done.out + done.value || "done"}`);
+    await cell.judge?.(done);
+  } finally {
+    if (document.activeElement === stopButton) cell.run.focus();
+    stopButton.remove();
+    bar.remove();
+    cell.run.removeAttribute("aria-disabled");
+    store.changed();
+  }
+}
+
+/** Run one cell; how far Python is stands beside the cell that was asked for. */
+async function runOne(cell, asked, code) {
+  const { box, listing, name } = cell;
+  // What a cell above prints is known, unless it has changed.
+  const visible = cell === asked || (listing && isChanged(cell));
+  box.dataset.run = "running";
+  cell.output?.toggleAttribute("data-old", visible);
+  const loading = (fetched, total) => load(asked, fetched, total);
+  const printing = (out) => visible && print(cell, { out });
+  const done = await runtime.run({ code, name, figures: figures.values() }, loading, printing);
+  outdate(cell);
+  cell.ran = !done.error;
+  box.dataset.run = done.error ? "error" : "done";
+  // A verdict stands below the cell.
+  if (cell.judge && done.verdict) done.value = "";
+  if (visible || (listing && done.error)) print(cell, done);
+  tell(asked, ...figures.set(done.changed));
+  return done;
+}
+
+/** Say how far Python is, to the eye at every step, aloud once. */
+function load(cell, fetched, total) {
+  const size = `${(total / MEGABYTE).toFixed(1)} MB`;
+  if (bar.hidden) say(`Python is being fetched: ${size}, once.`);
+  Object.assign(bar, { hidden: fetched === total, max: total, value: fetched });
+  const far = (fetched / MEGABYTE).toFixed(1);
+  tell(cell, fetched < total ? `Python is being fetched, once: ${far} of ${size}` : "Python starts");
+}
+
+/** Put what a cell prints in the place of what is stored. */
+function print(cell, done) {
+  for (const each of cell.stored) each.hidden = true;
+  cell.output.replaceChildren(...output(done));
+  cell.output.removeAttribute("data-old");
+  // Outside the fold of a listing, where the stored output is.
+  const below = cell.box.querySelector(".cell_output");
+  if (below) below.before(cell.output);
+  else cell.tools.after(cell.output);
+}
+
+/** Say which cell above has failed. */
+function blame(cell, { name, box, listing }, error) {
+  const where = listing ? make("a", { href: `#${box.id}` }, name) : `${name} (${error.trim()})`;
+  cell.box.dataset.run = "error";
+  tell(cell, where, " above has failed, so this cell has not run.");
+  say(cell.message.textContent);
+}
+
+/** Say why a cell has not come to its end. */
+function fail(cell, error) {
+  for (const each of cells) {
+    each.ran = false;
+    if (each.box.dataset.run === "running") each.box.dataset.run = "error";
+  }
+  cell.box.dataset.run = "error";
+  tell(cell, error.message);
+  say(error.message);
+}

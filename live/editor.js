@@ -1,0 +1,55 @@
+/* The editor for a cell, fetched when the first one is opened. */
+import { defaultKeymap, history, historyKeymap, indentWithTab } from "@codemirror/commands";
+import { python } from "@codemirror/lang-python";
+import { bracketMatching, indentUnit, syntaxHighlighting } from "@codemirror/language";
+import { EditorState } from "@codemirror/state";
+import { EditorView, keymap } from "@codemirror/view";
+import { tagHighlighter, tags } from "@lezer/highlight";
+
+// The classes by which Pygments colours a listing, light and dark.
+const likeListings = tagHighlighter([
+  { tag: tags.comment, class: "c1" },
+  { tag: tags.string, class: "s2" },
+  { tag: tags.number, class: "mi" },
+  { tag: [tags.bool, tags.null], class: "kc" },
+  { tag: tags.operatorKeyword, class: "ow" },
+  { tag: [tags.keyword, tags.controlKeyword, tags.definitionKeyword, tags.moduleKeyword], class: "k" },
+  { tag: [tags.definition(tags.className), tags.function(tags.definition(tags.variableName))], class: "nf" },
+  { tag: [tags.operator, tags.definitionOperator], class: "o" },
+  { tag: [tags.variableName, tags.propertyName], class: "n" },
+]);
+// How long Tab leaves the editor after Escape.
+const LEAVE = 5000;
+
+/**
+ * Open an editor.
+ * @param {HTMLElement} parent
+ * @param {string} doc the code
+ * @param {Object<string, string>} attributes of the element that is edited
+ * @param {{run: function, change: function}} actions
+ */
+export function open(parent, doc, attributes, { run, change }) {
+  const runs = { run: () => run() ?? true };
+  return new EditorView({
+    parent,
+    doc,
+    extensions: [
+      keymap.of([
+        { key: "Shift-Enter", ...runs },
+        { key: "Mod-Enter", ...runs },
+        { key: "Escape", run: (view) => view.setTabFocusMode(LEAVE) ?? true },
+        indentWithTab,
+        ...historyKeymap,
+        ...defaultKeymap,
+      ]),
+      history(),
+      bracketMatching(),
+      indentUnit.of("    "),
+      EditorState.tabSize.of(4),
+      python(),
+      syntaxHighlighting(likeListings),
+      EditorView.contentAttributes.of(attributes),
+      EditorView.updateListener.of((update) => update.docChanged && change(update.state.doc.toString())),
+    ],
+  });
+}

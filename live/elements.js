@@ -1,0 +1,50 @@
+/* What the page adds to itself: buttons, words for those who hear it, and what a cell has printed. */
+
+/** Where the scripts are. */
+export const home = new URL(".", document.currentScript.src);
+
+/** Make an element with properties; text and elements become its content. */
+export function make(tag, properties, ...content) {
+  const made = Object.assign(document.createElement(tag), properties);
+  made.append(...content);
+  return made;
+}
+
+/** Make a button with a name, by which the markup knows it, and words for those who hear it. */
+export function button(name, text, action, ariaLabel = text) {
+  const made = make("button", { type: "button", name, ariaLabel }, text);
+  made.addEventListener("click", action);
+  return made;
+}
+
+const spoken = make("p", { className: "live-spoken", role: "status" });
+const MOST = 300;
+
+/** Say something, once, when the reader's machine has time. */
+export function say(text) {
+  if (!spoken.isConnected) document.querySelector("article").append(spoken);
+  spoken.textContent = text.length > MOST ? `${text.slice(0, MOST)} …` : text;
+}
+
+/** Return what a cell has printed, its value and its error. What looks like HTML stays text. */
+export function output({ out = "", value = "", kind = "", error = "" }) {
+  const shown = [];
+  if (out) shown.push(make("pre", {}, out));
+  if (value) shown.push(kind === "markdown" ? table(value) : make("pre", {}, value));
+  if (error) shown.push(make("pre", { className: "live-error" }, error.trimEnd()));
+  return shown;
+}
+
+/** Make a table of lines with bars; anything else stays text. */
+function table(markdown) {
+  const lines = markdown.trim().split("\n");
+  if (!lines.every((line) => line.startsWith("|"))) return make("pre", {}, markdown);
+  const [head, , ...body] = lines.map((line) => line.split("|").slice(1, -1).map(words));
+  const row = (texts, tag) => make("tr", {}, ...texts.map((text) => make(tag, {}, text)));
+  const rows = body.map((texts) => row(texts, "td"));
+  const made = make("table", { className: "docutils" }, row(head, "th"), ...rows);
+  return make("div", { className: "table-wrapper" }, made);
+}
+
+/** Leave out the signs for links, code and bold letters. */
+const words = (text) => text.trim().replace(/\[(.+?)\]\(.+?\)/g, "$1").replace(/[`*]/g, "");

@@ -1,0 +1,119 @@
+/*
+ * Exercises: Check gives the verdict, with hints in stages, on the numbers of a form or on what the
+ * starter cell computes. Verdicts are stored with the code of that cell.
+ */
+import { edit, isChanged, run } from "./cells.js";
+import { button, make } from "./elements.js";
+import { values } from "./figures.js";
+import * as runtime from "./runtime.js";
+import * as store from "./store.js";
+
+const exercises = [];
+
+/** Find the exercises, give them their buttons, and show what is stored. */
+export function bind(cells) {
+  for (const box of document.querySelectorAll(".exercise[data-exercise]")) {
+    const number = box.dataset.exercise;
+    const id = `start-${number.replace(".", "-")}`;
+    const cell = cells.find((each) => each.id === id);
+    const form = box.querySelector(".answer-form form");
+    const exercise = { number, id, cell, form, hinted: "", asked: false };
+    joinReasons(box);
+    if (!form && !cell) continue;
+    if (form) followForm(box, exercise);
+    else addCheck(exercise);
+    if (cell) cell.judge = (done) => judge(exercise, done);
+    exercises.push(exercise);
+  }
+  restore();
+}
+
+/** Show the verdicts and numbers that are stored. */
+export function restore() {
+  for (const exercise of exercises) {
+    const stored = store.read(exercise.id);
+    show(exercise, stored);
+    exercise.fields?.forEach((field, i) => (field.value = stored.fields?.[i] ?? ""));
+  }
+}
+
+/** How many exercises there are, and how many are solved. */
+export function count() {
+  const right = exercises.filter(({ id }) => store.read(id).right === true);
+  return { right: right.length, of: exercises.length };
+}
+
+/** One fold for the solution and its reasons. */
+function joinReasons(box) {
+  const fold = box.querySelector(".tag_hide-cell > details");
+  const reasons = box.querySelector(":scope > .sd-dropdown:last-child");
+  if (!fold || !reasons) return;
+  fold.append(...reasons.querySelector(".sd-summary-content").childNodes);
+  reasons.remove();
+}
+
+function addCheck(exercise) {
+  const { cell, number } = exercise;
+  cell.run.after(button("check", "Check", () => answer(exercise), `Check exercise ${number}`));
+  exercise.verdict = make("output", { className: "verdict" });
+  cell.box.after(exercise.verdict);
+}
+
+/** A form judges its numbers itself (answers.js); where there are none, the cell has the answer. */
+function followForm(box, exercise) {
+  const { form, cell, id } = exercise;
+  const fields = [...form.querySelectorAll("input")];
+  const empty = () => !fields.some(({ value }) => value.trim());
+  const check = (event) => {
+    if (!empty() || !cell || !isChanged(cell)) return;
+    event.preventDefault();
+    event.stopPropagation();
+    answer(exercise);
+  };
+  box.addEventListener("submit", check, { capture: true });
+  form.addEventListener("input", () => {
+    store.write(id, { fields: empty() ? undefined : fields.map(({ value }) => value) });
+  });
+  form.addEventListener("rotedu:verdict", ({ detail }) => keep(exercise, detail));
+  Object.assign(exercise, { fields, verdict: form.querySelector("output") });
+}
+
+async function answer(exercise) {
+  show(exercise, {});
+  exercise.asked = true;
+  await edit(exercise.cell);
+  await run(exercise.cell);
+  exercise.asked = false;
+}
+
+/** Show the verdict of a cell that has run; the same mistake twice earns a second hint. */
+async function judge(exercise, { verdict, error }) {
+  const { asked, cell, fields, hinted, number } = exercise;
+  if (verdict?.number !== number) {
+    const text = `To be checked, the cell must end with check("${number}", answer).`;
+    if (asked && !error) show(exercise, { text });
+    return;
+  }
+  let [text] = verdict.text.split("\n");
+  if (verdict.right === false) {
+    exercise.hinted = text;
+    const code = `check("${number}", answer, hint=2)`;
+    const more = hinted === text && (await runtime.run({ code, name: cell.name, figures: values() }));
+    text = more?.verdict?.text ?? `${text} For more, check again.`;
+  }
+  // Nobody has answered by a cell that only computes what goes into a form.
+  if (verdict.right === null && fields && !asked) return;
+  const said = { right: verdict.right, text: text[0].toUpperCase() + text.slice(1) };
+  show(exercise, said);
+  keep(exercise, said);
+}
+
+function show({ verdict }, { right, text = "" }) {
+  if (typeof right === "boolean") verdict.dataset.right = right;
+  else delete verdict.dataset.right;
+  verdict.textContent = text;
+}
+
+function keep({ id }, { right, text }) {
+  store.write(id, right === null ? { right: undefined, text: undefined } : { right, text });
+}

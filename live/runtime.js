@@ -1,0 +1,85 @@
+/*
+ * The page's Python: a worker that the first run starts. What it has fetched is kept for the next
+ * one, and so are workers whose scripts are loaded: after Stop, Python starts again without a network.
+ */
+import { home } from "./elements.js";
+
+export const STOPPED = "Stopped. What has run is forgotten; the next Run starts Python anew.";
+const RESERVE = 2;
+const root = document.documentElement;
+let worker;
+let reserve = [];
+let kept = {};
+let serial = 0;
+let waiting = null;
+root.dataset.python = "absent";
+
+/**
+ * Run code, one piece at a time.
+ * @param cell its code and name, and the values of the figures
+ * @param {function} loading told how many bytes are fetched, and of how many
+ * @param {function} printing told all that the cell has printed so far
+ * @returns {Promise} what the worker says when the cell is done; refused with words for the reader
+ */
+export function run(cell, loading, printing) {
+  worker ??= start();
+  return new Promise((resolve, reject) => {
+    waiting = { id: ++serial, resolve, reject, loading, printing };
+    worker.postMessage({ id: serial, ...cell });
+  });
+}
+
+/** End Python, also in the middle of a cell. */
+export const stop = () => end("absent", STOPPED);
+
+function start() {
+  root.dataset.python = "loading";
+  const made = reserve.pop() ?? load();
+  made.onmessage = hear;
+  made.onerror = ({ message = "its script did not load" }) => fail(message);
+  if (kept.files) made.postMessage(kept);
+  return made;
+}
+
+const load = () => new Worker(new URL("worker.js", home));
+
+function fillReserve() {
+  while (reserve.length < RESERVE) {
+    const made = load();
+    reserve.push(made);
+    // Without a network none loads; the next one that is needed will say so.
+    made.onerror = () => (reserve = reserve.filter((each) => each !== made));
+  }
+}
+
+function hear({ data }) {
+  if (data.total) waiting?.loading?.(data.fetched, data.total);
+  if (data.failed) fail(data.failed);
+  if (data.ready) {
+    root.dataset.python = "ready";
+    kept = { compiled: data.compiled, files: data.files };
+    fillReserve();
+  }
+  if (data.id !== waiting?.id) return;
+  if (data.text) waiting.printing?.(data.text);
+  if (data.dead) end("absent", `Python has ended: ${data.dead}. The next Run starts it anew.`);
+  if (data.done) settle("resolve", data.done);
+}
+
+function fail(why) {
+  const offline = navigator.onLine ? "" : " You seem to be offline.";
+  end("failed", `Python could not be fetched (${why}).${offline} Run tries again.`);
+}
+
+function end(state, text) {
+  worker?.terminate();
+  worker = undefined;
+  root.dataset.python = state;
+  settle("reject", new Error(text));
+}
+
+function settle(how, what) {
+  const one = waiting;
+  waiting = null;
+  one?.[how](what);
+}

@@ -337,6 +337,8 @@ def test_what_is_served_comes_with_its_licence(book: Path, pages: dict[str, Beau
     text = (book / "_static" / "licences.txt").read_text(encoding="utf-8")
     for words in ("Google Inc.", "Khan Academy", "with Reserved Font Names", "three.js authors"):
         assert words in text
+    for words in ("Mozilla Public", "Python Software Foundation", "NumPy Developers", "Haverbeke"):
+        assert words in text
     assert all(
         soup.select("footer a[href$='licences.txt']")
         for name, soup in pages.items()

@@ -89,7 +89,15 @@ def serve(app: Sphinx) -> None:
         return
     folder = Path(app.outdir).parent / "static" / "live"
     shutil.copytree(put_together(), folder)
+<<<<<<< Updated upstream
     bundle(folder)
+=======
+    for script in LIVE.glob("*.js"):
+        shutil.copy(script, folder)
+    licences = [file.read_text("utf-8") for file in sorted(LIVE.glob("licences/*.txt"))]
+    with (folder.parent / "licences.txt").open("a", encoding="utf-8") as file:
+        file.write("\n\n\n".join(["", *licences]))
+>>>>>>> Stashed changes
     settings = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["tool"]["rotedu"]
     classroom = Classroom(settings["book"], settings["wheel"])
     (folder / "notebooks").mkdir()

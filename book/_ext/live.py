@@ -20,7 +20,7 @@ from cells import belongs_to_solution, code_cells, exercise_of, notebook_cell, p
 sys.path.append(str(Path(__file__).parents[2] / "tools"))
 from class_notebooks import Classroom
 from notebook_language import ROOT, notebooks, tags
-from runtime import bundle, put_together
+from runtime import LIVE, bundle, put_together
 
 SCRIPT = "live/live.js"
 
@@ -89,15 +89,10 @@ def serve(app: Sphinx) -> None:
         return
     folder = Path(app.outdir).parent / "static" / "live"
     shutil.copytree(put_together(), folder)
-<<<<<<< Updated upstream
     bundle(folder)
-=======
-    for script in LIVE.glob("*.js"):
-        shutil.copy(script, folder)
     licences = [file.read_text("utf-8") for file in sorted(LIVE.glob("licences/*.txt"))]
     with (folder.parent / "licences.txt").open("a", encoding="utf-8") as file:
         file.write("\n\n\n".join(["", *licences]))
->>>>>>> Stashed changes
     settings = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["tool"]["rotedu"]
     classroom = Classroom(settings["book"], settings["wheel"])
     (folder / "notebooks").mkdir()

@@ -41,7 +41,7 @@ function start() {
   return made;
 }
 
-const load = () => new Worker(new URL("worker.js", home));
+const load = () => new Worker(new URL(WORKER, home));
 
 function fillReserve() {
   while (reserve.length < RESERVE) {

@@ -13,72 +13,68 @@
 "use strict";
 
 const HERE = new URL(".", self.location);
-// All scripts at once: a worker in reserve needs no network later. SIZES are of all else, in bytes.
-importScripts(...["sizes.js", "pyodide.js", "pyodide.asm.js"].map((name) => new URL(name, HERE)));
+// All scripts at once: a worker in reserve needs no network later. FILES are all else.
+importScripts(`files.js${self.location.search}`, "pyodide.js", "pyodide.asm.js");
 // Pyodide asks for a list of packages that it could load: none.
-const LOCK = { info: { arch: "wasm32", platform: "emscripten_3_1_45", version: "0.24.1", python: "3.11.3" }, packages: {} };
-const PAGE = 65536;
+const NO_PACKAGES = JSON.stringify({ info: { version: "0.24.1" }, packages: {} });
+const TALKS = ["fetch", "XMLHttpRequest", "WebSocket", "EventSource", "importScripts"];
+const WASM = "pyodide.asm.wasm.gz";
 const MOST_MEMORY = 2 ** 30;
+const PAGE_OF_MEMORY = 2 ** 16;
 
-const browserFetch = self.fetch.bind(self);
-
-/** Fetch a file and say how far it is. */
-async function fetched(name, tell) {
-  const answer = await browserFetch(new URL(name, HERE));
-  if (!answer.ok) throw new Error(`${name}: ${answer.status} ${answer.statusText}`);
-  const chunks = [];
-  for (const reader = answer.body.getReader(); ; ) {
-    const { done, value } = await reader.read();
-    if (done) break;
-    chunks.push(value);
-    tell(value.length);
-  }
-  return new Uint8Array(await new Blob(chunks).arrayBuffer());
-}
-
+/** Fetch all files, and say how far that is. */
 async function fetchAll() {
-  const total = Object.values(SIZES).reduce((sum, size) => sum + size);
-  let sum = 0;
-  const tell = (more) => postMessage({ fetched: (sum += more), total });
-  const names = Object.keys(SIZES);
-  const contents = await Promise.all(names.map((name) => fetched(name, tell)));
-  return Object.fromEntries(names.map((name, i) => [name, contents[i]]));
-}
-
-/** Some servers send what is packed as packed, and the browser unpacks it. */
-function unpacked(bytes) {
-  const plain = new Blob([bytes]).stream();
-  const stream = bytes[0] === 0x1f ? plain.pipeThrough(new DecompressionStream("gzip")) : plain;
-  return new Response(stream, { headers: { "Content-Type": "application/wasm" } });
-}
-
-/** Let Python grow so far only: then it gets a MemoryError, and not the reader's machine. */
-function boundMemory() {
-  const { Memory } = WebAssembly;
-  WebAssembly.Memory = function (limits) {
-    return new Memory({ ...limits, maximum: MOST_MEMORY / PAGE });
+  const total = FILES.reduce((sum, { size }) => sum + size, 0);
+  let fetched = 0;
+  const one = async ({ name, version }) => {
+    const { ok, status, body } = await fetch(new URL(`${name}?v=${version}`, HERE));
+    if (!ok) throw new Error(`${name}: ${status}`);
+    const tell = new TransformStream({
+      transform(bytes, next) {
+        postMessage({ fetched: (fetched += bytes.length), total });
+        next.enqueue(bytes);
+      },
+    });
+    return [name, new Uint8Array(await new Response(body.pipeThrough(tell)).arrayBuffer())];
   };
+  return Object.fromEntries(await Promise.all(FILES.map(one)));
 }
 
-async function load({ compiled, files }) {
-  files ??= await fetchAll();
-  compiled ??= await WebAssembly.compileStreaming(unpacked(files["pyodide.asm.wasm.gz"]));
-  boundMemory();
-  // What Pyodide fetches is here already.
+function compile(bytes) {
+  const plain = new Response(bytes).body;
+  // Some servers send what is packed as packed, and the browser has unpacked it.
+  const stream = bytes[0] === 0x1f ? plain.pipeThrough(new DecompressionStream("gzip")) : plain;
+  const headers = { "Content-Type": "application/wasm" };
+  return WebAssembly.compileStreaming(new Response(stream, { headers }));
+}
+
+/** Give Pyodide what is here already, and bound its memory: beyond, Python raises a MemoryError. */
+function prepare(compiled, files) {
+  const { Memory } = WebAssembly;
+  const maximum = MOST_MEMORY / PAGE_OF_MEMORY;
+  WebAssembly.Memory = function (limits) {
+    return new Memory({ ...limits, maximum });
+  };
   WebAssembly.instantiateStreaming = async (_, imports) => ({
     module: compiled,
     instance: await WebAssembly.instantiate(compiled, imports),
   });
-  const local = { "pyodide-lock.json": JSON.stringify(LOCK), "python_stdlib.zip": files["python_stdlib.zip"] };
+  const local = { ...files, "pyodide-lock.json": NO_PACKAGES };
   self.fetch = async (address) => new Response(local[String(address).split("/").at(-1)]);
+}
+
+async function load({ compiled, files }) {
+  files ??= await fetchAll();
+  compiled ??= await compile(files[WASM]);
+  delete files[WASM];
+  prepare(compiled, files);
   const python = await loadPyodide({ indexURL: HERE.href });
-  const site = python.runPython("import site; site.getsitepackages()[0]");
+  const extractDir = python.runPython("import site; site.getsitepackages()[0]");
   for (const name of ["numpy.zip", "rotedu.zip"]) {
-    python.unpackArchive(files[name], "zip", { extractDir: site });
+    python.unpackArchive(files[name], "zip", { extractDir });
   }
   const page = python.pyimport("page");
-  // From here on, what a reader pastes into a cell talks to no other host.
-  for (const name of ["fetch", "XMLHttpRequest", "WebSocket", "EventSource", "importScripts"]) {
+  for (const name of TALKS) {
     self[name] = () => {
       throw new Error(`${name}: Python in a page talks to no host`);
     };
@@ -88,18 +84,16 @@ async function load({ compiled, files }) {
 }
 
 let loading;
-async function answer({ data }) {
-  loading ??= load(data);
+async function answer({ id, code, name, figures, ...kept }) {
+  loading ??= load(kept);
   const { python, page } = await loading;
-  const { id, code, name, figures } = data;
   if (id === undefined) return;
-  const tell = (text) => postMessage({ id, text });
   try {
-    const done = JSON.parse(page.run(code, name, JSON.stringify(figures), tell));
-    postMessage({ id, done, heap: python._module.HEAP8.length });
+    const done = page.run(code, name, JSON.stringify(figures), (text) => postMessage({ id, text }));
+    postMessage({ id, done: JSON.parse(done), heap: python._module.HEAP8.length });
   } catch (error) {
     // The runtime is gone: os._exit, or a stack that ran over.
     postMessage({ id, dead: String(error).slice(0, 200) });
   }
 }
-onmessage = (event) => answer(event).catch((error) => postMessage({ failed: String(error) }));
+onmessage = ({ data }) => answer(data).catch((error) => postMessage({ failed: String(error) }));

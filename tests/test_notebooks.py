@@ -9,7 +9,7 @@ from pathlib import Path
 
 import nbformat
 import pytest
-from notebook_language import Page, notebooks
+from notebook_language import Page, notebooks, tags
 
 ROOT = Path(__file__).parents[1]
 # As a build starts it.
@@ -53,6 +53,16 @@ class TestNotebook:
         for cell in page.code:
             for word in ("jupyter_backend", "PYVISTA", "__file__", "os.path", "pathlib"):
                 assert word not in cell.source
+
+    def test_cells_to_try_are_short_and_use_the_figure_of_the_page(self, page: Page) -> None:
+        cells = [cell for cell in page.code if "try" in tags(cell) or cell.id.startswith("try-")]
+        figures = [cell for cell in page.code if cell.source.startswith("figure = explore(")]
+        assert not cells or len(figures) == 1
+        for cell in cells:
+            assert "try" in tags(cell)
+            assert cell.id.startswith("try-")
+            assert len(cell.source.splitlines()) <= 8
+            assert "figure." in cell.source
 
     def test_compares_what_it_prints(self, page: Page) -> None:
         """Only pictures and timings may go uncompared."""

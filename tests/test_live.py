@@ -56,6 +56,72 @@ for number in EXERCISES:
 """
 
 
+LACKS = (
+    "NotInPage: {} is not in this page, which has NumPy and rotedu alone."
+    " It works in the notebook of the page, at a desk.\n"
+)
+IN_CELL = 'Traceback (most recent call last):\n  File "Cell 1", line {}, in <module>\n    {}\n'
+LONG = "0" * 100_000 + "\n(cut here: it is longer)"
+# What a reader may try, and what comes of it.
+SAYS: dict[str, dict[str, Any]] = {
+    "1 + 1": {"out": "", "value": "2", "kind": "text", "error": ""},
+    "1 + 1;": {"out": "", "value": "", "kind": ""},
+    "print(1)\nprint(2)\n3": {"out": "1\n2\n", "value": "3"},
+    "def f(x):\n    return 1 / x\n\nf(0)": {
+        "kind": "ZeroDivisionError",
+        "error": IN_CELL.format(4, "f(0)")
+        + '  File "Cell 1", line 2, in f\n    return 1 / x\n           ~~^~~\n'
+        "ZeroDivisionError: division by zero\n",
+    },
+    "import numpy as np\nnp.zeros(3) @ np.zeros((2, 2))": {"kind": "ValueError"},
+    "x = (1 +": {
+        "error": '  File "Cell 1", line 1\n    x = (1 +\n        ^\n'
+        "SyntaxError: '(' was never closed\n"
+    },
+    "from rotedu.quaternions import Quaternion\nQuaternion(1)": {"kind": "TypeError"},
+    "print('0' * 10**6)": {"out": LONG, "error": ""},
+    "print('0' * 10**5)": {"out": LONG},
+    "class Long:\n    def __repr__(self):\n        return '0' * 10**6\n\nLong()": {"value": LONG},
+    "import sys\nsys.stdout.close()\nprint(1)": {"out": "1\n", "error": ""},
+    "import sys\nsys.stderr.write('1')": {"out": "1"},
+    "import sys\nsys.exit(1)": {"kind": "SystemExit"},
+    "def f():\n    f()\n\nf()": {"kind": "RecursionError"},
+    "import sys\nsys.setrecursionlimit(10**9)": {"error": ""},
+    "a = []\nfor _ in range(10**5):\n    a = [a]\nrepr(a)": {"kind": "RecursionError"},
+    "import pandas": {"error": IN_CELL.format(1, "import pandas") + LACKS.format("pandas")},
+    "import scipy.linalg": {"error": ""},
+    "from scipy.linalg import expm\nexpm(0)": {
+        "error": IN_CELL.format(2, "expm(0)") + LACKS.format("scipy.linalg.expm")
+    },
+    "import matplotlib.pyplot as plt\nplt.style.use('rotedu.book')": {"error": ""},
+    "import pyvista\npyvista.Plotter().add_mesh(1)": {"kind": "NotInPage"},
+    "try:\n    import pandas\nexcept ImportError:\n    print(1)": {"out": "1\n"},
+    "input('name')": {"error": IN_CELL.format(1, "input('name')") + LACKS.format("input()")},
+    "%timeit 1 + 1": {"error": LACKS.format("%timeit")},
+    "!ls": {"error": LACKS.format("!ls")},
+    "%config InlineBackend.figure_format = 'svg'\n1": {"value": "1"},
+    # Integers have 32 bits, and an overflow passes without a word.
+    "import numpy as np\nnp.array([2**31 - 1]) + 1": {"value": "array([-2147483648])"},
+    "import numpy as np\nnp.zeros(10**9)": {"kind": "ValueError"},
+    "from rotedu.edition.exercises import check\ncheck('3.1', ...);": {
+        "verdict": {"number": "3.1", "right": None, "text": "not answered yet."}
+    },
+    "from rotedu import scenes\nscenes.figure_1().show()": {"value": "", "error": ""},
+}
+EXPLORE = "from rotedu import scenes\nfrom rotedu.figures import explore\n"
+SHOWN: dict[str, Any] = {"arcs-of-arcs": {"u": 0.25, "length": 1}, "slerp-by-hand": {}}
+# Cells with figures: the value of the last line, and what they have changed.
+FIGURES: dict[str, tuple[str, dict[str, Any]]] = {
+    EXPLORE + "explore(scenes.arcs_of_arcs, u=(0, 1)).u": ("0.25", {}),
+    EXPLORE + "figure = explore(scenes.arcs_of_arcs, u=(0, 1))\nfigure.u = 1\nfigure.u": (
+        "1.0",
+        {"arcs-of-arcs": {"u": 1.0}},
+    ),
+    EXPLORE + "explore(scenes.slerp_by_hand)": ("", {}),
+}
+Done = dict[str, list[dict[str, Any]]]
+
+
 class Ran(NamedTuple):
     """A cell, and what came of it in the page's Python."""
 
@@ -83,41 +149,40 @@ def in_order(page: Page) -> list[NotebookNode]:
     return sorted(page.code, key=later)
 
 
-def figures(page: Page) -> list[str]:
-    """Return the names of the figures of a page that answer the hand."""
+def figures(page: Page) -> dict[str, Any]:
+    """Return the figures of a page that answer the hand; nobody has touched one."""
     shown = [name for cell in page.code for name in EXPLORED.findall(cell.source)]
-    return [name.replace("_", "-") for name in shown]
-
-
-def in_page(pages: list[dict[str, Any]], folder: Path) -> list[list[dict[str, Any]]]:
-    """Run lists of cells in the page's Python, each list in a namespace of its own."""
-    cases, answers = folder / "cases.json", folder / "answers.json"
-    cases.write_text(json.dumps(pages), encoding="utf-8")
-    run_node("tools/page_python.mjs", str(put_together()), str(answers), str(cases))
-    results: list[list[dict[str, Any]]] = json.loads(answers.read_text("utf-8"))
-    return results
+    return {name.replace("_", "-"): {} for name in shown}
 
 
 @pytest.fixture(scope="module")
-def results(tmp_path_factory: pytest.TempPathFactory) -> list[list[dict[str, Any]]]:
-    cases = [
-        {"figures": figures(page), "cells": [cell.source for cell in in_order(page)]}
+def done(tmp_path_factory: pytest.TempPathFactory) -> dict[str, list[dict[str, Any]]]:
+    """Run everything in the page's Python, each list of cells in a namespace of its own."""
+    cells: dict[str, Any] = {
+        page.name: {"figures": figures(page), "cells": [c.source for c in in_order(page)]}
         for page in notebooks()
-    ]
-    facts = {"figures": [], "cells": [FACTS]}
-    return in_page([*cases, facts], tmp_path_factory.mktemp("live"))
+    }
+    cells |= {code: {"figures": SHOWN, "cells": [code]} for code in (*SAYS, *FIGURES)}
+    tests = [inspect.getsource(module) for module in (test_exercises, test_right_answers)]
+    cells["facts"] = {"figures": {}, "cells": [FACTS]}
+    cells["answers"] = {"figures": {}, "cells": [STAND_INS, *tests, JUDGE]}
+    folder = tmp_path_factory.mktemp("live")
+    cases, answers = folder / "cases.json", folder / "answers.json"
+    cases.write_text(json.dumps(list(cells.values())), encoding="utf-8")
+    run_node("tools/page_python.mjs", str(put_together()), str(answers), str(cases))
+    return dict(zip(cells, json.loads(answers.read_text("utf-8")), strict=True))
 
 
 @pytest.fixture(scope="module")
-def ran(results: list[list[dict[str, Any]]]) -> dict[str, list[Ran]]:
+def ran(done: dict[str, list[dict[str, Any]]]) -> dict[str, list[Ran]]:
     return {
-        page.name: list(map(Ran, in_order(page), done))
-        for page, done in zip(notebooks(), results, strict=False)
+        page.name: [Ran(*each) for each in zip(in_order(page), done[page.name], strict=True)]
+        for page in notebooks()
     }
 
 
-def test_the_conventions_say_what_runs(results: list[list[dict[str, Any]]]) -> None:
-    [facts] = results[-1]
+def test_the_conventions_say_what_runs(done: Done) -> None:
+    [facts] = done["facts"]
     assert facts["error"] == ""
     said = (BOOK / "conventions.md").read_text("utf-8").replace(" ", "")
     for fact in facts["out"].split():
@@ -143,10 +208,21 @@ def test_a_cell_with_the_tag_needs_a_desk(page: Page, ran: dict[str, list[Ran]])
     assert set(kinds.values()) <= {"NotInPage"}, kinds
 
 
-def test_every_answer_of_the_tests_gets_its_verdict_in_a_page(tmp_path: Path) -> None:
-    tests = [inspect.getsource(module) for module in (test_exercises, test_right_answers)]
-    [done] = in_page([{"figures": [], "cells": [STAND_INS, *tests, JUDGE]}], tmp_path)
-    assert [result["error"] for result in done] == [""] * 4
+def test_every_answer_of_the_tests_gets_its_verdict_in_a_page(done: Done) -> None:
+    assert [result["error"] for result in done["answers"]] == [""] * 4
+
+
+@pytest.mark.parametrize("code", SAYS)
+def test_what_a_reader_may_try_gets_an_answer(code: str, done: Done) -> None:
+    [result] = done[code]
+    for key, expected in SAYS[code].items():
+        assert result[key] == expected
+
+
+@pytest.mark.parametrize("code", FIGURES)
+def test_a_cell_reads_and_sets_figures(code: str, done: Done) -> None:
+    [result] = done[code]
+    assert (result["value"], result["changed"]) == FIGURES[code], result["error"]
 
 
 @pytest.fixture(scope="module")

@@ -5,8 +5,8 @@
  * gets, as JSON, the file of each with its bytes in base64.
  *
  * node page_python.mjs RUNTIME ANSWERS CASES runs cells. CASES is JSON: a list of pages, each with
- * the names of its `figures` and its `cells`, which run in order in one namespace. ANSWERS gets the
- * results that a page would get.
+ * what its `figures` show, by name, and its `cells`, which run in order in one namespace. ANSWERS
+ * gets the results that a page would get.
  */
 import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
@@ -48,7 +48,7 @@ const page = python.pyimport("page");
 
 function run({ figures, cells }) {
   page.start();
-  const shown = JSON.stringify(Object.fromEntries(figures.map((name) => [name, {}])));
+  const shown = JSON.stringify(figures);
   return cells.map((code, i) => JSON.parse(page.run(code, `Cell ${i + 1}`, shown, () => {})));
 }
 

@@ -121,10 +121,10 @@ class Printed(io.TextIOBase):
         """Keep a text."""
         if self.room > 0:
             self.text.append(text[: self.room])
-            self.room -= len(text)
             if (now := time.monotonic()) > self.told + PAUSE:
                 self.told = now
                 self.tell(str(self))
+        self.room -= len(text)
         return len(text)
 
     def close(self) -> None:

@@ -111,7 +111,7 @@ builtins.input = refuse_input
 
 
 class Printed(io.TextIOBase):
-    """What a cell prints: shown meanwhile, cut where it becomes too long, and never closed."""
+    """What a cell prints: shown meanwhile, and cut where it becomes too long."""
 
     def __init__(self, tell: Callable[[str], Any]) -> None:
         self.tell, self.told = tell, time.monotonic()
@@ -126,9 +126,6 @@ class Printed(io.TextIOBase):
                 self.tell(str(self))
         self.room -= len(text)
         return len(text)
-
-    def close(self) -> None:
-        """Stay open for the next cell."""
 
     def __str__(self) -> str:
         return "".join(self.text) + "\n(cut here: it is longer)" * (self.room < 0)

@@ -199,7 +199,7 @@ async function work(cell) {
       if (error) return blame(cell, each, error);
     }
     const done = await runOne(cell, cell, cell.code);
-    say(`${cell.name}: ${done.error || done.out + done.value || "done"}`);
+    if (!done.verdict) say(`${cell.name}: ${done.error || done.out + done.value || "done"}`);
     await cell.judge?.(done);
   } finally {
     if (document.activeElement === stopButton) cell.run.focus();
@@ -248,6 +248,8 @@ function print(cell, done) {
   const below = cell.box.querySelector(".cell_output");
   if (below) below.before(cell.output);
   else cell.tools.after(cell.output);
+  const scrolls = (box) => box.scrollWidth > box.clientWidth || box.scrollHeight > box.clientHeight;
+  for (const box of cell.output.children) if (scrolls(box)) box.tabIndex = 0;
 }
 
 /** Say which cell above has failed. */

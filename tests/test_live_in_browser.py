@@ -1,0 +1,560 @@
+"""Python in the page, as readers meet it: they run and change cells, answer, stop and save."""
+
+import json
+import sys
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import nbformat
+import pytest
+from nbformat import NotebookNode
+from notebook_language import notebooks, pages, tags
+from servers import jupyterlab
+from test_figures_in_browser import AXE, Open, open_page, settle
+from test_figures_in_lab import KERNEL_IS_THERE
+
+__all__ = ["open_page"]
+
+# Milliseconds; Python starts in two or three seconds, and much later on a busy machine.
+PATIENCE = 60_000
+CURVE = "05-closed-curve"
+ENDED = """id => ["done", "error"].includes(document.querySelector(
+    `.cell[data-cell="${id}"]`).dataset.run)"""
+KEYS = "Object.keys(localStorage).filter((key) => key.startsWith('rotedu:'))"
+RUNNABLE = """[...document.querySelectorAll(".cell[data-cell]:has(button[name=run])")].map(
+    (cell) => cell.dataset.cell)"""
+ALL_RAN = """() => window.jupyterapp.shell.currentWidget.content.model.cells.length > 0 &&
+    [...window.jupyterapp.shell.currentWidget.content.model.sharedModel.cells].every((cell) =>
+        cell.cell_type !== "code" || cell.execution_count)"""
+PHONE = {"viewport": {"width": 390, "height": 844}, "has_touch": True, "is_mobile": True}
+
+
+class Reader:
+    """Somebody who reads a page, types into its cells and presses buttons."""
+
+    def __init__(self, page: Any) -> None:
+        self.page = page
+
+    def cell(self, name: str) -> Any:
+        return self.page.locator(f'.cell[data-cell="{name}"]')
+
+    def button(self, name: str, within: str = "") -> Any:
+        return self.page.locator(f"{within} button[name={name}]")
+
+    def state(self, name: str) -> str:
+        found: str = self.cell(name).get_attribute("data-run")
+        return found
+
+    def write(self, name: str, code: str) -> None:
+        """Put code into a cell, as a reader does: click, select all, type."""
+        fold = self.cell(name).locator("details:not([open]) > summary")
+        if fold.count():
+            fold.click()
+        editor = self.cell(name).locator(".cm-content")
+        if not editor.count():
+            self.cell(name).locator(".cell_input pre").first.click()
+        editor.focus()
+        self.page.keyboard.press("ControlOrMeta+a")
+        self.page.keyboard.insert_text(code)
+
+    def press(self, name: str, button: str = "run") -> None:
+        self.cell(name).locator(f"button[name={button}]").click()
+
+    def wait(self, name: str) -> str:
+        """Wait until a cell has come to its end, and return what it shows."""
+        self.page.wait_for_function(ENDED, arg=name, timeout=PATIENCE)
+        return self.output(name)
+
+    def output(self, name: str) -> str:
+        return "".join(self.cell(name).locator(".live-output").all_text_contents())
+
+    def run(self, name: str, code: str | None = None) -> str:
+        """Run a cell, changed or not, and return what it shows."""
+        if code is not None:
+            self.write(name, code)
+        before = self.cell(name).evaluate_handle("cell => { delete cell.dataset.run; return cell }")
+        self.press(name)
+        before.dispose()
+        return self.wait(name)
+
+    def message(self, name: str) -> str:
+        text: str = self.cell(name).locator(".live-message").text_content()
+        return text
+
+    def code(self, name: str) -> str:
+        """What a listing or an editor shows."""
+        shown = self.cell(name).locator(".cell_input :is(pre, .cm-content):visible").first
+        return shown.inner_text().rstrip()
+
+    def python(self) -> str:
+        found: str = self.page.locator("html").get_attribute("data-python")
+        return found
+
+    def exercise(self, number: str) -> Any:
+        return self.page.locator(f'.exercise[data-exercise="{number}"]')
+
+    def verdict(self, number: str) -> tuple[str, str | None]:
+        verdict = self.exercise(number).locator(".verdict")
+        return verdict.text_content(), verdict.get_attribute("data-right")
+
+    def check(self, number: str, answer: str | None = None) -> tuple[str, str | None]:
+        """Answer an exercise in its cell, and return the verdict."""
+        name = f"start-{number.replace('.', '-')}"
+        if answer is not None:
+            code = notebook_cell(number).source
+            self.write(name, code.replace("answer = ...", f"answer = {answer}"))
+        self.exercise(number).locator("button[name=check]").click()
+        self.page.wait_for_function(
+            "number => document.querySelector(`[data-exercise='${number}'] .verdict`).textContent",
+            arg=number,
+            timeout=PATIENCE,
+        )
+        return self.verdict(number)
+
+    def fill(self, number: str, *numbers: str) -> tuple[str, str | None]:
+        """Answer an exercise in its form, and return the verdict."""
+        for field, text in zip(self.exercise(number).locator("input").all(), numbers, strict=True):
+            field.fill(text)
+        self.exercise(number).locator("button[name=check]").click()
+        return self.verdict(number)
+
+    def solved(self) -> str:
+        text: str = self.page.locator(".solved").text_content()
+        return text
+
+
+def notebook_cell(number: str) -> NotebookNode:
+    """The starter cell of an exercise."""
+    return next(page.exercises[number].start for page in notebooks() if number in page.exercises)
+
+
+@pytest.fixture
+def read(site: str, open_page: Open) -> Callable[..., Reader]:
+    """Open a page of the book."""
+    return lambda name=CURVE, **options: Reader(
+        open_page(f"{site}/book/{name}.html", accept_downloads=True, **options)
+    )
+
+
+@pytest.fixture(scope="module")
+def busy(browser: Any, site: str) -> Iterator[Reader]:
+    """A page on which Python runs already."""
+    page = browser.new_page(viewport={"width": 1280, "height": 900})
+    complaints: list[str] = []
+    page.on("pageerror", lambda error: complaints.append(str(error)))
+    page.on("console", lambda m: m.type == "error" and complaints.append(m.text))
+    page.goto(f"{site}/book/{CURVE}.html")
+    yield Reader(page)
+    page.close()
+    assert complaints == []
+
+
+@pytest.fixture
+def at_desk(busy: Reader) -> Iterator[Reader]:
+    """The same, and as the book has it after each test."""
+    yield busy
+    for button in ("reset-all", "forget"):
+        if busy.button(button).is_visible():
+            busy.button(button).click()
+
+
+def stored_output(name: str, page: str = CURVE) -> str:
+    """What a cell of the book prints."""
+    cell = next(cell for cell in pages()[f"{page}.ipynb"].cells if cell.id == name)
+    text: str = cell.outputs[0].text
+    return text
+
+
+def test_nothing_is_fetched_before_a_click(read: Callable[..., Reader], site: str) -> None:
+    reader = read()
+    asked: list[str] = []
+    reader.page.on("request", lambda request: asked.append(request.url))
+    reader.page.reload(wait_until="networkidle")
+    assert [url.partition("?")[0] for url in asked if "/live/" in url] == [
+        f"{site}/_static/live/live.js"
+    ]
+    assert reader.python() == "absent"
+    assert {reader.state(name) for name in ("code-6", "verdicts")} == {"stored"}
+
+
+def test_a_change_runs_and_goes(at_desk: Reader) -> None:
+    reader = at_desk
+    assert reader.run("code-6") == stored_output("code-6")
+    assert (reader.state("code-6"), reader.python()) == ("done", "ready")
+    assert reader.cell("code-6").locator(".cell_output > *:visible").count() == 0
+    assert reader.run("code-6", "len(scenes.FIGURE_8)") == "4"
+    reader.press("code-6", "reset")
+    assert reader.state("code-6") == "stored"
+    assert reader.code("code-6").startswith("def pieces(")
+    assert reader.cell("code-6").locator(".cell_output > *:visible").count() == 1
+    assert reader.output("code-6") == ""
+    assert reader.page.evaluate(KEYS) == []
+
+
+def test_cells_above_run_first_and_once(at_desk: Reader) -> None:
+    reader = at_desk
+    reader.run("code-15")
+    assert (reader.state("code-6"), reader.state("start-5-12")) == ("done", "stored")
+    # Python has the name, whatever has become of the cell.
+    reader.write("code-6", "del pieces")
+    assert reader.state("code-15") == "stored"
+    assert reader.run("code-17", "pieces.__name__") == "'pieces'"
+    reader.run("code-6")
+    assert "NameError" in reader.run("code-17")
+    reader.button("reset-all").click()
+    reader.write("code-6", "1 / 0")
+    reader.press("code-15")
+    reader.wait("code-15")
+    assert reader.message("code-15") == "Cell 3 above has failed, so this cell has not run."
+    assert "ZeroDivisionError" in reader.output("code-6")
+
+
+def test_an_error_shows_the_readers_own_lines(at_desk: Reader) -> None:
+    code = "def f(points):\n    return closed_curve(points)\n\nprint('before')\nf([[1, 0, 0]])"
+    shown = at_desk.run("code-6", code)
+    assert at_desk.state("code-6") == "error"
+    assert shown.startswith("before\nTraceback")
+    assert "line 2, in f" in shown
+    assert "ValueError: points must number" in shown
+    assert ".py" not in shown
+
+
+def test_what_comes_out_is_text(at_desk: Reader) -> None:
+    html = "<img src=x onerror='document.title = 1'><b>bold</b>"
+    assert at_desk.run("code-6", f'print("{html}")\n"<script>1</script>"').startswith(html)
+    code = "class T:\n    def _repr_markdown_(self):\n        return '| a |\\n| - |\\n| <b>x</b> |'"
+    assert at_desk.run("code-6", f"{code}\nT()") == "a<b>x</b>"
+    shown = at_desk.cell("code-6").locator(".live-output")
+    assert shown.locator("td").count() == 1
+    assert shown.locator("img, b, script").count() == 0
+
+
+def test_impatient_readers_get_everything_once_and_in_order(at_desk: Reader) -> None:
+    reader = at_desk
+    reader.write("code-6", "count = globals().get('count', 0) + 1\ncount")
+    reader.write("code-15", "count * 10")
+    reader.page.evaluate(
+        """() => ["code-6", "code-6", "code-15"].forEach((name) =>
+            document.querySelector(`[data-cell="${name}"] button[name=run]`).click())"""
+    )
+    assert reader.wait("code-15") == "10"
+    assert reader.output("code-6") == "1"
+
+
+def test_stop_and_go_on_without_a_network(at_desk: Reader) -> None:
+    reader = at_desk
+    reader.run("code-6")
+    reader.page.context.set_offline(True)
+    reader.write("code-6", "i = 0\nwhile True:\n    i += 1\n    if i % 10**6 == 0: print(i)")
+    reader.press("code-6")
+    reader.cell("code-6").locator(".live-output:has-text('1000000')").wait_for(timeout=PATIENCE)
+    reader.press("code-15")
+    assert (reader.state("code-6"), reader.state("code-15")) == ("running", "waiting")
+    reader.button("stop").click()
+    reader.wait("code-6")
+    reader.page.wait_for_function("document.querySelector('[data-run=waiting]') === null")
+    assert reader.message("code-6").startswith("Stopped.")
+    assert (reader.python(), reader.state("code-15")) == ("absent", "stored")
+    assert reader.button("stop").count() == 0
+    assert reader.run("code-6", "1 + 1") == "2"
+    reader.page.context.set_offline(False)
+
+
+def test_the_hand_and_python_meet(read: Callable[..., Reader]) -> None:
+    reader = read("05-arcs")
+    figure = reader.page.locator(".explorable").first
+    reader.run("try-farthest")
+    # Nobody has touched the figure: it comes to life with what Python has set.
+    reader.page.wait_for_function("document.querySelector('.explorable').dataset.values")
+    settle(reader.page)
+    values = json.loads(figure.get_attribute("data-values"))
+    assert f"at t = {values['t']:.2f}" in reader.output("try-farthest")
+    assert reader.message("try-farthest") == "Python has set this figure."
+    slider = figure.locator("input[type=range][name=t]")
+    slider.fill("0.125")
+    assert reader.run("try-farthest", "figure.t") == "0.125"
+    reader.run("try-farthest", "figure.t = 0.75")
+    reader.page.wait_for_function("document.querySelector('[name=t]').value === '0.75'")
+
+
+def test_an_answer_is_judged_kept_and_handed_in(
+    read: Callable[..., Reader], tmp_path: Path
+) -> None:
+    reader = read()
+    assert reader.solved() == "0 of 5 solved"
+    assert reader.check("5.14") == ("Not answered yet.", None)
+    wrong = "Not yet. Your point is not on the sphere."
+    assert reader.check("5.14", "[1, 2, 3]") == (f"{wrong} For more, check again.", "false")
+    text, right = reader.check("5.14")
+    assert right == "false"
+    assert text.startswith("Not yet.")
+    assert text != f"{wrong} For more, check again."
+    text, right = reader.check("5.14", "de_casteljau(wide, 0.4)")
+    assert (text.split()[0], right) == ("Right.", "true")
+    assert "For more" not in reader.output("start-5-14")
+    assert reader.fill("5.12", "60", "30", "\u221290")[1] == "false"
+    assert reader.fill("5.12", "60", "30", "180/2")[1] == "true"
+    assert reader.solved() == "2 of 5 solved"
+
+    saved = save(reader, tmp_path)
+    sources = {cell.id: cell.source for cell in saved.cells}
+    assert "answer = de_casteljau(wide, 0.4)" in sources["start-5-14"]
+    assert "answer = [60, 30, 180 / 2]" in sources["start-5-12"]
+    assert sources["start-5-13"] == notebook_cell("5.13").source
+    assert not any(name.startswith(("solution", "why")) for name in sources)
+
+    reader.page.reload()
+    assert reader.solved() == "2 of 5 solved"
+    assert reader.verdict("5.14") == (text, "true")
+    assert "de_casteljau(wide, 0.4)" in reader.code("start-5-14")
+    assert reader.exercise("5.12").locator("input").last.input_value() == "180/2"
+    reader.button("forget").click()
+    assert (reader.solved(), reader.page.evaluate(KEYS)) == ("0 of 5 solved", [])
+    assert reader.exercise("5.12").locator("input").last.input_value() == ""
+    reader.button("undo").click()
+    assert reader.solved() == "2 of 5 solved"
+
+
+def save(reader: Reader, folder: Path) -> NotebookNode:
+    """Save the page as a notebook, and read it."""
+    with reader.page.expect_download() as download:
+        reader.page.locator("a.answers[download]").click()
+    file = folder / download.value.suggested_filename
+    download.value.save_as(file)
+    saved = nbformat.read(file, as_version=4)
+    nbformat.validate(saved)
+    return saved
+
+
+def test_a_page_from_a_file_says_what_to_do(book: Path, open_page: Open) -> None:
+    reader = Reader(open_page((book / "book" / f"{CURVE}.html").as_uri(), quiet=False))
+    reader.press("code-6")
+    assert "python -m http.server" in reader.message("code-6")
+    assert reader.state("code-6") == "stored"
+    assert reader.fill("5.12", "60", "30", "90")[1] == "true"
+    assert reader.solved() == "1 of 5 solved"
+
+
+# What a cell runs, and what it then shows.
+HOSTILE = {
+    "import os\nos._exit(0)": "Python has ended",
+    "import sys\nsys.exit()": "SystemExit",
+    "import sys\nsys.stdout.close()\nprint(7)": "7",
+    "list(range(10**9))": "MemoryError",
+    "np.ones(2 * 10**8)": "MemoryError",
+    "def f(n):\n    return f(n + 1)\nf(0)": "RecursionError",
+    "a = []\nfor _ in range(10**5):\n    a = [a]\na": "RecursionError",
+    "import js\njs.fetch('https://rotedu.invalid')": "Error",
+    "import js\njs.XMLHttpRequest.new()": "Error",
+    "import js\njs.WebSocket.new('wss://rotedu.invalid')": "Error",
+    "import pyodide.http\nawait pyodide.http.pyfetch('https://rotedu.invalid')": "Error",
+    "import urllib.request\nurllib.request.urlopen('https://rotedu.invalid')": "Error",
+    "np.array([2**40]).astype(int)": "[0]",
+    "2**40": "1099511627776",
+    "for i in range(10**6): print(i)": "(cut here: it is longer)",
+    "input()": "input() is not in this page",
+    "import pandas": "pandas is not in this page",
+    "%timeit 1 + 1": "%timeit is not in this page",
+    "check = figure = print = None": "",
+}
+
+
+@pytest.mark.parametrize(
+    "code",
+    [pytest.param(c, marks=[pytest.mark.slow] if i else []) for i, c in enumerate(HOSTILE)],
+    ids=lambda code: code.split("\n")[-1],
+)
+def test_a_hostile_cell_harms_nobody(at_desk: Reader, code: str) -> None:
+    reader = at_desk
+    shown = reader.run("code-6", code)
+    assert HOSTILE[code] in shown + reader.message("code-6")
+    assert len(shown) < 101_000
+    reader.button("reset-all").click()
+    assert reader.run("code-6") == stored_output("code-6")
+
+
+@pytest.mark.slow
+def test_every_cell_runs_where_it_stands(read: Callable[..., Reader]) -> None:
+    for page in notebooks():
+        reader = read(page.file.stem)
+        for name in reader.page.evaluate(RUNNABLE):
+            reader.cell(name).locator("summary").evaluate_all(
+                "all => all.forEach((s) => s.click())"
+            )
+            reader.run(name)
+            assert reader.state(name) == "done", (page, name, reader.output(name))
+        counted = reader.page.locator(".cell.tag_desk .live-tools").count()
+        assert counted == sum("desk" in tags(cell) for cell in page.code)
+
+
+@pytest.mark.slow
+def test_a_fetch_that_fails_half_way_can_be_repeated(read: Callable[..., Reader]) -> None:
+    reader = read(quiet=False)
+    reader.page.route("**/numpy.zip", lambda route: route.abort())
+    reader.press("code-6")
+    reader.page.wait_for_selector("html[data-python=failed]", timeout=PATIENCE)
+    assert reader.message("code-6").startswith("Python could not be fetched")
+    assert (reader.state("code-6"), reader.output("code-6")) == ("error", "")
+    reader.page.unroute("**/numpy.zip")
+    assert reader.run("code-6") == stored_output("code-6")
+    reader.page.route("**/*.ipynb", lambda route: route.abort())
+    reader.page.reload()
+    reader.press("code-6")
+    reader.wait("code-6")
+    assert reader.message("code-6").startswith("The notebook of this page could not be fetched")
+
+
+@pytest.mark.slow
+def test_without_an_editor_a_cell_still_runs(read: Callable[..., Reader]) -> None:
+    reader = read(quiet=False)
+    reader.page.route("**/editor.js*", lambda route: route.abort())
+    assert reader.run("code-6") == stored_output("code-6")
+    reader.page.unroute("**/editor.js*")
+    assert reader.run("code-6", "1 + 1") == "2"
+
+
+NOTHING_KEPT = """Object.defineProperty(window, "localStorage", { get() {
+    throw new DOMException("denied", "SecurityError"); } });"""
+
+
+@pytest.mark.slow
+def test_where_nothing_is_kept_the_page_says_so(
+    read: Callable[..., Reader], tmp_path: Path
+) -> None:
+    reader = read(script=NOTHING_KEPT, quiet=False)
+    assert reader.fill("5.12", "60", "30", "90")[1] == "true"
+    assert reader.solved() == "1 of 5 solved"
+    assert "keeps nothing" in reader.page.locator(".live-head").inner_text()
+    assert any("[60, 30, 90]" in cell.source for cell in save(reader, tmp_path).cells)
+    reader.page.reload()
+    assert reader.solved() == "0 of 5 solved"
+
+
+@pytest.mark.slow
+def test_what_an_older_edition_kept_is_not_lost(
+    read: Callable[..., Reader], tmp_path: Path
+) -> None:
+    reader = read()
+    reader.fill("5.12", "60", "30", "90")
+    [key] = reader.page.evaluate(KEYS)
+    old = {"start-5-99": '{"code": "x = 1", "right": true}', "start-5-14": "no JSON", "code-6": "5"}
+    for name, text in old.items():
+        key_of = key.replace("start-5-12", name)
+        reader.page.evaluate("([key, text]) => localStorage.setItem(key, text)", [key_of, text])
+    reader.page.reload()
+    assert reader.solved() == "1 of 5 solved"
+    assert reader.run("code-6") == stored_output("code-6")
+    last = save(reader, tmp_path).cells[-1]
+    assert (last.cell_type, "x = 1" in last.source) == ("markdown", True)
+    reader.button("forget").click()
+    assert reader.page.evaluate(KEYS) == []
+
+
+@pytest.mark.slow
+def test_two_tabs_do_not_undo_one_another(read: Callable[..., Reader]) -> None:
+    one = read()
+    other = Reader(one.page.context.new_page())
+    other.page.goto(one.page.url)
+    one.fill("5.12", "60", "30", "90")
+    other.page.wait_for_function("document.querySelector('.solved').textContent[0] === '1'")
+    other.fill("5.13", "6", "55")
+    one.page.wait_for_function("document.querySelector('.solved').textContent[0] === '2'")
+
+
+@pytest.mark.slow
+def test_the_keyboard_reaches_everything_and_leaves(read: Callable[..., Reader]) -> None:
+    reader, focused = read(), "document.activeElement.getAttribute('aria-label')"
+    keyboard = reader.page.keyboard
+    reader.cell("code-6").locator("button[name=run]").focus()
+    keyboard.press("Enter")
+    reader.wait("code-6")
+    assert reader.page.evaluate(focused) == "Run cell 3"
+    keyboard.press("Shift+Tab")
+    assert reader.page.evaluate(focused) == "Code of cell 3"
+    keyboard.press("ControlOrMeta+a")
+    keyboard.type("for i in range(3):\nprint(i)")
+    keyboard.press("Shift+Enter")
+    assert reader.wait("code-6") == "0\n1\n2\n"
+    keyboard.press("Tab")
+    assert reader.page.evaluate(focused) == "Code of cell 3"
+    keyboard.press("Escape")
+    keyboard.press("Tab")
+    assert reader.page.evaluate(focused) == "Run cell 3"
+    keyboard.press("Tab")
+    keyboard.press("Enter")
+    assert reader.page.evaluate(focused) == "Run cell 3"
+    assert reader.state("code-6") == "stored"
+
+
+# Every text that a screen reader is given to say.
+SPOKEN = """window.spoken = [];
+new MutationObserver((changes) => changes.forEach(({ target }) => {
+    if (target.matches?.(".live-spoken, .verdict") && target.textContent) {
+        spoken.push(target.textContent);
+    }
+})).observe(document, { subtree: true, childList: true });"""
+
+
+@pytest.mark.slow
+def test_what_comes_out_is_said_once(read: Callable[..., Reader]) -> None:
+    reader = read(script=SPOKEN)
+    reader.run("code-6", "print('hello')")
+    said = reader.page.evaluate("spoken")
+    assert said[-1] == "Cell 3: hello\n"
+    assert len(said) == len(set(said)) == 2
+    assert said[0].startswith("Python is being fetched: ")
+    reader.press("code-6", "reset")
+    reader.run("code-15")
+    reader.check("5.14", "[1, 2, 3]")
+    *_, before, last = reader.page.evaluate("spoken")
+    assert before.startswith("Cell 5: ")
+    assert last.startswith("Not yet.")
+
+
+FOUND = """async () => (await axe.run()).violations.flatMap(({ id, nodes }) =>
+    nodes.map(({ target }) => `${id}: ${target}`))"""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("theme", ["light", "dark"])
+def test_a_finger_can_do_it_and_axe_agrees(read: Callable[..., Reader], theme: str) -> None:
+    reader = read(color_scheme=theme, **PHONE)
+    reader.cell("code-6").locator("button[name=run]").tap()
+    reader.wait("code-6")
+    reader.check("5.14", "[1, 2, 3]")
+    reader.run("code-6", "1 / 0")
+    reader.fill("5.12", "60", "30", "90")
+    for button in reader.page.locator(":is(.live-tools, .live-head) :is(button, a):visible").all():
+        box = button.bounding_box()
+        assert min(box["width"], box["height"]) >= 44, button.inner_text()
+    assert reader.page.evaluate("document.documentElement.scrollWidth") <= 390
+    reader.page.add_script_tag(path=AXE)
+    found = reader.page.evaluate(FOUND)
+    assert found == []
+
+
+@pytest.mark.slow
+def test_the_saved_notebook_is_green_in_jupyterlab(
+    read: Callable[..., Reader], browser: Any, tmp_path: Path
+) -> None:
+    reader = read()
+    reader.check("5.14", "de_casteljau(wide, 0.4)")
+    reader.fill("5.12", "60", "30", "90")
+    reader.run("code-6", reader.code("code-6") + "\nprint('changed')")
+    save(reader, tmp_path)
+    with jupyterlab(sys.executable, tmp_path, "--expose-app-in-browser") as lab:
+        page = browser.new_page()
+        page.goto(f"{lab}/lab/tree/{CURVE}.ipynb")
+        page.wait_for_function(KERNEL_IS_THERE, timeout=2 * PATIENCE)
+        page.evaluate("jupyterapp.commands.execute('notebook:run-all-cells')")
+        page.wait_for_function(ALL_RAN, timeout=2 * PATIENCE)
+        page.evaluate("jupyterapp.commands.execute('docmanager:save')")
+        page.wait_for_timeout(2000)
+        page.close()
+    ran = nbformat.read(tmp_path / f"{CURVE}.ipynb", as_version=4)
+    texts = {cell.id: json.dumps(cell.get("outputs")) for cell in ran.cells}
+    assert '"error"' not in "".join(texts.values())
+    assert "5.14: right." in texts["start-5-14"]
+    assert "5.12: right." in texts["start-5-12"]
+    assert "changed" in texts["code-6"]

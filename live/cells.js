@@ -54,7 +54,7 @@ function dress(cell) {
     source: pre.textContent.trimEnd(),
     asPrinted: [...pre.childNodes],
     stored: box.querySelectorAll(`.cell_output > :not(${PICTURE}, :has(${PICTURE}))`),
-    run: button("run", "Run", () => edit(cell).then(() => run(cell)), `Run ${called}`),
+    run: button("run", "Run", () => void (edit(cell), run(cell)), `Run ${called}`),
     reset: button("reset", "Reset", () => reset(cell), `Reset ${called}`),
     message: make("span", { className: "live-message" }),
     output: make("div", { className: "live-output" }),
@@ -135,7 +135,8 @@ function show(cell, open) {
   cell.listing.append(place);
   cell.pre.parentNode.hidden = true;
   cell.reset.hidden = false;
-  const said = { "aria-label": `Code of ${cell.name.toLowerCase()}`, "aria-description": KEYS };
+  const label = `Code of ${cell.name.toLowerCase()}`;
+  const said = { "aria-label": label, "aria-description": KEYS, tabindex: "0" };
   const change = (code) => {
     cell.code = code;
     outdate(cell);

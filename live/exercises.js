@@ -81,7 +81,7 @@ function followForm(box, exercise) {
 async function answer(exercise) {
   show(exercise, {});
   exercise.asked = true;
-  await edit(exercise.cell);
+  edit(exercise.cell);
   await run(exercise.cell);
   exercise.asked = false;
 }

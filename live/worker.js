@@ -93,7 +93,7 @@ async function answer({ id, code, name, figures, ...kept }) {
     postMessage({ id, done: JSON.parse(done), heap: python._module.HEAP8.length });
   } catch (error) {
     // The runtime is gone: os._exit, or a stack that ran over.
-    postMessage({ id, dead: String(error).slice(0, 200) });
+    postMessage({ id, dead: String(error).trim().split("\n").at(-1).slice(0, 200) });
   }
 }
 onmessage = ({ data }) => answer(data).catch((error) => postMessage({ failed: String(error) }));

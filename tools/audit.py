@@ -3,8 +3,9 @@
 ``python tools/audit.py`` serves _build/html compressed, as a web server does. It measures for every
 page its weight on a first visit and for readers who come from the front page, its number of
 elements, its scores in Lighthouse (mobile preset) and the findings of axe at two widths in both
-themes. It prints a table, then what dragging costs (`tools/drag.py`) and each finding, and returns
-1 if a page misses a budget.
+themes. It prints a table, then what dragging costs (`tools/drag.py`), what a first run costs
+(`tools/first_output.py`) and each finding, and returns 1 if a page misses a budget.
+
 Name pages to judge only those: ``python tools/audit.py index 03``.
 """
 
@@ -21,6 +22,7 @@ from pathlib import Path
 import bundle
 import drag
 from browser import CHROMIUM_FLAGS, QuietHandler, installed_chromium, launch, node, serve
+from first_output import first_output
 from playwright.sync_api import Browser, Page, Request
 
 ROOT = Path(__file__).parents[1]
@@ -67,7 +69,8 @@ class Compressing(QuietHandler):
         ".webp": "image/webp",
         ".woff2": "font/woff2",
     }
-    packed = ("image/jpeg", "image/png", "image/webp", "font/woff2")
+    packed = ("application/gzip", "application/zip", "image/jpeg", "image/png", "image/webp")
+    packed += ("font/woff2",)
 
     def do_GET(self) -> None:  # noqa: N802
         """Send a file."""
@@ -192,6 +195,7 @@ def main() -> int:
             print(f"{path:34}{''.join(f'{value:>15}' for value in row)}", flush=True)
             missed += [f"{path}: {finding}" for finding in findings]
         print(*drag.weights(HTML / "_static" / "scene"), drag.frames(browser, host), sep="\n")
+        print(first_output(browser, host))
     print("\n".join(missed))
     if not missed:
         print("All budgets are met.")

@@ -9,6 +9,7 @@ import gzip
 import hashlib
 import io
 import json
+import os
 import re
 import shutil
 import subprocess
@@ -20,6 +21,7 @@ from pathlib import Path
 
 from browser import node
 from bundle import LIBRARIES, ROOT, install
+from one_at_a_time import hold_checkout
 
 LIVE = ROOT / "live"
 STAND_INS = LIVE / "python"
@@ -111,13 +113,22 @@ def with_compiled(files: Files, folder: str, compiled: dict[str, str]) -> Files:
             yield name, content
 
 
-def pack(name: str, files: Files) -> None:
-    """Write an archive, the same for the same files, so that nobody ever sees half of it."""
-    half = RUNTIME / f"{name}.half"
-    with zipfile.ZipFile(half, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
-        for file, content in files:
-            archive.writestr(zipfile.ZipInfo(file), content, zipfile.ZIP_DEFLATED)
-    half.replace(RUNTIME / name)
+def packed(files: Files) -> bytes:
+    """Return an archive, the same for the same files."""
+    content = io.BytesIO()
+    with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
+        for file, text in files:
+            archive.writestr(zipfile.ZipInfo(file), text, zipfile.ZIP_DEFLATED)
+    return content.getvalue()
+
+
+def write(name: str, content: bytes) -> None:
+    """Write a file if it changes, and let nobody see half of it: tests and a build share it."""
+    file = RUNTIME / name
+    if not file.exists() or file.read_bytes() != content:
+        half = RUNTIME.with_name(f"{name}.{os.getpid()}")
+        half.write_bytes(content)
+        half.replace(file)
 
 
 def put_together() -> Path:
@@ -128,17 +139,28 @@ def put_together() -> Path:
     Path
         Its folder, for a site to have as ``_static/live``.
     """
-    made_of = digest(PYODIDE / "package.json", WANTED, Path(__file__), IN_NODE)
-    if not MADE_OF.exists() or MADE_OF.read_text("utf-8") != made_of:
+    if not large_files_are_current():
+        # A build may be making them.
+        hold_checkout()
+    if not large_files_are_current():
         put_together_large_files()
-    MADE_OF.write_text(made_of, encoding="utf-8")
-    pack("rotedu.zip", rotedu_files())
+    write("rotedu.zip", packed(rotedu_files()))
     files = [
         {"name": name, "size": (RUNTIME / name).stat().st_size, "version": version(RUNTIME / name)}
         for name in FETCHED
     ]
-    (RUNTIME / "files.js").write_text(f"const FILES = {json.dumps(files)};\n", encoding="utf-8")
+    write("files.js", f"const FILES = {json.dumps(files)};\n".encode())
     return RUNTIME
+
+
+def large_files_are_current() -> bool:
+    """Tell whether the large files are there, made of what they are made of now."""
+    return MADE_OF.exists() and MADE_OF.read_text("utf-8") == inputs()
+
+
+def inputs() -> str:
+    """Return a digest of what the large files are made of."""
+    return digest(PYODIDE / "package.json", WANTED, Path(__file__), IN_NODE)
 
 
 def put_together_large_files() -> None:
@@ -147,18 +169,19 @@ def put_together_large_files() -> None:
     RUNTIME.mkdir(parents=True)
     for script in ("pyodide.js", "pyodide.asm.js"):
         shutil.copy(PYODIDE / script, RUNTIME)
-    module = (PYODIDE / "pyodide.asm.wasm").read_bytes()
     # Small on any server, also on one that compresses nothing.
-    (RUNTIME / "pyodide.asm.wasm.gz").write_bytes(gzip.compress(module, mtime=0))
-    pack("python_stdlib.zip", library_files())
-    pack("numpy.zip", numpy_files())
-    pack("rotedu.zip", rotedu_files())
+    module = gzip.compress((PYODIDE / "pyodide.asm.wasm").read_bytes(), mtime=0)
+    write("pyodide.asm.wasm.gz", module)
+    write("python_stdlib.zip", packed(library_files()))
+    write("numpy.zip", packed(numpy_files()))
+    write("rotedu.zip", packed(rotedu_files()))
     answers = RUNTIME / "compiled.json"
     subprocess.run([node(), IN_NODE, RUNTIME, answers], check=True)
     compiled = json.loads(answers.read_text("utf-8"))
     answers.unlink()
-    pack("python_stdlib.zip", with_compiled(library_files(), LIBRARY, compiled))
-    pack("numpy.zip", with_compiled(numpy_files(), PACKAGES, compiled))
+    write("python_stdlib.zip", packed(with_compiled(library_files(), LIBRARY, compiled)))
+    write("numpy.zip", packed(with_compiled(numpy_files(), PACKAGES, compiled)))
+    MADE_OF.write_text(inputs(), encoding="utf-8")
 
 
 def bundle(folder: Path) -> None:
@@ -183,3 +206,5 @@ def bundle(folder: Path) -> None:
 if __name__ == "__main__":
     install()
     put_together()
+    # For make, which compares times.
+    MADE_OF.touch()

@@ -6,6 +6,7 @@ import os
 import re
 import subprocess
 import sys
+import zipfile
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -18,7 +19,7 @@ from html_pages import parse
 from nbformat import NotebookNode
 from node import run_node
 from notebook_language import BOOK, ROOT, Page, notebooks, part_of, tags
-from runtime import put_together
+from runtime import CANNOT_WORK, put_together
 
 SCRIPT = "live/live.js"
 ONE_PAGE = """\
@@ -206,6 +207,14 @@ def test_a_cell_prints_what_the_notebook_stores(page: Page, ran: dict[str, list[
 def test_a_cell_with_the_tag_needs_a_desk(page: Page, ran: dict[str, list[Ran]]) -> None:
     kinds = {r.cell.id: r.done["kind"] for r in ran[page.name] if "desk" in tags(r.cell)}
     assert set(kinds.values()) <= {"NotInPage"}, kinds
+
+
+def test_a_page_has_the_package_but_for_what_draws() -> None:
+    with zipfile.ZipFile(put_together() / "rotedu.zip") as archive:
+        there = {name for name in archive.namelist() if name.startswith("rotedu/")}
+        assert all(archive.read(name) == (ROOT / name).read_bytes() for name in there)
+    modules = {file.relative_to(ROOT).as_posix() for file in ROOT.glob("rotedu/**/*.py")}
+    assert modules - there == CANNOT_WORK
 
 
 def test_every_answer_of_the_tests_gets_its_verdict_in_a_page(done: Done) -> None:

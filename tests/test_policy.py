@@ -64,15 +64,13 @@ def answer(page: Any) -> None:
 
 
 def run(page: Any) -> None:
-    """Run the first cell, if there is a button; hear from the page what its Python says."""
+    """Run the first cell, if there is a button; hear from the page why it has not run."""
     button = page.locator("button[name=run]:visible")
     if button.count():
         button.first.click()
-        page.wait_for_selector("html:is([data-python=ready], [data-python=failed])", timeout=60_000)
-        page.evaluate(
-            """document.documentElement.dataset.python === "failed" &&
-                violated(document.querySelector(".live-message:not(:empty)").textContent)"""
-        )
+        page.wait_for_selector("[data-run=done], [data-run=error]", state="attached")
+        for reason in page.locator("[data-run=error] .live-message").all_text_contents():
+            page.evaluate("reason => violated(reason)", reason)
 
 
 def turn(page: Any) -> None:

@@ -38,7 +38,7 @@ async function sources() {
 
 const all = cells.bind(sources);
 const solved = make("a", { className: "solved", href: "#exercises" });
-const save = make("a", { className: "answers", download: `${name}.ipynb` }, "Save as notebook");
+const save = make("a", { className: "answers", download: `${name}.ipynb` }, "Save notebook");
 const forget = button("forget", "Forget", forgetAll);
 const resetAll = button("reset-all", "Reset all", cells.resetAll);
 const note = make("span", { className: "live-message" });

@@ -8,12 +8,12 @@ import * as figures from "./figures.js";
 import * as runtime from "./runtime.js";
 import * as store from "./store.js";
 
-const MEGABYTE = 1e6;
 const TYPING = 400;
 const SERVE =
   "To run this, the page must come from a server: run “python -m http.server” in the folder of" +
   " the book and open http://localhost:8000.";
 const KEYS = "Shift+Enter runs the cell. To leave it with Tab, press Escape first.";
+const LIMITS = { href: "conventions.html#python-in-the-page" };
 const DESK = "Runs at a desk, in the notebook: it draws, or needs SciPy or SymPy.";
 const ALONE = /^(start|solution|try)-/;
 const PICTURE = ":is(figure, img, .scene, .explorable)";
@@ -35,7 +35,7 @@ export function bind(sources) {
   document.querySelectorAll(".cell").forEach((box, index) => {
     const listing = box.querySelector(".cell_input");
     const { cell: id } = box.dataset;
-    if (!id) return listing?.after(make("p", { className: "live-tools" }, DESK));
+    if (!id) return listing?.after(make("p", { className: "live-tools" }, make("a", LIMITS, DESK)));
     const cell = { id, box, listing, name: `Cell ${index + 1}`, ran: false };
     box.dataset.run = "stored";
     cells.push(cell);
@@ -233,10 +233,10 @@ async function runOne(cell, asked, code) {
 
 /** Say how far Python is, to the eye at every step, aloud once. */
 function load(cell, fetched, total) {
-  const size = `${(total / MEGABYTE).toFixed(1)} MB`;
+  const size = `${(total / 1e6).toFixed(1)} MB`;
   if (bar.hidden) say(`Python is being fetched: ${size}, once.`);
   Object.assign(bar, { hidden: fetched === total, max: total, value: fetched });
-  const far = (fetched / MEGABYTE).toFixed(1);
+  const far = (fetched / 1e6).toFixed(1);
   tell(cell, fetched < total ? `Python is being fetched, once: ${far} of ${size}` : "Python starts");
 }
 

@@ -10,6 +10,7 @@
  */
 import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
+import { fileURLToPath } from "node:url";
 import { loadPyodide } from "pyodide";
 
 const COMPILE = `
@@ -36,7 +37,7 @@ process.on("uncaughtException", (error) => {
 
 const [runtime, answers, cases] = process.argv.slice(2);
 const python = await loadPyodide({
-  indexURL: new URL("../node_modules/pyodide/", import.meta.url).pathname,
+  indexURL: fileURLToPath(new URL("../node_modules/pyodide/", import.meta.url)),
   stdLibURL: join(runtime, "python_stdlib.zip"),
 });
 const site = python.runPython("import site; site.getsitepackages()[0]");

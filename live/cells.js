@@ -117,7 +117,7 @@ export async function edit(cell, click) {
   if (cell.editor) return;
   if (location.protocol === "file:") return tell(cell, SERVE);
   try {
-      const again = failures ? `&again=${failures}` : "";
+    const again = failures ? `&again=${failures}` : "";
     const { open } = await import(new URL(EDITOR + again, home));
     if (!cell.editor) show(cell, open);
     if (!click) return;

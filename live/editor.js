@@ -18,8 +18,7 @@ const likeListings = tagHighlighter([
   { tag: [tags.operator, tags.definitionOperator], class: "o" },
   { tag: [tags.variableName, tags.propertyName], class: "n" },
 ]);
-// How long Tab leaves the editor after Escape.
-const LEAVE = 5000;
+const LEAVE = 5000; // How long Tab leaves the editor after Escape.
 
 /**
  * Open an editor.
@@ -49,6 +48,8 @@ export function open(parent, doc, attributes, { run, change }) {
       python(),
       syntaxHighlighting(likeListings),
       EditorView.contentAttributes.of(attributes),
+      // The theme has keys of its own: a slash would go to the search.
+      EditorView.domEventHandlers({ keydown: (event) => void event.stopPropagation() }),
       EditorView.updateListener.of((update) => update.docChanged && change(update.state.doc.toString())),
     ],
   });

@@ -11,7 +11,6 @@ import * as store from "./store.js";
 const name = decodeURIComponent(location.pathname).split("/").at(-1).replace(/\.html$/, "");
 const UNKEPT = "This browser keeps nothing: save your notebook before you leave.";
 const FORGOTTEN = "Your answers on this page are forgotten.";
-
 const SOURCE = `../../_sources/book/${name}.ipynb`;
 const STUDENT = `notebooks/${name}.ipynb`;
 const fetched = {};

@@ -184,6 +184,9 @@ def test_a_change_runs_and_goes(at_desk: Reader) -> None:
     assert (reader.state("code-6"), reader.python()) == ("done", "ready")
     assert reader.cell("code-6").locator(".cell_output > *:visible").count() == 0
     assert reader.run("code-6", "len(scenes.FIGURE_8)") == "4"
+    reader.write("code-6", "7")
+    reader.page.keyboard.type("/2")
+    assert reader.run("code-6") == "3.5"
     reader.press("code-6", "reset")
     assert reader.state("code-6") == "stored"
     assert reader.code("code-6").startswith("def pieces(")

@@ -377,6 +377,22 @@ def test_a_hostile_cell_harms_nobody(at_desk: Reader, code: str) -> None:
     assert reader.run("code-6") == stored_output("code-6")
 
 
+# Where the cells of a page stand, but for those of exercises, whose folds become one.
+PLACES = """[...document.querySelectorAll(".cell:not(.exercise *)")].map((cell) =>
+    Math.round(cell.getBoundingClientRect().top))"""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("width", [390, 1280])
+def test_nothing_moves_when_the_script_comes(read: Callable[..., Reader], width: int) -> None:
+    reader = read(viewport={"width": width, "height": 900}, quiet=False)
+    places = reader.page.evaluate(PLACES)
+    reader.page.route("**/live/live.js*", lambda route: route.abort())
+    reader.page.reload()
+    assert reader.button("run").count() == 0
+    assert reader.page.evaluate(PLACES) == places
+
+
 @pytest.mark.slow
 def test_every_cell_runs_where_it_stands(read: Callable[..., Reader]) -> None:
     for page in notebooks():

@@ -329,6 +329,10 @@ def save(reader: Reader, folder: Path) -> NotebookNode:
     nbformat.validate(saved)
     return saved
 
+    assert reader.page.locator(".live-head").inner_text().startswith("0 of 5 solved\nYour code")
+    present = reader.page.locator(".page-head button").bounding_box()
+    head = reader.page.locator(".live-head").bounding_box()
+    assert head["x"] > present["x"] + present["width"]
 
 def test_a_page_from_a_file_says_what_to_do(book: Path, open_page: Open) -> None:
     reader = Reader(open_page((book / "book" / f"{CURVE}.html").as_uri(), quiet=False))

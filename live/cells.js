@@ -89,6 +89,7 @@ function reset(cell) {
   cell.ran = false;
   cell.output.remove();
   for (const each of cell.stored) each.hidden = false;
+  if (isChanged(cell)) cell.doubt?.();
   tell(cell, "");
   outdate(cell);
   store.write(cell.id, { code: undefined });
@@ -130,6 +131,8 @@ export async function edit(cell, click) {
   }
 }
 
+    cell.reset.hidden = !isChanged(cell);
+    cell.doubt?.();
 function show(cell, open) {
   const place = make("div", { className: "highlight live-editor" });
   cell.listing.append(place);
@@ -181,6 +184,7 @@ export function stop() {
 /** The cells above one that must run first: none of other exercises, none that sets a figure. */
 function above(cell) {
   const own = cell.id.replace(/^solution-/, "start-");
+  cell.output.toggleAttribute("data-old", true);
   const needed = ({ id, ran }) => !ran && (id === own || !ALONE.test(id));
   return cells.slice(0, cells.indexOf(cell)).filter(needed);
 }
@@ -251,10 +255,16 @@ function print(cell, done) {
   else cell.tools.after(cell.output);
   const scrolls = (box) => box.scrollWidth > box.clientWidth || box.scrollHeight > box.clientHeight;
   for (const box of cell.output.children) if (scrolls(box)) box.tabIndex = 0;
+  clear(cell);
 }
 
 /** Say which cell above has failed. */
 function blame(cell, { name, box, listing }, error) {
+/** Take away what a cell printed before, but not what the book has for the book's code. */
+function clear(cell) {
+  if (cell.output?.hasAttribute("data-old") && isTouched(cell)) print(cell, {});
+}
+
   const where = listing ? make("a", { href: `#${box.id}` }, name) : `${name} (${error.trim()})`;
   cell.box.dataset.run = "error";
   tell(cell, where, " above has failed, so this cell has not run.");
@@ -265,7 +275,9 @@ function blame(cell, { name, box, listing }, error) {
 function fail(cell, error) {
   for (const each of cells) {
     each.ran = false;
-    if (each.box.dataset.run === "running") each.box.dataset.run = "error";
+    if (each !== cell && each.box.dataset.run !== "running") continue;
+    each.box.dataset.run = "error";
+    clear(each);
   }
   cell.box.dataset.run = "error";
   tell(cell, error.message);

@@ -23,6 +23,7 @@ export function bind(cells) {
     if (form) followForm(box, exercise);
     else addCheck(exercise);
     if (cell) cell.judge = (done) => judge(exercise, done);
+    if (cell) cell.doubt = () => exercise.fields?.some(({ value }) => value) || doubt(exercise);
     exercises.push(exercise);
   }
   restore();
@@ -71,6 +72,7 @@ function followForm(box, exercise) {
     answer(exercise);
   };
   box.addEventListener("submit", check, { capture: true });
+    doubt(exercise);
   form.addEventListener("input", () => {
     store.write(id, { fields: empty() ? undefined : fields.map(({ value }) => value) });
   });
@@ -107,9 +109,16 @@ async function judge(exercise, { verdict, error }) {
   show(exercise, said);
   keep(exercise, said);
 }
+/** Of what has been changed nobody knows whether it is right; the exercise stays solved. */
+function doubt(exercise) {
+  if (exercise.verdict.dataset.right !== "true") return;
+  show(exercise, {});
+  store.write(exercise.id, { text: undefined });
+}
+
 
 function show({ verdict }, { right, text = "" }) {
-  if (typeof right === "boolean") verdict.dataset.right = right;
+  if (text && typeof right === "boolean") verdict.dataset.right = right;
   else delete verdict.dataset.right;
   verdict.textContent = text;
 }

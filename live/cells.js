@@ -83,7 +83,8 @@ export function restore(cell) {
   cell.reset.hidden = !isChanged(cell);
 }
 
-function reset(cell) {
+/** Put a cell back to what the book has. */
+export function reset(cell) {
   clearTimeout(cell.typing);
   const inside = cell.box.contains(document.activeElement);
   cell.ran = false;
@@ -95,12 +96,6 @@ function reset(cell) {
   store.write(cell.id, { code: undefined });
   restore(cell);
   if (inside) cell.run.focus();
-}
-
-/** Put all cells back to what the book has, and end Python. */
-export function resetAll() {
-  stop();
-  listed.forEach(reset);
 }
 
 /** Say something beside the buttons of a cell. */

@@ -9,8 +9,9 @@ import { fill } from "./notebook.js";
 import * as store from "./store.js";
 
 const name = decodeURIComponent(location.pathname).split("/").at(-1).replace(/\.html$/, "");
-const UNKEPT = "This browser keeps nothing: save your notebook before you leave.";
-const FORGOTTEN = "Your answers on this page are forgotten.";
+const UNKEPT = "This browser keeps nothing: save your work before you leave.";
+const FORGOTTEN = "Your code and answers on this page are forgotten.";
+const AS_IN_BOOK = "All cells are as in the book; your score is kept.";
 const SOURCE = `../../_sources/book/${name}.ipynb`;
 const STUDENT = `notebooks/${name}.ipynb`;
 const fetched = {};
@@ -38,8 +39,8 @@ async function sources() {
 const all = cells.bind(sources);
 const solved = make("a", { className: "solved", href: "#exercises" });
 const save = make("a", { className: "answers", download: `${name}.ipynb` }, "Save notebook");
-const forget = button("forget", "Forget", forgetAll);
-const resetAll = button("reset-all", "Reset all", cells.resetAll);
+const forget = button("forget", "Forget", () => takeBack(FORGOTTEN, true));
+const resetAll = button("reset-all", "Reset all", () => takeBack(AS_IN_BOOK));
 const note = make("span", { className: "live-message" });
 save.href = new URL(STUDENT, home);
 save.addEventListener("click", saveNotebook);
@@ -57,8 +58,7 @@ addEventListener("DOMContentLoaded", () => {
 /** Say how far the reader is, and offer what makes sense now. */
 function update() {
   const { right, of } = exercises.count();
-  solved.textContent = `${right} of ${of} solved`;
-  solved.hidden = of === 0;
+  Object.assign(solved, { textContent: `${right} of ${of} solved`, hidden: of === 0 });
   save.hidden = forget.hidden = store.ids().length === 0;
   resetAll.hidden = !all.some(cells.isTouched);
   note.textContent = store.keeps() ? "" : UNKEPT;
@@ -76,18 +76,20 @@ async function saveNotebook(event) {
   }
 }
 
-/** Forget what the reader has left on this page, unless it was a slip. */
-function forgetAll() {
+/** Put all cells back, end Python and perhaps forget the answers, too, unless it was a slip. */
+function takeBack(text, answers = false) {
   const before = store.ids().map((id) => [id, store.read(id)]);
-  cells.resetAll();
-  for (const [id] of before) store.replace(id, {});
+  cells.stop();
+  all.forEach(cells.reset);
+  if (answers) for (const [id] of before) store.replace(id, {});
   exercises.restore();
   const undo = button("undo", "Undo", () => {
     for (const [id, entry] of before) store.replace(id, entry);
     all.forEach(cells.restore);
     exercises.restore();
+    update();
   });
-  note.replaceChildren(FORGOTTEN, " ", undo);
-  say(FORGOTTEN);
+  note.replaceChildren(text, " ", undo);
+  say(text);
   undo.focus();
 }

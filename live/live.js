@@ -38,7 +38,7 @@ async function sources() {
 
 const all = cells.bind(sources);
 const solved = make("a", { className: "solved", href: "#exercises" });
-const save = make("a", { className: "answers", download: `${name}.ipynb` }, "Save notebook");
+const save = make("a", { className: "answers", download: `${name}-my-work.ipynb` }, "Save my work");
 const forget = button("forget", "Forget", () => takeBack(FORGOTTEN, true));
 const resetAll = button("reset-all", "Reset all", () => takeBack(AS_IN_BOOK));
 const note = make("span", { className: "live-message" });

@@ -349,6 +349,7 @@ HOSTILE = {
     "import sys\nsys.exit()": "SystemExit",
     "import sys\nsys.stdout.close()\nprint(7)": "7",
     "list(range(10**9))": "MemoryError",
+    assert file.stem.endswith("-my-work")
     "np.ones(2 * 10**8)": "MemoryError",
     "def f(n):\n    return f(n + 1)\nf(0)": "RecursionError",
     "a = []\nfor _ in range(10**5):\n    a = [a]\na": "RecursionError",
@@ -568,14 +569,14 @@ def test_the_saved_notebook_is_green_in_jupyterlab(
     save(reader, tmp_path)
     with jupyterlab(sys.executable, tmp_path, "--expose-app-in-browser") as lab:
         page = browser.new_page()
-        page.goto(f"{lab}/lab/tree/{CURVE}.ipynb")
+        page.goto(f"{lab}/lab/tree/{CURVE}-my-work.ipynb")
         page.wait_for_function(KERNEL_IS_THERE, timeout=2 * PATIENCE)
         page.evaluate("jupyterapp.commands.execute('notebook:run-all-cells')")
         page.wait_for_function(ALL_RAN, timeout=2 * PATIENCE)
         page.evaluate("jupyterapp.commands.execute('docmanager:save')")
         page.wait_for_timeout(2000)
         page.close()
-    ran = nbformat.read(tmp_path / f"{CURVE}.ipynb", as_version=4)
+    ran = nbformat.read(tmp_path / f"{CURVE}-my-work.ipynb", as_version=4)
     texts = {cell.id: json.dumps(cell.get("outputs")) for cell in ran.cells}
     assert '"error"' not in "".join(texts.values())
     assert "5.14: right." in texts["start-5-14"]

@@ -55,7 +55,7 @@ NO_WHEEL = """\
 from importlib.util import find_spec
 
 if find_spec("rotedu") is None:
-    raise ModuleNotFoundError("Please install rotedu. Your teacher knows where it is.")\
+    raise ModuleNotFoundError("Please install rotedu. The README of this book says how.")\
 """
 FOR_THE_STUDENT = """\
 *Begin with **Run**, **Run All Cells**. Figures and exercises need the cells above them.*\

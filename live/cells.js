@@ -9,6 +9,7 @@ import * as runtime from "./runtime.js";
 import * as store from "./store.js";
 
 const TYPING = 400;
+const SILENT = "Done, nothing printed.";
 const SERVE =
   "To run this, the page must come from a server: run “python -m http.server” in the folder of" +
   " the book and open http://localhost:8000.";
@@ -26,10 +27,7 @@ const stopButton = button("stop", "Stop", () => stop());
 let notebook;
 let failures = 0;
 
-/**
- * Find the cells that can run, and give them their buttons.
- * @param {function} sources returns a promise of the code of all cells, by id
- */
+/** Find the cells that can run, and give them their buttons; sources() promises all code, by id. */
 export function bind(sources) {
   notebook = sources;
   document.querySelectorAll(".cell").forEach((box, index) => {
@@ -90,8 +88,8 @@ export function reset(cell) {
   cell.ran = false;
   cell.output.remove();
   for (const each of cell.stored) each.hidden = false;
-  if (isChanged(cell)) cell.doubt?.();
   tell(cell, "");
+  if (isChanged(cell)) cell.doubt?.();
   outdate(cell);
   store.write(cell.id, { code: undefined });
   restore(cell);
@@ -113,8 +111,7 @@ export async function edit(cell, click) {
   if (cell.editor) return;
   if (location.protocol === "file:") return tell(cell, SERVE);
   try {
-    const again = failures ? `&again=${failures}` : "";
-    const { open } = await import(new URL(EDITOR + again, home));
+    const { open } = await import(new URL(`${EDITOR}&again=${failures}`, home));
     if (!cell.editor) show(cell, open);
     if (!click) return;
     const anchor = cell.editor.posAtCoords({ x: click.clientX, y: click.clientY }, false);
@@ -126,17 +123,16 @@ export async function edit(cell, click) {
   }
 }
 
-    cell.reset.hidden = !isChanged(cell);
-    cell.doubt?.();
 function show(cell, open) {
   const place = make("div", { className: "highlight live-editor" });
   cell.listing.append(place);
   cell.pre.parentNode.hidden = true;
-  cell.reset.hidden = false;
   const label = `Code of ${cell.name.toLowerCase()}`;
   const said = { "aria-label": label, "aria-description": KEYS, tabindex: "0" };
   const change = (code) => {
     cell.code = code;
+    cell.reset.hidden = !isChanged(cell);
+    cell.doubt?.();
     outdate(cell);
     clearTimeout(cell.typing);
     cell.typing = setTimeout(keep, TYPING, cell);
@@ -179,7 +175,6 @@ export function stop() {
 /** The cells above one that must run first: none of other exercises, none that sets a figure. */
 function above(cell) {
   const own = cell.id.replace(/^solution-/, "start-");
-  cell.output.toggleAttribute("data-old", true);
   const needed = ({ id, ran }) => !ran && (id === own || !ALONE.test(id));
   return cells.slice(0, cells.indexOf(cell)).filter(needed);
 }
@@ -189,17 +184,18 @@ async function work(cell) {
   cell.run.setAttribute("aria-disabled", "true");
   cell.message.before(stopButton, bar);
   bar.hidden = true;
+  cell.output.toggleAttribute("data-old", true);
   try {
     const sources = await notebook();
     if (begun !== stops) throw new Error(runtime.STOPPED);
     const first = above(cell);
     for (const [index, each] of first.entries()) {
-      tell(cell, `The cells above run first: ${index + 1} of ${first.length}`);
-      const { error } = await runOne(each, cell, each.code ?? sources.get(each.id));
+      const far = `The cells above run first: ${index + 1} of ${first.length}`;
+      const { error } = await runOne(each, cell, each.code ?? sources.get(each.id), far);
       if (error) return blame(cell, each, error);
     }
-    const done = await runOne(cell, cell, cell.code);
-    if (!done.verdict) say(`${cell.name}: ${done.error || done.out + done.value || "done"}`);
+    const done = await runOne(cell, cell, cell.code, "Running");
+    if (!done.verdict) say(`${cell.name}: ${done.error || done.out + done.value || SILENT}`);
     await cell.judge?.(done);
   } finally {
     if (document.activeElement === stopButton) cell.run.focus();
@@ -211,13 +207,14 @@ async function work(cell) {
 }
 
 /** Run one cell; how far Python is stands beside the cell that was asked for. */
-async function runOne(cell, asked, code) {
+async function runOne(cell, asked, code, far) {
   const { box, listing, name } = cell;
   // What a cell above prints is known, unless it has changed.
   const visible = cell === asked || (listing && isChanged(cell));
   box.dataset.run = "running";
   cell.output?.toggleAttribute("data-old", visible);
-  const loading = (fetched, total) => load(asked, fetched, total);
+  const loading = (...bytes) => (bytes.length ? load(asked, ...bytes) : tell(asked, far));
+  loading();
   const printing = (out) => visible && print(cell, { out });
   const done = await runtime.run({ code, name, figures: figures.values() }, loading, printing);
   outdate(cell);
@@ -226,7 +223,9 @@ async function runOne(cell, asked, code) {
   // A verdict stands below the cell.
   if (cell.judge && done.verdict) done.value = "";
   if (visible || (listing && done.error)) print(cell, done);
-  tell(asked, ...figures.set(done.changed));
+  const links = figures.set(done.changed);
+  const silent = !(done.verdict || done.error || done.out || done.value || links.length);
+  tell(asked, ...(silent ? [SILENT] : links));
   return done;
 }
 
@@ -250,20 +249,20 @@ function print(cell, done) {
   else cell.tools.after(cell.output);
   const scrolls = (box) => box.scrollWidth > box.clientWidth || box.scrollHeight > box.clientHeight;
   for (const box of cell.output.children) if (scrolls(box)) box.tabIndex = 0;
-  clear(cell);
 }
 
 /** Say which cell above has failed. */
 function blame(cell, { name, box, listing }, error) {
+  const where = listing ? make("a", { href: `#${box.id}` }, name) : `${name} (${error.trim()})`;
+  cell.box.dataset.run = "error";
+  clear(cell);
+  tell(cell, where, " above has failed, so this cell has not run.");
+  say(cell.message.textContent);
+}
+
 /** Take away what a cell printed before, but not what the book has for the book's code. */
 function clear(cell) {
   if (cell.output?.hasAttribute("data-old") && isTouched(cell)) print(cell, {});
-}
-
-  const where = listing ? make("a", { href: `#${box.id}` }, name) : `${name} (${error.trim()})`;
-  cell.box.dataset.run = "error";
-  tell(cell, where, " above has failed, so this cell has not run.");
-  say(cell.message.textContent);
 }
 
 /** Say why a cell has not come to its end. */
@@ -274,7 +273,6 @@ function fail(cell, error) {
     each.box.dataset.run = "error";
     clear(each);
   }
-  cell.box.dataset.run = "error";
   tell(cell, error.message);
   say(error.message);
 }

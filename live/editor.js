@@ -20,22 +20,14 @@ const likeListings = tagHighlighter([
 ]);
 const LEAVE = 5000; // How long Tab leaves the editor after Escape.
 
-/**
- * Open an editor.
- * @param {HTMLElement} parent
- * @param {string} doc the code
- * @param {Object<string, string>} attributes of the element that is edited
- * @param {{run: function, change: function}} actions
- */
+/** Open an editor for the code `doc`, with attributes for the element that is edited. */
 export function open(parent, doc, attributes, { run, change }) {
-  const runs = { run: () => run() ?? true };
   return new EditorView({
     parent,
     doc,
     extensions: [
       keymap.of([
-        { key: "Shift-Enter", ...runs },
-        { key: "Mod-Enter", ...runs },
+        ...["Shift-Enter", "Mod-Enter"].map((key) => ({ key, run: () => run() ?? true })),
         { key: "Escape", run: (view) => view.setTabFocusMode(LEAVE) ?? true },
         indentWithTab,
         ...historyKeymap,

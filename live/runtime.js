@@ -15,11 +15,9 @@ let waiting = null;
 root.dataset.python = "absent";
 
 /**
- * Run code, one piece at a time.
- * @param cell its code and name, and the values of the figures
- * @param {function} loading told how many bytes are fetched, and of how many
- * @param {function} printing told all that the cell has printed so far
- * @returns {Promise} what the worker says when the cell is done; refused with words for the reader
+ * Run code, one piece at a time; promise what the worker says then, or words for the reader.
+ * `loading` is told how many bytes are fetched, and of how many, and nothing when Python is ready;
+ * `printing` all that has been printed so far.
  */
 export function run(cell, loading, printing) {
   worker ??= start();
@@ -57,6 +55,7 @@ function hear({ data }) {
   if (data.failed) fail(data.failed);
   if (data.ready) {
     root.dataset.python = "ready";
+    waiting?.loading?.();
     kept = { compiled: data.compiled, files: data.files };
     fillReserve();
   }

@@ -17,7 +17,6 @@ const HERE = new URL(".", self.location);
 importScripts(`files.js${self.location.search}`, "pyodide.js", "pyodide.asm.js");
 // Pyodide asks for a list of packages that it could load: none.
 const NO_PACKAGES = JSON.stringify({ info: { version: "0.24.1" }, packages: {} });
-const TALKS = ["fetch", "XMLHttpRequest", "WebSocket", "EventSource", "importScripts"];
 const WASM = "pyodide.asm.wasm.gz";
 const MOST_MEMORY = 2 ** 14; // pages of 64 KiB
 
@@ -70,11 +69,10 @@ async function load({ compiled, files }) {
   // Python then looks up from its loops; WebKit ends a worker only there.
   python.setInterruptBuffer(new Int32Array(1));
   const extractDir = python.runPython("import site; site.getsitepackages()[0]");
-  for (const name of ["numpy.zip", "rotedu.zip"]) {
-    python.unpackArchive(files[name], "zip", { extractDir });
-  }
+  const unpack = (name) => python.unpackArchive(files[name], "zip", { extractDir });
+  ["numpy.zip", "rotedu.zip"].forEach(unpack);
   const page = python.pyimport("page");
-  for (const name of TALKS) {
+  for (const name of ["fetch", "XMLHttpRequest", "WebSocket", "EventSource", "importScripts"]) {
     self[name] = () => {
       throw new Error(`${name}: Python in a page talks to no host`);
     };

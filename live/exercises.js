@@ -40,8 +40,7 @@ export function restore() {
 
 /** How many exercises there are, and how many are solved. */
 export function count() {
-  const right = exercises.filter(({ id }) => store.read(id).right === true);
-  return { right: right.length, of: exercises.length };
+  return { right: exercises.filter(({ id }) => store.read(id).right).length, of: exercises.length };
 }
 
 /** One fold for the solution and its reasons. */
@@ -72,8 +71,8 @@ function followForm(box, exercise) {
     answer(exercise);
   };
   box.addEventListener("submit", check, { capture: true });
-    doubt(exercise);
   form.addEventListener("input", () => {
+    doubt(exercise);
     store.write(id, { fields: empty() ? undefined : fields.map(({ value }) => value) });
   });
   form.addEventListener("rotedu:verdict", ({ detail }) => keep(exercise, detail));
@@ -101,7 +100,7 @@ async function judge(exercise, { verdict, error }) {
     exercise.hinted = text;
     const code = `check("${number}", answer, hint=2)`;
     const more = hinted === text && (await runtime.run({ code, name: cell.name, figures: values() }));
-    text = more?.verdict?.text ?? `${text} For more, check again.`;
+    text = more?.verdict?.text ?? `${text} For a hint, press Check again.`;
   }
   // Nobody has answered by a cell that only computes what goes into a form.
   if (verdict.right === null && fields && !asked) return;
@@ -109,6 +108,7 @@ async function judge(exercise, { verdict, error }) {
   show(exercise, said);
   keep(exercise, said);
 }
+
 /** Of what has been changed nobody knows whether it is right; the exercise stays solved. */
 function doubt(exercise) {
   if (exercise.verdict.dataset.right !== "true") return;
@@ -116,13 +116,11 @@ function doubt(exercise) {
   store.write(exercise.id, { text: undefined });
 }
 
-
 function show({ verdict }, { right, text = "" }) {
   if (text && typeof right === "boolean") verdict.dataset.right = right;
   else delete verdict.dataset.right;
   verdict.textContent = text;
 }
 
-function keep({ id }, { right, text }) {
+const keep = ({ id }, { right, text }) =>
   store.write(id, right === null ? { right: undefined, text: undefined } : { right, text });
-}

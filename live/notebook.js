@@ -9,8 +9,7 @@ export function fill(notebook, cells) {
   const changes = new Map(cells.filter(isChanged).map(({ id, code }) => [id, code]));
   for (const cell of notebook.cells) {
     const code = changes.get(cell.id) ?? numbersIn(cell);
-    if (code === undefined) continue;
-    Object.assign(cell, { source: code, outputs: [], execution_count: null });
+    if (code !== undefined) Object.assign(cell, { source: code, outputs: [], execution_count: null });
   }
   notebook.cells.push(...homeless(notebook));
   return notebook;
@@ -20,14 +19,13 @@ export function fill(notebook, cells) {
 function numbersIn(cell) {
   const { fields } = store.read(cell.id);
   if (!Array.isArray(fields) || cell.cell_type !== "code") return undefined;
-  const numbers = fields.map(written);
-  const answer = numbers.length > 1 ? `[${numbers.join(", ")}]` : numbers[0];
+  const answer = fields.length > 1 ? `[${fields.map(written).join(", ")}]` : written(fields[0]);
   return [cell.source].flat().join("").replace(ANSWER, `answer = ${answer}`);
 }
 
 /** A number or a fraction as Python writes it; three dots for what is neither. */
 function written(text) {
-  const parts = text.replaceAll("\u2212", "-").split("/");
+  const parts = text.replaceAll("\u2212", "-").replace(/°\s*$/, "").split("/");
   const numbers = parts.map((part) => (part.trim() ? Number(part) : NaN));
   const sound = Number.isFinite(numbers.reduce((top, bottom) => top / bottom));
   return sound ? numbers.join(" / ") : "...";
@@ -35,8 +33,7 @@ function written(text) {
 
 /** What was written for cells that the notebook does not have: solutions, or cells that have gone. */
 function homeless({ cells }) {
-  const known = new Set(cells.map(({ id }) => id));
-  const lost = store.ids().filter((id) => !known.has(id) && store.read(id).code);
+  const lost = store.ids().filter((id) => store.read(id).code && !cells.some((c) => c.id === id));
   return lost.map((id, i) => ({
     cell_type: "markdown",
     id: `kept-${i}`,

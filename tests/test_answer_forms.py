@@ -13,6 +13,7 @@ from rotedu.edition.exercises import check
 from rotedu.edition.exercises.judging import EXERCISES
 
 NUMERIC = {number: asked for number, asked in EXERCISES.items() if asked.fields}
+HINT = "For a hint, press Check again."
 FORM = ".answer-form:has(legend:text-is('Check your answer to {} here'))"
 # Fill in each of several answers afresh, check it twice, and return both verdicts.
 CHECK_ALL = """(place, answers) => answers.map((answer) => {
@@ -79,7 +80,7 @@ def in_page(number: str, answer: Any) -> list[str]:
     if first.right:
         return [first.text.capitalize()[:1] + first.text[1:]] * 2
     text, _, _ = first.text.partition("\n")
-    return [f"N{text[1:]} For more, check again.", f"N{second.text[1:]}"]
+    return [f"N{text[1:]} {HINT}", f"N{second.text[1:]}"]
 
 
 def test_every_numeric_exercise_has_its_form(pages: dict[str, str]) -> None:
@@ -113,10 +114,11 @@ def test_a_form_answers_the_keyboard(form: Any) -> None:
     for typed, said in (
         ("", "Not answered yet."),
         ("-", f"Expected {EXERCISES['5.19'].expects}."),
-        ("90", "Not yet. That is the answer for an eighth of the sphere. For more, check again."),
+        ("90", f"Not yet. That is the answer for an eighth of the sphere. {HINT}"),
         ("90", "Not yet. How large is the angle of this triangle at the pole?"),
-        ("0.7", "Not yet. Is this an angle in radians? For more, check again."),
+        ("0.7", f"Not yet. Is this an angle in radians? {HINT}"),
         ("-320", f"Right. {EXERCISES['5.19'].because}"),
+        ("40\N{DEGREE SIGN}", f"Right. {EXERCISES['5.19'].because}"),
         ("40,0", "Write a point, not a comma: 0.5."),
         ("\u2212640/2", f"Right. {EXERCISES['5.19'].because}"),
         ("40/", f"Expected {EXERCISES['5.19'].expects}."),
@@ -132,7 +134,7 @@ def test_a_form_answers_the_keyboard(form: Any) -> None:
 
 HOSTILE = ["<b>40</b>", "<img src=x onerror='document.title = 1'>", "__import__('os')", "alert(1)"]
 HOSTILE += ["1e999", "-Infinity", "NaN", "1/0", "0/0", "1/2/3", "/" * 10**6, "2**9999999999", "4_0"]
-HOSTILE += ["\uff14\uff10", "\u0664\u0660", "\u2013", "40\N{DEGREE SIGN}", "0\0", "9" * 10**6]
+HOSTILE += ["\uff14\uff10", "\u0664\u0660", "\u2013", "4\N{DEGREE SIGN}0", "0\0", "9" * 10**6]
 
 
 @pytest.mark.parametrize("form", ["5.19"], indirect=True)

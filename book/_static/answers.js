@@ -19,9 +19,10 @@ const judge = (numbers, parts) => {
   }
 };
 
-// Read a number or a fraction, also with the minus sign of the page.
-const read = (text) => {
-  const [top, ...bottom] = text.replaceAll("\u2212", "-").split("/");
+// Read a number or a fraction, also with the minus sign of the page and a degree sign.
+const read = (text, unit) => {
+  const bare = unit.startsWith("°") ? text.replace(/°$/, "") : text;
+  const [top, ...bottom] = bare.replaceAll("\u2212", "-").split("/");
   return [top, ...bottom].every((part) => part.trim()) && bottom.length < 2
     ? Number(top) / Number(bottom[0] ?? 1)
     : NaN;
@@ -51,14 +52,14 @@ const addForm = (place) => {
     if (texts.some((text) => text.includes(","))) {
       return [null, "Write a point, not a comma: 0.5."];
     }
-    const numbers = texts.map(read);
+    const numbers = texts.map((text, i) => read(text, fields[i][1]));
     if (!numbers.every(Number.isFinite)) return [null, `Expected ${expects}.`];
     const hint = judge(numbers, parts);
     if (!hint) return [true, `Right. ${because}`.trim()];
     const [first, second] = hint;
     const again = hinted === first;
     hinted = first;
-    return [false, again ? `Not yet. ${second}` : `Not yet. ${first} For more, check again.`];
+    return [false, again ? `Not yet. ${second}` : `Not yet. ${first} For a hint, press Check again.`];
   };
 
   form.addEventListener("submit", (event) => {

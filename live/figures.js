@@ -14,7 +14,7 @@ export function set(changed) {
     const tell = () => figure.dispatchEvent(new CustomEvent("rotedu:set", { detail }));
     if (figure.dataset.values) tell();
     else wake(figure, tell);
-    return make("a", { href: `#${figure.id}` }, "Python has set this figure.");
+    return make("a", { href: `#${figure.id}` }, "Show the figure that Python has set");
   });
 }
 

@@ -21,6 +21,7 @@ PATIENCE = 60_000
 CURVE = "05-closed-curve"
 ENDED = """id => ["done", "error"].includes(document.querySelector(
     `.cell[data-cell="${id}"]`).dataset.run)"""
+HINT = "For a hint, press Check again."
 KEYS = "Object.keys(localStorage).filter((key) => key.startsWith('rotedu:'))"
 RUNNABLE = """[...document.querySelectorAll(".cell[data-cell]:has(button[name=run])")].map(
     (cell) => cell.dataset.cell)"""
@@ -183,7 +184,10 @@ def test_a_change_runs_and_goes(at_desk: Reader) -> None:
     assert reader.run("code-6") == stored_output("code-6")
     assert (reader.state("code-6"), reader.python()) == ("done", "ready")
     assert reader.cell("code-6").locator(".cell_output > *:visible").count() == 0
+    assert not reader.button("reset", "[data-cell=code-6]").is_visible()
     assert reader.run("code-6", "len(scenes.FIGURE_8)") == "4"
+    assert reader.run("code-6", "four = 4") == ""
+    assert reader.message("code-6") == "Done, nothing printed."
     reader.write("code-6", "7")
     reader.page.keyboard.type("/2")
     assert reader.run("code-6") == "3.5"
@@ -206,9 +210,11 @@ def test_cells_above_run_first_and_once(at_desk: Reader) -> None:
     reader.run("code-6")
     assert "NameError" in reader.run("code-17")
     reader.button("reset-all").click()
+    reader.run("code-15", "'earlier'")
     reader.write("code-6", "1 / 0")
+    reader.run("code-6")
     reader.press("code-15")
-    reader.wait("code-15")
+    assert reader.wait("code-15") == ""
     assert reader.message("code-15") == "Cell 3 above has failed, so this cell has not run."
     assert "ZeroDivisionError" in reader.output("code-6")
 
@@ -254,12 +260,20 @@ def test_stop_and_go_on_without_a_network(at_desk: Reader) -> None:
     reader.cell("code-6").locator(".live-output:has-text('1000000')").wait_for(timeout=PATIENCE)
     reader.press("code-15")
     assert (reader.state("code-6"), reader.state("code-15")) == ("running", "waiting")
+    assert reader.message("code-6") == "Running"
     reader.button("stop").click()
     reader.wait("code-6")
     reader.page.wait_for_function("document.querySelector('[data-run=waiting]') === null")
     assert reader.message("code-6").startswith("Stopped.")
     assert (reader.python(), reader.state("code-15")) == ("absent", "stored")
     assert reader.button("stop").count() == 0
+    # What earlier code printed does not stand beside this one.
+    reader.run("code-6", "'earlier'")
+    reader.write("code-6", "while True: pass")
+    reader.press("code-6")
+    reader.cell("code-6").locator(".live-message:text-is('Running')").wait_for(timeout=PATIENCE)
+    reader.button("stop").click()
+    assert reader.wait("code-6") == ""
     assert reader.run("code-6", "1 + 1") == "2"
     reader.page.context.set_offline(False)
 
@@ -273,7 +287,7 @@ def test_the_hand_and_python_meet(read: Callable[..., Reader]) -> None:
     settle(reader.page)
     values = json.loads(figure.get_attribute("data-values"))
     assert f"at t = {values['t']:.2f}" in reader.output("try-farthest")
-    assert reader.message("try-farthest") == "Python has set this figure."
+    assert reader.message("try-farthest") == "Show the figure that Python has set"
     slider = figure.locator("input[type=range][name=t]")
     slider.fill("0.125")
     assert reader.run("try-farthest", "figure.t") == "0.125"
@@ -288,16 +302,16 @@ def test_an_answer_is_judged_kept_and_handed_in(
     assert reader.solved() == "0 of 5 solved"
     assert reader.check("5.14") == ("Not answered yet.", None)
     wrong = "Not yet. Your point is not on the sphere."
-    assert reader.check("5.14", "[1, 2, 3]") == (f"{wrong} For more, check again.", "false")
+    assert reader.check("5.14", "[1, 2, 3]") == (f"{wrong} {HINT}", "false")
     text, right = reader.check("5.14")
     assert right == "false"
     assert text.startswith("Not yet.")
-    assert text != f"{wrong} For more, check again."
+    assert text != f"{wrong} {HINT}"
     text, right = reader.check("5.14", "de_casteljau(wide, 0.4)")
     assert (text.split()[0], right) == ("Right.", "true")
     assert "For more" not in reader.output("start-5-14")
     assert reader.fill("5.12", "60", "30", "\u221290")[1] == "false"
-    assert reader.fill("5.12", "60", "30", "180/2")[1] == "true"
+    assert reader.fill("5.12", "60", "30", "180/2\u00b0")[1] == "true"
     assert reader.solved() == "2 of 5 solved"
 
     saved = save(reader, tmp_path)
@@ -311,12 +325,23 @@ def test_an_answer_is_judged_kept_and_handed_in(
     assert reader.solved() == "2 of 5 solved"
     assert reader.verdict("5.14") == (text, "true")
     assert "de_casteljau(wide, 0.4)" in reader.code("start-5-14")
-    assert reader.exercise("5.12").locator("input").last.input_value() == "180/2"
+    assert reader.exercise("5.12").locator("input").last.input_value() == "180/2\u00b0"
     reader.button("forget").click()
     assert (reader.solved(), reader.page.evaluate(KEYS)) == ("0 of 5 solved", [])
     assert reader.exercise("5.12").locator("input").last.input_value() == ""
+    assert reader.page.locator(".live-head").inner_text().startswith("0 of 5 solved\nYour code")
+    present = reader.page.locator(".page-head button").bounding_box()
+    head = reader.page.locator(".live-head").bounding_box()
+    assert head["x"] > present["x"] + present["width"]
     reader.button("undo").click()
     assert reader.solved() == "2 of 5 solved"
+    reader.button("reset-all").click()
+    assert reader.page.locator(".live-head .live-message").inner_text().startswith("All cells are")
+    assert (reader.solved(), reader.verdict("5.14")) == ("2 of 5 solved", ("", None))
+    reader.button("undo").click()
+    assert reader.verdict("5.14") == (text, "true")
+    reader.write("start-5-14", "answer = 0")
+    assert (reader.solved(), reader.verdict("5.14")) == ("2 of 5 solved", ("", None))
 
 
 def save(reader: Reader, folder: Path) -> NotebookNode:
@@ -324,15 +349,12 @@ def save(reader: Reader, folder: Path) -> NotebookNode:
     with reader.page.expect_download() as download:
         reader.page.locator("a.answers[download]").click()
     file = folder / download.value.suggested_filename
+    assert file.stem.endswith("-my-work")
     download.value.save_as(file)
     saved = nbformat.read(file, as_version=4)
     nbformat.validate(saved)
     return saved
 
-    assert reader.page.locator(".live-head").inner_text().startswith("0 of 5 solved\nYour code")
-    present = reader.page.locator(".page-head button").bounding_box()
-    head = reader.page.locator(".live-head").bounding_box()
-    assert head["x"] > present["x"] + present["width"]
 
 def test_a_page_from_a_file_says_what_to_do(book: Path, open_page: Open) -> None:
     reader = Reader(open_page((book / "book" / f"{CURVE}.html").as_uri(), quiet=False))
@@ -349,7 +371,6 @@ HOSTILE = {
     "import sys\nsys.exit()": "SystemExit",
     "import sys\nsys.stdout.close()\nprint(7)": "7",
     "list(range(10**9))": "MemoryError",
-    assert file.stem.endswith("-my-work")
     "np.ones(2 * 10**8)": "MemoryError",
     "def f(n):\n    return f(n + 1)\nf(0)": "RecursionError",
     "a = []\nfor _ in range(10**5):\n    a = [a]\na": "RecursionError",

@@ -19,13 +19,12 @@ from spheres import (
     turning,
 )
 
-from rotedu.arcs import angle_between, arc_axis, slerp
+from rotedu.arcs import slerp
 from rotedu.closed_curve import closed_curve
 from rotedu.errors import DegenerateError
-from rotedu.ordinary_rotation import axis_angle, rotation_matrix, transform
+from rotedu.ordinary_rotation import axis_angle, rotation_matrix
 from rotedu.orientations import closed_rotation_curve, nearest_rotation, slerp_rotations
 from rotedu.quaternions import Quaternion
-from rotedu.scenes import CAMERA_TARGETS
 
 # The warnings about unstable curves have tests of their own.
 pytestmark = pytest.mark.filterwarnings("ignore:.* are almost .*:UserWarning")
@@ -168,37 +167,6 @@ class TestOrientations:
                 expected.append(row[0].as_matrix())
         matrices = Rotation.from_rotvec(vectors).as_matrix()
         close(closed_rotation_curve(matrices, 8, fraction), np.array(expected), 1e-13)
-
-    def test_the_roll_that_an_arc_brings_is_small_near_the_horizon_only(self) -> None:
-        def rolled(p: Array, q: Array) -> Any:
-            """Carry an upright camera along the arc by two reflections; return its roll."""
-
-            def up(look: Array) -> Array:
-                top = E3 - look[..., 2:] * look
-                return top / np.linalg.norm(top, axis=-1, keepdims=True)
-
-            halfway = p + q
-            halfway /= np.linalg.norm(halfway, axis=-1, keepdims=True)
-            top = up(p) - 2 * np.sum(up(p) * halfway, axis=-1, keepdims=True) * halfway
-            turned = rotation_matrix(arc_axis(p, q), angle_between(p, q))
-            close(transform(turned, up(p)), top, 1e-11)
-            sideways = np.sum(np.cross(q, up(q)) * top, axis=-1)
-            return np.degrees(np.arctan2(sideways, np.sum(up(q) * top, axis=-1)))
-
-        camera = np.array(CAMERA_TARGETS)
-        camera /= np.linalg.norm(camera, axis=1, keepdims=True)
-        rolls = rolled(camera, np.roll(camera, -1, axis=0))
-        close(rolls, [0.4, 12.7, 115.4, -4.6], 0.05)
-        close(rolls.sum(), 123.8, 0.05)
-
-        p, q = np.random.default_rng(51).normal(size=(2, 20_000, 3))
-        p /= np.linalg.norm(p, axis=1, keepdims=True)
-        q /= np.linalg.norm(q, axis=1, keepdims=True)
-        off = np.abs(rolled(p, q))
-        low = (np.abs(p[:, 2]) < 0.5) & (np.abs(q[:, 2]) < 0.5)
-        near = low & (np.sum(p * q, axis=1) > 0.5)
-        close(np.median(off[near]), 3.6, 0.5)
-        close(np.quantile(off[near], 0.95), 18, 2)
 
     @staticmethod
     def on_a_circle(at: Any, fraction: float, samples: int) -> Array:

@@ -20,7 +20,7 @@ from rotedu.general_rotation import (
     rotation_v,
     rotation_w,
 )
-from rotedu.ordinary_rotation import axis_angle, rotation_matrix
+from rotedu.ordinary_rotation import axis_angle, rotation_matrix, transform
 from rotedu.orientations import nearest_rotation
 
 ROOT = Path(__file__).parents[1]
@@ -216,3 +216,35 @@ def test_axe_finds_nothing(browser: Any, site: str, scheme: str) -> None:
     run = f"axe.run({where}).then(({{violations}}) => violations.map(({{id}}) => id))"
     assert page.evaluate(run) == []
     page.close()
+
+
+def test_the_roll_that_an_arc_brings_is_small_near_the_horizon_only() -> None:
+    def rolled(p: Any, q: Any) -> Any:
+        """Carry an upright camera along the arc by two reflections; return its roll."""
+
+        def up(look: Any) -> Any:
+            top = [0, 0, 1] - look[..., 2:] * look
+            return top / np.linalg.norm(top, axis=-1, keepdims=True)
+
+        halfway = p + q
+        halfway /= np.linalg.norm(halfway, axis=-1, keepdims=True)
+        top = up(p) - 2 * np.sum(up(p) * halfway, axis=-1, keepdims=True) * halfway
+        turned = rotation_matrix(arc_axis(p, q), angle_between(p, q))
+        np.testing.assert_allclose(transform(turned, up(p)), top, rtol=0, atol=1e-11)
+        sideways = np.sum(np.cross(q, up(q)) * top, axis=-1)
+        return np.degrees(np.arctan2(sideways, np.sum(up(q) * top, axis=-1)))
+
+    camera = np.array(scenes.CAMERA_TARGETS)
+    camera /= np.linalg.norm(camera, axis=1, keepdims=True)
+    rolls = rolled(camera, np.roll(camera, -1, axis=0))
+    np.testing.assert_allclose(rolls, [0.4, 12.7, 115.4, -4.6], rtol=0, atol=0.05)
+    np.testing.assert_allclose(rolls.sum(), 123.8, rtol=0, atol=0.05)
+
+    p, q = np.random.default_rng(51).normal(size=(2, 20_000, 3))
+    p /= np.linalg.norm(p, axis=1, keepdims=True)
+    q /= np.linalg.norm(q, axis=1, keepdims=True)
+    off = np.abs(rolled(p, q))
+    low = (np.abs(p[:, 2]) < 0.5) & (np.abs(q[:, 2]) < 0.5)
+    near = low & (np.sum(p * q, axis=1) > 0.5)
+    np.testing.assert_allclose(np.median(off[near]), 3.6, rtol=0, atol=0.5)
+    np.testing.assert_allclose(np.quantile(off[near], 0.95), 18, rtol=0, atol=2)

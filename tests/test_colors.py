@@ -3,14 +3,60 @@
 import re
 
 import matplotlib.pyplot as plt
+import numpy as np
 import pytest
-from derive import INKS
-from matplotlib.colors import to_hex
+from matplotlib.colors import to_hex, to_rgb
 from notebook_language import BOOK, Page, notebooks, pages
 
 from rotedu import colors
 
 CODES = {name: getattr(colors, name) for name in colors.__all__}
+# How linear light is seen: by most people, and without the cones for red, green or blue (Machado,
+# Oliveira and Fernandes, 2009).
+EYES = {
+    "usual": np.eye(3),
+    "protanopia": [
+        [0.152286, 1.052583, -0.204868],
+        [0.114503, 0.786281, 0.099216],
+        [-0.003882, -0.048116, 1.051998],
+    ],
+    "deuteranopia": [
+        [0.367322, 0.860646, -0.227968],
+        [0.280085, 0.672501, 0.047413],
+        [-0.011820, 0.042940, 0.968881],
+    ],
+    "tritanopia": [
+        [1.255528, -0.076749, -0.178779],
+        [-0.078411, 0.930809, 0.147602],
+        [0.004733, 0.691367, 0.303900],
+    ],
+}
+TO_XYZ = np.array([[0.4124, 0.3576, 0.1805], [0.2126, 0.7152, 0.0722], [0.0193, 0.1192, 0.9505]])
+
+
+def linear(code: str) -> np.ndarray:
+    color = np.array(to_rgb(code))
+    return np.where(color <= 0.04045, color / 12.92, ((color + 0.055) / 1.055) ** 2.4)
+
+
+def contrast(code: str, other: str) -> float:
+    dark, light = sorted((TO_XYZ @ linear(one))[1] for one in (code, other))
+    return float((light + 0.05) / (dark + 0.05))
+
+
+def lab(code: str, eyes: str) -> np.ndarray:
+    seen = np.clip(np.asarray(EYES[eyes]) @ linear(code), 0, 1)
+    share = TO_XYZ @ seen / TO_XYZ.sum(axis=1)
+    x, y, z = np.where(share > 216 / 24389, np.cbrt(share), (24389 / 27 * share + 16) / 116)
+    return np.array([116 * y - 16, 500 * (x - y), 200 * (y - z)])
+
+
+def settings() -> tuple[dict[str, str], dict[str, str]]:
+    """The colours of text and paper on light and on dark pages."""
+    text = (BOOK.parent / "_config.yml").read_text("utf-8")
+    light, dark = text.split("dark_css_variables:")
+    pattern = r"color-([\w-]+): \"(#\w{6})\""
+    return dict(re.findall(pattern, light)), dict(re.findall(pattern, dark))
 
 
 @pytest.mark.parametrize("page", notebooks(), ids=repr)
@@ -35,8 +81,24 @@ def test_the_page_of_conventions_lists_them() -> None:
 
 def test_text_has_a_shade_of_each_for_light_and_dark_pages() -> None:
     styles = (BOOK / "_static" / "book.css").read_text("utf-8")
-    settings = (BOOK.parent / "_config.yml").read_text("utf-8")
-    for name in INKS:
-        variable = f"color-{name.lower()}"
-        assert f'[style*="{CODES[name]}"] {{ color: var(--{variable})' in styles
-        assert settings.count(f"{variable}: ") == 2
+    for name in CODES.keys() - {"NEUTRAL"}:
+        rule = f'[style*="{CODES[name]}"] {{ color: var(--color-{name.lower()})'
+        assert rule in styles
+        for shades in settings():
+            assert contrast(shades[name.lower()], shades["background-primary"]) > 4.5
+
+
+@pytest.mark.parametrize("eyes", EYES)
+def test_quaternion_and_matrix_stand_apart(eyes: str) -> None:
+    """A difference of 2 in CIELAB is just seen; lines want ten."""
+    for name in ("QUATERNION", "MATRIX"):
+        for other in CODES.keys() - {name}:
+            assert np.linalg.norm(lab(CODES[name], eyes) - lab(CODES[other], eyes)) > 12, other
+    both = [lab(code, eyes) for code in (colors.QUATERNION, colors.MATRIX)]
+    assert np.linalg.norm(np.subtract(*both)) > 30
+
+
+@pytest.mark.parametrize("name", CODES)
+def test_every_colour_is_seen_on_light_and_dark_pages(name: str) -> None:
+    for shades in settings():
+        assert contrast(CODES[name], shades["background-primary"]) > 3

@@ -126,6 +126,11 @@ def _points_of_a_closed_curve(name: str, points: Array) -> Array:
     return unit_vectors(name, points)
 
 
+def _values_of_a_closed_curve(name: str, values: Array) -> Array:
+    _three_at_least(name, values.shape[-2])
+    return values
+
+
 def _rotations_of_a_closed_curve(name: str, matrices: Array) -> Array:
     _three_at_least(name, matrices.shape[-3])
     return rotations(name, matrices)
@@ -190,6 +195,7 @@ Rotation = Annotated[Array, Kind(((3, 3),), 2, prepare=rotations)]
 RotationOrPose = Annotated[Array, Kind(((3, 3), (4, 4)), 2, prepare=_rotation_part)]
 Control = Annotated[Array, Kind((("m", "d"),), 2, prepare=_control_points)]
 ClosedPoints = Annotated[Array, Kind((("n", "d"),), 1, prepare=_points_of_a_closed_curve)]
+ClosedValues = Annotated[Array, Kind((("n", "d"),), 1, prepare=_values_of_a_closed_curve)]
 ClosedRotations = Annotated[Array, Kind((("n", 3, 3),), 2, prepare=_rotations_of_a_closed_curve)]
 Count = Annotated[int, "a positive integer"]
 

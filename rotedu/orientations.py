@@ -2,7 +2,7 @@
 
 A point of the sphere says where a camera looks, but not how it is turned about its line of sight.
 While the curve of Section 5 consists of points, here the same construction runs on the turns
-between rotation matrices.
+between rotation matrices. Two other curves through orientations stand beside it for comparison.
 """
 
 from __future__ import annotations
@@ -12,23 +12,32 @@ from itertools import pairwise
 import numpy as np
 
 from rotedu._arguments import (
+    ClosedPoints,
     ClosedRotations,
+    ClosedValues,
     Count,
     Fraction,
     Matrix3,
     Number,
     Rotation,
+    Vector,
     checked,
     place,
     rounding,
 )
-from rotedu._vectors import Array, axis_and_length, cross, dot, length, product, transpose
-from rotedu.arcs import refuse_two_ways
+from rotedu._vectors import Array, axis_and_length, cross, dot, length, product, transpose, unit
+from rotedu.arcs import angle_between, refuse_antipodal, refuse_two_ways, slerp
 from rotedu.closed_curve import sampled, warn_of_two_ways
 from rotedu.errors import DegenerateError
 from rotedu.ordinary_rotation import axis_angle, rotation_matrix
 
-__all__ = ["closed_rotation_curve", "nearest_rotation", "slerp_rotations"]
+__all__ = [
+    "closed_rotation_curve",
+    "nearest_rotation",
+    "periodic_spline",
+    "slerp_rotations",
+    "squad",
+]
 
 
 @checked
@@ -163,6 +172,125 @@ def closed_rotation_curve(
 
 
 @checked
+def squad(quaternions: ClosedPoints, samples: Count = 100) -> Vector:
+    """Draw Shoemake's closed curve through quaternions by three arcs for each point.
+
+    Parameters
+    ----------
+    quaternions : array_like, shape (..., n, d)
+        At least 3 unit vectors q_0 ... q_{n-1} of any dimension; with four components, quaternions.
+        The signs count: each is reached from the one before by the arc of `rotedu.arcs.slerp`. Do
+        not repeat the first one at the end.
+    samples : int
+        Number of points on each segment, at u = 0, 1/samples, 2/samples ...
+
+    Returns
+    -------
+    ndarray, shape (..., n * samples, d)
+        Unit vectors, starting with the first given one.
+
+    Raises
+    ------
+    ValueError
+        If an argument is not finite, has the wrong shape or is out of range, or if a quaternion is
+        zero.
+    rotedu.errors.DegenerateError
+        If an arc has antipodal ends (to half of the digits).
+
+    See Also
+    --------
+    rotedu.closed_curve.closed_curve : needs six arcs for each point.
+    periodic_spline : has no jumps of acceleration.
+
+    Notes
+    -----
+    The curve follows the arc from q_i to q_{i+1}, and is drawn by 2u(1 - u) towards the arc from
+    s_i to s_{i+1}. For quaternions,
+
+        s_i = q_i exp(-(log(q_i* q_{i+1}) + log(q_i* q_{i-1})) / 4).
+
+    Here q_i log(q_i* p) is written as the tangent vector that leads from q_i to p, for which no
+    quaternion is needed. The curve is C1: its derivative at q_i is half the tangent vector that
+    leads to q_{i+1} minus half the one that leads to q_{i-1}. In general it is not C2.
+
+    References
+    ----------
+    Shoemake (1987), "Quaternion calculus and fast animation", SIGGRAPH course notes 10, 101-121,
+    as Dam et al. (1998), "Quaternions, interpolation and animation", give it
+
+    Examples
+    --------
+    >>> quarter_turns = np.radians(np.arange(8) * 45)
+    >>> q = np.stack([np.cos(quarter_turns), *np.zeros((2, 8)), np.sin(quarter_turns)], axis=-1)
+    >>> w, x, y, z = squad(q, samples=2).T
+    >>> print(np.degrees(2 * np.arctan2(z, w))[:5].round(9) + 0.0)
+    [  0.  45.  90. 135. 180.]
+    """
+    q, before, after = quaternions, np.roll(quaternions, 1, -1), np.roll(quaternions, -1, -1)
+    refuse_antipodal(angle_between(q, after), "{i} and {j}", "quaternions")
+    s = onward(q, -(towards(q, after) + towards(q, before)) / 4)
+    next_s = np.roll(s, -1, axis=-1)
+    refuse_antipodal(angle_between(s, next_s), "points s of {i} and {j}", "quaternions")
+    return sampled(arc_towards_arc, [q, s, next_s, after], samples)
+
+
+@checked
+def periodic_spline(values: ClosedValues, samples: Count = 100) -> Vector:
+    """Draw the closed cubic curve through values that has no jump of acceleration.
+
+    Parameters
+    ----------
+    values : array_like, shape (..., n, d)
+        At least 3 points of any dimension, also the entries of quaternions or matrices in a row.
+        Do not repeat the first one at the end.
+    samples : int
+        Number of points on each segment, at u = 0, 1/samples, 2/samples ...
+
+    Returns
+    -------
+    ndarray, shape (..., n * samples, d)
+        Points, starting with the first given one. Those between unit quaternions are not quite of
+        norm 1, and those between rotation matrices are no rotations: divide by the norm, or take
+        the `nearest_rotation`.
+
+    Raises
+    ------
+    ValueError
+        If an argument is not finite, has the wrong shape or is out of range.
+
+    See Also
+    --------
+    squad, closed_rotation_curve : where a value moves only the four segments around it.
+
+    Notes
+    -----
+    The rates of change r_i at the given values follow from the requirement that the second
+    derivatives agree there: ``r_{i-1} + 4 r_i + r_{i+1} = 3 (v_{i+1} - v_{i-1})``, cyclically. So
+    each value moves the whole curve, although its influence falls to about a quarter with each
+    segment. If two sets of unit quaternions differ by a rotation, so do their normalised curves.
+
+    References
+    ----------
+    Ahlberg, Nilson and Walsh (1967), "The Theory of Splines and Their Applications", Chapter II
+
+    Examples
+    --------
+    Through four points of a circle:
+
+    >>> square = [[1, 0], [0, 1], [-1, 0], [0, -1]]
+    >>> print(periodic_spline(square, samples=2)[:3])
+    [[1.     0.    ]
+     [0.6875 0.6875]
+     [0.     1.    ]]
+    """
+    before, after = np.roll(values, 1, axis=-1), np.roll(values, -1, axis=-1)
+    one = np.eye(values.shape[-1])
+    cyclic = np.roll(one, -1, axis=0) + 4 * one + np.roll(one, 1, axis=0)
+    rates = np.linalg.solve(cyclic, 3 * (after - before)[..., np.newaxis])[..., 0]
+    return sampled(cubic, [values, rates, np.roll(rates, -1, axis=-1), after], samples)
+
+
+@checked
 def nearest_rotation(matrix: Matrix3) -> Rotation:
     """Return the rotation matrix that differs least from a given matrix.
 
@@ -234,6 +362,32 @@ def follow(parts: list[Array], u: Array) -> Array:
         route = [one_turn((1 - u) * v, u * w) for v, w in pairwise(route)]
         turn = one_turn(turn, u * route[0])
     return product(start, rotation_matrix(*axis_and_length(turn)))
+
+
+def towards(p: Array, q: Array) -> Array:
+    """Return the tangent vector at p, as long as the arc, that leads to q: the logarithm."""
+    return angle_between(p, q) * unit(q - dot(p, q) * p)
+
+
+def onward(p: Array, tangent: Array) -> Array:
+    """Go from p along the arc that begins with a tangent vector, as far as it is long."""
+    return np.cos(length(tangent)) * p + np.sin(length(tangent)) * unit(tangent)
+
+
+def arc_towards_arc(parts: list[Array], u: Array) -> Array:
+    """Follow one arc, drawn towards another; both are given by their ends, as q, s, s, q."""
+    q, s, next_s, next_q = parts
+    on_arc, aim = slerp(q, next_q, u), slerp(s, next_s, u)
+    refuse_antipodal(angle_between(on_arc, aim).max(initial=0), "points of the arcs from q and s")
+    return slerp(on_arc, aim, 2 * u * (1 - u))
+
+
+def cubic(parts: list[Array], u: Array) -> Array:
+    """Evaluate cubic curves, given values and rates of change at both ends: Hermite's form."""
+    value, rate, next_rate, next_value = parts
+    begin = (1 - u) ** 2 * ((1 + 2 * u) * value + u * rate)
+    end = u**2 * ((3 - 2 * u) * next_value - (1 - u) * next_rate)
+    return begin + end
 
 
 def refuse_half_turn(theta: Array, pair: str = "r1 and r2", sequence: str = "") -> None:

@@ -54,7 +54,13 @@ from rotedu.ordinary_rotation import (
     sixteen_products,
     transform,
 )
-from rotedu.orientations import closed_rotation_curve, nearest_rotation, slerp_rotations
+from rotedu.orientations import (
+    closed_rotation_curve,
+    nearest_rotation,
+    periodic_spline,
+    slerp_rotations,
+    squad,
+)
 from rotedu.quaternions import Quaternion, rotate_about_u
 
 # The warnings about unstable curves have tests of their own.
@@ -125,6 +131,8 @@ class TestSinglePrecision:
             nearest_rotation(np.eye(3, dtype=np.float32)),
             slerp_rotations(np.eye(3, dtype=np.float32), np.eye(3, dtype=np.float32), 0.3),
             closed_rotation_curve(rotation_matrix(E3, [0, 1, 2]).astype(np.float32)),
+            squad(self.points),
+            periodic_spline(self.points),
         ]
         assert {x.dtype for x in found} == {np.dtype(np.float32)}
         assert slerp(p, q, np.float64(0.3)).dtype == slerp(p, E1, 0.3).dtype == np.float64
@@ -225,13 +233,15 @@ GOOD: dict[Callable[..., Any], dict[str, Any]] = {
     slerp_rotations: {"r1": np.eye(3), "r2": np.eye(3), "t": 0.5},
     nearest_rotation: {"matrix": np.eye(3)},
     closed_rotation_curve: {"rotations": THREE, "fraction": 0.5},
+    squad: {"quaternions": np.eye(4)},
+    periodic_spline: {"values": np.eye(3)},
 }
 ARGUMENTS = [(f, name) for f, arguments in GOOD.items() for name in arguments]
 # Arguments whose length has no meaning, or which must be points of the sphere.
 DIRECTIONS = [
     (f, name)
     for f, name in ARGUMENTS
-    if name in ("p", "q", "axis", "normal", "control") or f in (control_points, closed_curve)
+    if name in ("p", "q", "axis", "normal", "control") or f in (control_points, closed_curve, squad)
     if name != "fraction"
 ]
 NOT_NUMBERS: list[Any] = ["text", None, True, {}, ["1", "2", "3"], [[1], [2, 3]], [1j, 0, 0]]
@@ -355,8 +365,13 @@ class TestRefusals:
         for f in [control_points, closed_curve]:
             with pytest.raises(ValueError, match=f"^points {match}"):
                 f(np.eye(3)[:n])
-        with pytest.raises(ValueError, match=f"^rotations {match}"):
-            closed_rotation_curve(THREE[:n])
+        for f, name, data in [
+            (closed_rotation_curve, "rotations", THREE),
+            (squad, "quaternions", np.eye(4)),
+            (periodic_spline, "values", np.eye(4)),
+        ]:
+            with pytest.raises(ValueError, match=f"^{name} {match}"):
+                f(data[:n])
 
     @pytest.mark.parametrize("f", [control_points, closed_curve])
     def test_not_a_sequence_of_points(self, f: Any) -> None:
@@ -410,7 +425,12 @@ class TestRefusals:
 
     @pytest.mark.parametrize("samples", [0, -1, 2.0, 2.5, "2", None, [2]])
     def test_samples(self, samples: Any) -> None:
-        for f, data in [(closed_curve, np.eye(3)), (closed_rotation_curve, THREE)]:
+        for f, data in [
+            (closed_curve, np.eye(3)),
+            (closed_rotation_curve, THREE),
+            (squad, np.eye(3)),
+            (periodic_spline, np.eye(3)),
+        ]:
             with pytest.raises(ValueError) as caught:  # noqa: PT011
                 f(data, samples)
             assert str(caught.value) == f"samples must be a positive integer; got {samples!r}"

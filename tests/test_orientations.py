@@ -5,6 +5,8 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scipy.interpolate import CubicSpline
+from scipy.linalg import expm, logm
 from scipy.spatial.transform import Rotation, Slerp
 from spheres import (
     E3,
@@ -23,7 +25,13 @@ from rotedu.arcs import slerp
 from rotedu.closed_curve import closed_curve
 from rotedu.errors import DegenerateError
 from rotedu.ordinary_rotation import axis_angle, rotation_matrix
-from rotedu.orientations import closed_rotation_curve, nearest_rotation, slerp_rotations
+from rotedu.orientations import (
+    closed_rotation_curve,
+    nearest_rotation,
+    periodic_spline,
+    slerp_rotations,
+    squad,
+)
 from rotedu.quaternions import Quaternion
 
 # The warnings about unstable curves have tests of their own.
@@ -292,6 +300,143 @@ class TestOrientations:
         assert curves.shape == (2, 3, 20, 3, 3)
         close(curves[1, 2], closed_rotation_curve(matrices[1, 2], 4), 1e-15)
         assert closed_rotation_curve(np.empty((0, 5, 3, 3)), 4).shape == (0, 20, 3, 3)
+
+
+def one_sided(curve: Array, samples: int) -> tuple[Array, Array]:
+    """Velocity and acceleration of each segment at its start and end, shape (n, 2, d)."""
+    pieces = np.concatenate([curve, curve[:1]])[
+        np.add.outer(np.arange(0, len(curve), samples), np.arange(samples + 1))
+    ]
+    ends = np.stack([pieces[:, :4], pieces[:, :-5:-1]], axis=1)
+    velocity = np.einsum("k,nekd->ned", [-11 / 6, 3, -3 / 2, 1 / 3], ends) * samples
+    acceleration = np.einsum("k,nekd->ned", [2, -5, 4, -1], ends) * samples**2
+    return velocity * np.array([[1], [-1]]), acceleration
+
+
+def jumps(ends: Array) -> Array:
+    """How much a quantity changes from the end of each segment to the start of the next."""
+    return np.linalg.norm(ends[:, 0] - np.roll(ends[:, 1], 1, axis=0), axis=-1)
+
+
+class TestSquad:
+    # Complex matrices that multiply as 1, i, j and k do, and tell q from -q.
+    UNITS = np.array([[[1, 0], [0, 1]], [[1j, 0], [0, -1j]], [[0, 1], [-1, 0]], [[0, 1j], [1j, 0]]])
+
+    def test_is_that_of_shoemake_with_exponentials_and_logarithms_of_scipy(self) -> None:
+        def arc(p: Array, q: Array, t: float) -> Array:
+            return np.asarray(p @ expm(t * logm(p.conj().T @ q)))
+
+        for q in random_units(4, 5, 4, rng=np.random.default_rng(5)):
+            here = np.tensordot(q, self.UNITS, axes=1)
+            s = [
+                p @ expm(-(logm(p.conj().T @ here[i - 4]) + logm(p.conj().T @ here[i - 1])) / 4)
+                for i, p in enumerate(here)
+            ]
+            expected = [
+                arc(arc(here[i], here[i - 4], u), arc(s[i], s[i - 4], u), 2 * u * (1 - u))
+                for i in range(5)
+                for u in np.arange(3) / 3
+            ]
+            close(np.tensordot(squad(q, 3), self.UNITS, axes=1), expected, 1e-12)
+
+    @pytest.mark.parametrize("d", [2, 3, 4, 7])
+    def test_laws(self, d: int) -> None:
+        points = random_units(7, d, rng=np.random.default_rng(d))
+        curve = squad(points, 10)
+        close(np.linalg.norm(curve, axis=-1), 1, 1e-15)
+        close(curve[::10], points, 1e-15)
+        turn = np.linalg.qr(RNG.normal(size=(d, d)))[0]
+        close(squad(points @ turn, 10), curve @ turn, 1e-12)
+        back = squad(np.roll(points[::-1], 1, axis=0), 10)
+        close(np.roll(back[::-1], 1, axis=0), curve, 1e-12)
+        close(squad(-points, 10), -curve, 1e-15)
+        close(squad(points[[0, 0, 0]], 5), np.broadcast_to(points[0], (15, d)), 1e-15)
+
+    def test_even_steps_about_one_axis_are_followed_evenly(self) -> None:
+        steps = np.radians(np.arange(0, 360, 60))
+        u = np.radians(np.arange(0, 360, 10))
+        circle = squad(np.stack([np.cos(steps), np.sin(steps)], axis=-1), 6)
+        close(circle, np.stack([np.cos(u), np.sin(u)], axis=-1))
+
+    def test_is_c1_but_not_c2(self) -> None:
+        points = random_units(6, 4, rng=np.random.default_rng(8))
+        velocity, acceleration = one_sided(squad(points, 2000), 2000)
+        close(jumps(velocity), 0, 1e-4)
+        assert np.linalg.norm(velocity, axis=-1).min() > 0.1
+        assert jumps(acceleration).min() > 1
+
+    def test_a_point_moves_four_segments(self) -> None:
+        points = random_units(8, 4, rng=np.random.default_rng(9))
+        moved = points.copy()
+        moved[0] = points[1]
+        apart = np.linalg.norm(squad(points, 5) - squad(moved, 5), axis=-1).reshape(8, 5)
+        close(apart[2:6], 0, 1e-15)
+        assert apart[[0, 1, 6, 7], 1:].min() > 1e-3
+
+    def test_degenerate(self) -> None:
+        p, q, r, _ = np.eye(4)
+        match = r"^quaternions\[1\] and quaternions\[2\] are antipodal: no unique arc joins them$"
+        with pytest.raises(DegenerateError, match=match):
+            squad([p, q, -q, r])
+        # In a plane, at angles that send s to opposite ends, and the two arcs to opposite sides.
+        for degrees, what in (
+            ([0, 120, 130, 10], r"points s of quaternions\[0\] and quaternions\[1\]"),
+            ([0, 170, 0, 170], "points of the arcs from q and s"),
+        ):
+            points = np.stack([np.cos(np.radians(degrees)), np.sin(np.radians(degrees))], axis=-1)
+            with pytest.raises(DegenerateError, match=f"^{what} are antipodal"):
+                squad(points, 2)
+
+    def test_stacks(self) -> None:
+        points = random_units(2, 3, 5, 4)
+        curves = squad(points, 4)
+        assert curves.shape == (2, 3, 20, 4)
+        close(curves[1, 2], squad(points[1, 2], 4), 1e-15)
+        assert squad(np.empty((0, 5, 4)), 4).shape == (0, 20, 4)
+
+
+class TestPeriodicSpline:
+    @pytest.mark.parametrize("n", [3, 4, 5, 12, 101])
+    @pytest.mark.parametrize("d", [1, 4, 9])
+    def test_against_scipy(self, n: int, d: int) -> None:
+        values = np.random.default_rng(n).normal(size=(n, d))
+        oracle = CubicSpline(np.arange(n + 1), [*values, values[0]], bc_type="periodic")
+        close(periodic_spline(values, 7), oracle(np.arange(7 * n) / 7), 1e-13)
+
+    def test_is_c2(self) -> None:
+        values = np.random.default_rng(1).normal(size=(5, 3))
+        velocity, acceleration = one_sided(periodic_spline(values, 1000), 1000)
+        close(jumps(velocity), 0, 1e-8)
+        close(jumps(acceleration), 0, 1e-4)
+        assert np.linalg.norm(acceleration, axis=-1).min() > 1
+
+    def test_laws(self) -> None:
+        rng = np.random.default_rng(2)
+        values, other, m = rng.normal(size=(6, 4)), rng.normal(size=(6, 4)), rng.normal(size=(4, 4))
+        curve = periodic_spline(values, 9)
+        close(curve[::9], values, 1e-15)
+        close(periodic_spline(values + 2 * other, 9), curve + 2 * periodic_spline(other, 9))
+        close(periodic_spline(values @ m, 9), curve @ m)
+        close(periodic_spline(np.roll(values, 1, axis=0), 9), np.roll(curve, 9, axis=0))
+        close(periodic_spline(np.ones((3, 1)), 4), np.ones((12, 1)), 1e-15)
+
+    def test_stacks(self) -> None:
+        values = np.random.default_rng(3).normal(size=(2, 3, 5, 4))
+        curves = periodic_spline(values, 4)
+        assert curves.shape == (2, 3, 20, 4)
+        close(curves[1, 2], periodic_spline(values[1, 2], 4), 1e-15)
+        assert periodic_spline(np.empty((0, 5, 4)), 4).shape == (0, 20, 4)
+        single = values.astype(np.float32)
+        assert periodic_spline(single, 4).dtype == np.float32
+        close(periodic_spline(single, 4), curves, 2e-6)
+
+    def test_turning_all_quaternions_turns_the_normalised_curve(self) -> None:
+        q, turn = random_units(5, 4), Quaternion(*np.split(random_units(4), [1]))
+        turned = turn * Quaternion(q[:, 0], q[:, 1:])
+        curve = periodic_spline(q, 6)
+        expected = turn.matrix() @ Quaternion(curve[:, 0], curve[:, 1:]).matrix()
+        found = periodic_spline(turned.components, 6)
+        close(Quaternion(found[:, 0], found[:, 1:]).matrix(), expected)
 
 
 class TestNearestRotation:

@@ -6,7 +6,7 @@ import { answer, difference, read } from "./cases.mjs";
 
 // Frames have six digits.
 const allowed = (value) => 2e-6 * Math.max(1, Math.abs(value));
-const KINDS = ["parts", "labels", "outputs", "charts"];
+const KINDS = ["parts", "labels", "grips", "outputs", "charts"];
 const { seed, figures } = await read("models");
 
 function compare(mine, python, before, where) {
@@ -16,7 +16,7 @@ function compare(mine, python, before, where) {
     const seen = place.hidden ? { hidden: true } : place;
     assert.equal(difference(seen, before.parts[name], allowed, `${where} ${name}`), "");
   }
-  for (const kind of ["labels", "charts"]) {
+  for (const kind of ["labels", "grips", "charts"]) {
     before[kind] = { ...before[kind], ...mine[kind] };
     assert.equal(difference(python[kind], before[kind], allowed, `${where} ${kind}`), "");
   }
@@ -50,7 +50,7 @@ for (const { spec, cases } of figures) {
   test(`${spec.model} repeats no colour and no text`, () => {
     let said = 0;
     for (const { inputs, message } of cases) {
-      const mine = answer(() => model(inputs, marked(spec.constants)));
+      const mine = answer(() => model(inputs, marked(spec.constants), Object.keys(inputs)));
       const outputs = Object.values(mine.value?.outputs ?? {});
       const told = texts(spec.constants).some((text) => message?.includes(text));
       const found = told ? [mine.message] : outputs.filter((value) => typeof value === "string");
@@ -68,7 +68,7 @@ for (const { spec, cases } of figures) {
     const shown = structuredClone(spec.frame);
     for (const { inputs, frame, error, message } of cases) {
       const where = `EXPLORE_SEED=${seed}: ${spec.name}(${JSON.stringify(inputs)})`;
-      const mine = answer(() => model(inputs, spec.constants));
+      const mine = answer(() => model(inputs, spec.constants, Object.keys(inputs)));
       assert.deepEqual([mine.error, mine.message], [error, message], where);
       if (error) continue;
       compare(mine.value, frame, shown, where);
@@ -79,7 +79,7 @@ for (const { spec, cases } of figures) {
       const seen = view && { eye: [0, 0, 0], target: pose.slice(0, 3), up: pose.slice(8, 11) };
       if (view) assert.equal(difference(seen, view, allowed, where), "");
       // What a model corrects, it shows as it shows what was given.
-      compare(model({ ...inputs, ...mine.value.inputs }, spec.constants), frame, shown, `${where}, corrected`);
+      compare(model({ ...inputs, ...mine.value.inputs }, spec.constants, []), frame, shown, `${where}, corrected`);
     }
   });
 }
@@ -88,7 +88,7 @@ test("a ring stays on the point that it holds", () => {
   const { spec } = figures.find(({ spec }) => spec.model === "controlPoints");
   const points = [[1, 0, 0], [0, 1, 0], [0.2, -0.5, 0.8]];
   const corrected = (one_circle) =>
-    models.controlPoints({ ...spec.start, points, one_circle }, spec.constants).inputs;
+    models.controlPoints({ ...spec.start, points, one_circle }, spec.constants, []).inputs;
   const length = Math.hypot(0.2, 0.5);
   const there = [...points.slice(0, 2), [0.2 / length, -0.5 / length, 0]];
   assert.equal(difference(corrected(true).points, there, allowed), "");

@@ -23,6 +23,7 @@ from rotedu.errors import DegenerateError
 from rotedu.figures import (
     Choice,
     Handles,
+    Poses,
     Slider,
     Switch,
     describe,
@@ -31,7 +32,7 @@ from rotedu.figures import (
     read_out,
 )
 from rotedu.figures.explorable import FRAMES, Exploration
-from rotedu.figures.frames import frame_of, only, place_part
+from rotedu.figures.frames import WHOLE, frame_of, only, place_part
 from rotedu.figures.panel import panel, path_of
 from rotedu.ordinary_rotation import rotate
 
@@ -54,6 +55,9 @@ def moved_input(rng: np.random.Generator, kind: Any, start: Any) -> Any:
         points = np.array(start)
         axes = rng.normal(size=points.shape)
         return rotate(points, axes, rng.uniform(0, 0.7, points.shape[:-1])).tolist()
+    if isinstance(kind, Poses):
+        poses = np.array(start) + rng.normal(scale=0.3, size=np.shape(start))
+        return (poses / np.linalg.norm(poses, axis=-1, keepdims=True)).tolist()
     if isinstance(kind, Switch):
         return bool(rng.integers(2))
     return str(rng.choice(kind.options))
@@ -118,7 +122,7 @@ def answered(figure: Exploration, inputs: dict[str, Any], places: Any) -> dict[s
     if isinstance(plotter, dict):
         return {"inputs": inputs} | plotter
     seen = plotter.shown
-    html = panel(figure.title, figure.inputs, inputs, seen.outputs, seen.charts)
+    html = panel(figure.title, figure.inputs, inputs, seen, {})
     return {"inputs": inputs, "frame": only(frame_of(plotter), places), "panel": html}
 
 
@@ -131,7 +135,7 @@ def test_models_and_panels_show_what_python_does() -> None:
         spec = figure.spec(plotter)
         parts = spec["frame"]["parts"].items()
         places = {("parts", part, key) for part, place in parts for key in place}
-        places |= {(kind, key) for kind in ("labels", "charts") for key in spec["frame"][kind]}
+        places |= {(kind, key) for kind in WHOLE for key in spec["frame"][kind]}
         changes = [{}, *SPECIAL.get(name, ()), *(moved(rng, figure) for _ in range(TRIES))]
         cases = [answered(figure, figure.values | change, places) for change in changes]
         assert sum("frame" in case for case in cases) >= 2
@@ -159,7 +163,7 @@ def test_a_figure_says_what_it_takes(name: str) -> None:
         assert control.get("aria-label") or panel.select(f"label[for={control['id']}]")
     for key, kind in figure.inputs.items():
         if isinstance(kind, Slider):
-            assert panel.select(f"input[type=range][name={key}]")
+            assert bool(panel.select(f"input[type=range][name={key}]")) == kind.row
         assert key in dir(figure)
     outputs = {output["name"] for output in panel.select("output")}
     assert outputs == set(plotter.shown.outputs)

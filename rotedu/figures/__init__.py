@@ -42,12 +42,13 @@ if it has textures, several views or lights that stay in place, for example.
 from rotedu.figures.announce import announce_backend
 from rotedu.figures.backend import describe
 from rotedu.figures.explorable import explorable, explore
-from rotedu.figures.frames import draw_chart, limit_turning, place_part, read_out
-from rotedu.figures.inputs import Choice, Handles, Slider, Switch
+from rotedu.figures.frames import draw_chart, limit_turning, place_grip, place_part, read_out
+from rotedu.figures.inputs import Choice, Handles, Poses, Slider, Switch
 
 __all__ = [
     "Choice",
     "Handles",
+    "Poses",
     "Slider",
     "Switch",
     "describe",
@@ -55,6 +56,7 @@ __all__ = [
     "explorable",
     "explore",
     "limit_turning",
+    "place_grip",
     "place_part",
     "read_out",
 ]

@@ -18,7 +18,7 @@ import numpy as np
 import pyvista
 
 from rotedu.figures.backend import book_figure, still_picture
-from rotedu.figures.frames import differences, frame_of, only, shown
+from rotedu.figures.frames import WHOLE, differences, frame_of, only, shown
 from rotedu.figures.inputs import Input, Slider
 from rotedu.figures.panel import panel
 
@@ -29,7 +29,10 @@ Function = TypeVar("Function", bound=Scene)
 
 
 def explorable(
-    model: str = "", constants: Mapping[str, Any] | None = None, **inputs: Input
+    model: str = "",
+    constants: Mapping[str, Any] | None = None,
+    tries: Mapping[str, Mapping[str, Any]] | None = None,
+    **inputs: Input,
 ) -> Callable[[Function], Function]:
     """Declare what the hand can change in the scene of a function.
 
@@ -41,6 +44,9 @@ def explorable(
     constants : mapping, optional
         Colours and texts that the model cannot know, as JSON holds them. The model gets them with
         the inputs.
+    tries : mapping, optional
+        What to try, in a few words each, and the values of the inputs that show it; all others are
+        as at the start.
     **inputs
         What can be changed: arguments of the function.
 
@@ -51,7 +57,9 @@ def explorable(
     """
 
     def declare(function: Function) -> Function:
-        vars(function).update(inputs=inputs, model=model, constants=constants or {})
+        vars(function).update(
+            inputs=inputs, model=model, constants=constants or {}, tries=tries or {}
+        )
         return function
 
     return declare
@@ -199,7 +207,7 @@ class Exploration:
             if key != "radius"
         }
         base = frame_of(plotter)
-        moving |= {(kind, name) for kind in ("labels", "charts") for name in base[kind]}
+        moving |= {(kind, name) for kind in WHOLE for name in base[kind]}
         count = FRAMES.get(len(self.inputs), 0)
         only_slides = count and all(kind.kind == "number" for kind in self.inputs.values())
         if not (self.model or only_slides):
@@ -237,7 +245,11 @@ class Exploration:
     def panel(self, plotter: pyvista.Plotter) -> str:
         """Write the controls, numbers and charts below the figure."""
         recorded = shown(plotter)
-        return panel(self.title, self.inputs, self.start, recorded.outputs, recorded.charts)
+        tries = {
+            words: {name: self.inputs[name].value(name, value) for name, value in values.items()}
+            for words, values in getattr(self.function, "tries", {}).items()
+        }
+        return panel(self.title, self.inputs, self.start, recorded, tries)
 
     def widget(self) -> Any:
         """Make the figure for a notebook, joined to the values of the inputs."""

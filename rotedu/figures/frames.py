@@ -6,6 +6,8 @@ names then differ by a *frame*, which the viewer applies to the first without dr
 - a ball is ``at`` a point, an arrow goes ``from`` one point ``to`` another, lines follow ``paths``,
   and any other part has a ``matrix`` or ``points``;
 - a part may have another ``color`` and may be ``hidden``; a label has a position, or none;
+- a grip says where an input can be grabbed: a number along a ``path``, or none for now, bodies of
+  a ``size`` ``at`` points;
 - an output is a number, a text or rows of numbers; a chart has a curve, or none for now,
   for each of its names.
 """
@@ -22,6 +24,8 @@ from rotedu.figures.gltf import part_names, surface_of
 
 # Digits after the point in frames: a thousandth of a pixel of the poster.
 DIGITS = 6
+# What a frame holds as a whole, not by property.
+WHOLE = ("labels", "grips", "charts")
 # What an output says that is false or true.
 LAMP = ("no", "yes")
 
@@ -35,6 +39,7 @@ class Output:
     digits: int = 2
     unit: str = ""
     loud: str = "no"
+    where: str = "panel"
 
 
 @dataclass(frozen=True)
@@ -57,6 +62,7 @@ class Shown:
 
     parts: dict[str, dict[str, Any]] = field(default_factory=dict)
     labels: dict[str, list[float] | None] = field(default_factory=dict)
+    grips: dict[str, dict[str, Any]] = field(default_factory=dict)
     outputs: dict[str, Output] = field(default_factory=dict)
     charts: dict[str, Chart] = field(default_factory=dict)
     swing: float = 0
@@ -111,6 +117,25 @@ def place_label(plotter: pyvista.Plotter, name: str, position: ArrayLike | None)
     return name
 
 
+def place_grip(plotter: pyvista.Plotter, name: str, **place: Any) -> None:
+    """Record where an input can be grabbed.
+
+    Parameters
+    ----------
+    plotter : pyvista.Plotter
+        The scene.
+    name : str
+        The input: a `Slider` or `Poses`.
+    **place
+        For a number its ``path``, shape (n, 3), along which it goes evenly from its lower to its
+        upper bound, or None while it cannot be grabbed. A path that ends where it begins has no
+        end. For bodies their ``size`` and where they are, ``at``, one point or several.
+    """
+    shown(plotter).grips[name] = {
+        key: None if value is None else np.asarray(value, float) for key, value in place.items()
+    }
+
+
 def read_out(
     plotter: pyvista.Plotter,
     name: str,
@@ -119,6 +144,7 @@ def read_out(
     digits: int = 2,
     unit: str = "",
     loud: str = "no",
+    where: str = "panel",
 ) -> None:
     """Show a number, a text or a matrix beside a scene.
 
@@ -138,12 +164,15 @@ def read_out(
         What follows the number, such as ``°``.
     loud : str
         The value that a reader should not miss; it is written in bold.
+    where : str
+        ``picture``: large, at the lower edge of the picture, for what matters; ``panel``: with the
+        controls; ``folded``: under *More numbers*.
     """
     if isinstance(value, (bool, np.bool_)):
         value = LAMP[bool(value)]
     elif not isinstance(value, str):
         value = np.asarray(value, float).tolist()
-    shown(plotter).outputs[name] = Output(value, label, digits, unit, loud)
+    shown(plotter).outputs[name] = Output(value, label, digits, unit, loud, where)
 
 
 def draw_chart(
@@ -204,13 +233,17 @@ def frame_of(plotter: pyvista.Plotter) -> dict[str, Any]:
     Returns
     -------
     dict
-        ``parts``, ``labels``, ``outputs`` and ``charts``, each by name.
+        ``parts``, ``labels``, ``grips``, ``outputs`` and ``charts``, each by name.
     """
     recorded = shown(plotter)
     parts = {name: _part(plotter, name, actor) for name, actor in part_names(plotter)}
     return {
         "parts": parts,
         "labels": {name: rounded(position) for name, position in recorded.labels.items()},
+        "grips": {
+            name: {key: rounded(value) for key, value in place.items()}
+            for name, place in recorded.grips.items()
+        },
         "outputs": {name: output.value for name, output in recorded.outputs.items()},
         "charts": {name: chart.curves for name, chart in recorded.charts.items()},
     }
@@ -249,7 +282,8 @@ def differences(base: dict[str, Any], frame: dict[str, Any]) -> set[tuple[str, .
     Returns
     -------
     set of tuple of str
-        ``("parts", name, property)``, ``("labels", name)`` or ``("charts", name)``.
+        ``("parts", name, property)``, ``("labels", name)``, ``("grips", name)`` or
+        ``("charts", name)``.
 
     Raises
     ------
@@ -275,7 +309,7 @@ def differences(base: dict[str, Any], frame: dict[str, Any]) -> set[tuple[str, .
             for key, value in part.items()
             if not _equal(value, before.get(key))
         }
-    for kind in ("labels", "charts"):
+    for kind in WHOLE:
         found |= {(kind, name) for name in frame[kind] if frame[kind][name] != base[kind][name]}
     return found
 
@@ -286,7 +320,7 @@ def _equal(value: Any, other: Any) -> bool:
 
 def only(frame: dict[str, Any], varying: set[tuple[str, ...]]) -> dict[str, Any]:
     """Keep of a frame what varies, and all outputs; the result holds no arrays."""
-    kept: dict[str, Any] = {"parts": {}, "labels": {}, "outputs": frame["outputs"], "charts": {}}
+    kept: dict[str, Any] = {"parts": {}, "outputs": frame["outputs"]} | {kind: {} for kind in WHOLE}
     for kind, name, *keys in sorted(varying):
         if kind == "parts":
             for key in keys:

@@ -1,4 +1,4 @@
-"""What the hand can change in a figure: numbers, points, switches and choices.
+"""What the hand can change in a figure: numbers, points, orientations, switches and choices.
 
 Each kind checks the values that enter, describes itself to the viewer and writes its controls.
 """
@@ -11,6 +11,45 @@ from typing import Any
 import numpy as np
 
 SAME = 1e-12
+
+
+def unit_vectors(
+    name: str,
+    given: Any,
+    size: int,
+    names: str | Sequence[str],
+    least: int,
+    most: int,
+    length: float = 1.0,
+) -> list[Any]:
+    """Check one vector, shape (size,), or several, shape (n, size), and scale them to a length."""
+    vectors = np.asarray(given, float)
+    several = not isinstance(names, str)
+    least, most = least or len(names), most or len(names)
+    if vectors.shape[-1:] != (size,) or vectors.ndim != 1 + several:
+        shape = f"(n, {size})" if several else f"({size},)"
+        raise ValueError(f"{name}: expected shape {shape}, got {vectors.shape}")
+    what = "points" if size == 3 else "quaternions"
+    if several and not least <= len(vectors) <= most:
+        raise ValueError(f"{name}: expected {least} to {most} {what}, got {len(vectors)}")
+    lengths = np.linalg.norm(vectors, axis=-1, keepdims=True)
+    if not (np.isfinite(lengths) & (lengths > 0)).all():
+        origin = "the origin" if size == 3 else "0"
+        raise ValueError(f"{name}: expected finite {what} other than {origin}, got {given}")
+    # What has the length already stays exactly as it is.
+    wanted = np.where(abs(lengths - length) < SAME, lengths, length or lengths)
+    scaled: list[Any] = (vectors * (wanted / lengths)).tolist()
+    return scaled
+
+
+def add_and_remove(name: str, what: str) -> str:
+    """Write the buttons that change the number of points or bodies."""
+    buttons = "".join(
+        f'<button type="button" data-action="{action}" data-input="{name}">'
+        f"{action.title()} a {what}</button>"
+        for action in ("add", "remove")
+    )
+    return f'<div class="explorable-buttons">{buttons}</div>'
 
 
 @dataclass(frozen=True)
@@ -30,9 +69,9 @@ class Slider:
     plays : float
         Seconds that the button *Play* takes from `low` to `high`, where it starts over; 0 means no
         buttons.
-    grip : float
-        The number is also an angle in degrees from the x axis of the scene to its y axis: a handle
-        on the circle of this radius about the z axis can be dragged; 0 means no handle.
+    row : bool
+        Whether the slider is shown. Without a row the number is changed where `place_grip` says,
+        in a chart, or by a link to a state.
     """
 
     low: float
@@ -41,7 +80,7 @@ class Slider:
     step: float = 0
     stride: float = 0
     plays: float = 0
-    grip: float = 0
+    row: bool = True
 
     kind = "number"
 
@@ -61,11 +100,13 @@ class Slider:
             "step": self.step or width / 200,
             "stride": self.stride or width / 8,
             "plays": self.plays,
-            "grip": self.grip,
+            "label": self.label,
         }
 
     def controls(self, name: str, start: float) -> str:
         """Write a slider, the same number to type, and buttons if it plays."""
+        if not self.row:
+            return ""
         spec = self.spec()
         bounds = f'min="{self.low:g}" max="{self.high:g}" step="{spec["step"]:g}"'
         label = escape(self.label or name)
@@ -109,21 +150,7 @@ class Handles:
 
     def value(self, name: str, given: Any) -> list[Any]:
         """Check one point, shape (3,), or several, shape (n, 3)."""
-        points = np.asarray(given, float)
-        several = not isinstance(self.names, str)
-        least, most = (self.least or len(self.names), self.most or len(self.names))
-        if points.shape[-1:] != (3,) or points.ndim != 1 + several:
-            shape = "(n, 3)" if several else "(3,)"
-            raise ValueError(f"{name}: expected shape {shape}, got {points.shape}")
-        if several and not least <= len(points) <= most:
-            raise ValueError(f"{name}: expected {least} to {most} points, got {len(points)}")
-        lengths = np.linalg.norm(points, axis=-1, keepdims=True)
-        if not (np.isfinite(lengths) & (lengths > 0)).all():
-            raise ValueError(f"{name}: expected finite points other than the origin, got {given}")
-        # What has the length already stays exactly as it is.
-        wanted = np.where(abs(lengths - self.length) < SAME, lengths, self.length or lengths)
-        scaled: list[Any] = (points * (wanted / lengths)).tolist()
-        return scaled
+        return unit_vectors(name, given, 3, self.names, self.least, self.most, self.length)
 
     def spec(self) -> dict[str, Any]:
         """Describe the handles to the viewer."""
@@ -137,14 +164,42 @@ class Handles:
 
     def controls(self, name: str, start: Any) -> str:
         """Write the buttons that add and remove a point, if their number may change."""
-        if not self.most:
-            return ""
-        return (
-            '<div class="explorable-buttons">'
-            f'<button type="button" data-action="add" data-input="{name}">Add a point</button>'
-            f'<button type="button" data-action="remove" data-input="{name}">Remove a point'
-            "</button></div>"
-        )
+        return add_and_remove(name, "point") if self.most else ""
+
+
+@dataclass(frozen=True)
+class Poses:
+    """An orientation, or several, of bodies that are grabbed and turned.
+
+    A value is a unit quaternion, scalar first. The hand changes it continuously, so a whole turn
+    leads from a quaternion to its opposite. `place_grip` says where the bodies are.
+
+    Parameters
+    ----------
+    names : str or sequence of str
+        Name of the body, or of each body, for those who cannot see it.
+    least, most : int
+        How many bodies there may be; 0 means as many as at the start. The buttons *Add* and
+        *Remove* change the last one.
+    """
+
+    names: str | Sequence[str]
+    least: int = 0
+    most: int = 0
+
+    kind = "poses"
+
+    def value(self, name: str, given: Any) -> list[Any]:
+        """Check one unit quaternion, shape (4,), or several, shape (n, 4)."""
+        return unit_vectors(name, given, 4, self.names, self.least, self.most)
+
+    def spec(self) -> dict[str, Any]:
+        """Describe the bodies to the viewer."""
+        return {"names": self.names, "least": self.least, "most": self.most}
+
+    def controls(self, name: str, start: Any) -> str:
+        """Write the buttons that add and remove a body, if their number may change."""
+        return add_and_remove(name, "pose") if self.most else ""
 
 
 @dataclass(frozen=True)
@@ -220,4 +275,4 @@ class Choice:
         )
 
 
-Input = Slider | Handles | Switch | Choice
+Input = Slider | Handles | Poses | Switch | Choice

@@ -7,11 +7,12 @@ import itertools
 from collections.abc import Iterable, Mapping
 from html import escape
 from typing import Any
+from urllib.parse import urlencode
 
 import numpy as np
 from numpy.typing import NDArray
 
-from rotedu.figures.frames import Chart, Output
+from rotedu.figures.frames import Chart, Output, Shown
 from rotedu.figures.inputs import Input
 
 WIDTH, HEIGHT = 320, 96
@@ -23,8 +24,8 @@ def panel(
     name: str,
     inputs: Mapping[str, Input],
     start: Mapping[str, Any],
-    outputs: Mapping[str, Output],
-    charts: Mapping[str, Chart],
+    seen: Shown,
+    tries: Mapping[str, Mapping[str, Any]],
 ) -> str:
     """Write the panel of a figure, switched off until the figure is live.
 
@@ -34,8 +35,10 @@ def panel(
         Name of the figure.
     inputs, start : mapping
         What the hand can change, and its values at the start.
-    outputs, charts : mapping
-        What is shown, with its values at the start.
+    seen : Shown
+        What is shown: outputs and charts, with their values at the start.
+    tries : mapping
+        What to try, and the inputs that show it.
 
     Returns
     -------
@@ -43,20 +46,46 @@ def panel(
         HTML.
     """
     controls = "".join(kind.controls(key, start[key]) for key, kind in inputs.items())
-    rows = "".join(_output(key, output) for key, output in outputs.items())
-    drawn = "".join(_chart(key, chart, start) for key, chart in charts.items())
+    rows = {where: "" for where in ("picture", "panel", "folded")}
+    for key, output in seen.outputs.items():
+        rows[output.where] += _output(key, output)
+    drawn = "".join(_chart(key, chart, start) for key, chart in seen.charts.items())
+    chips = "".join(
+        f'<a class="try" href="#explore-{name}?{escape(address(values))}">{escape(words)}</a>'
+        for words, values in tries.items()
+    )
+    more = '<details class="explorable-more"><summary>More numbers</summary>{}</details>'
     return (
         '<p class="explorable-status" role="status"></p>'
         '<form class="explorable-panel" autocomplete="off"><fieldset disabled>'
         f'<legend class="explorable-legend">Controls of the figure</legend>'
+        f"{_box('numbers', rows['picture'])}{_box('tries', chips and f'<span>Try</span>{chips}')}"
         f'<div class="explorable-controls">{controls.replace("{id}", name)}</div>'
-        f'<div class="explorable-outputs">{rows}</div>'
+        f"{_box('outputs', rows['panel'])}"
         f'<div class="explorable-charts">{drawn}</div>'
+        f"{more.format(_box('outputs', rows['folded'])) if rows['folded'] else ''}"
         '<div class="explorable-buttons explorable-whole">'
         '<button type="button" data-action="reset">Reset</button>'
         '<button type="button" data-action="link">Link to this state</button></div>'
         "</fieldset></form>"
     )
+
+
+def address(values: Mapping[str, Any]) -> str:
+    """Write values of inputs as the viewer does for the address of a page."""
+
+    def text(value: Any) -> str:
+        if isinstance(value, list):
+            return (" " if isinstance(value[0], list) else ",").join(map(text, value))
+        if isinstance(value, bool):
+            return str(value).lower()
+        return value if isinstance(value, str) else f"{round(value, 5) + 0.0:.10g}"
+
+    return urlencode({name: text(value) for name, value in values.items()})
+
+
+def _box(kind: str, content: str) -> str:
+    return f'<div class="explorable-{kind}">{content}</div>' if content else ""
 
 
 def text_of(output: Output) -> str:

@@ -1,5 +1,5 @@
 /* Models of `rotedu.scenes.quaternions`. */
-import { DEGREES, ORIGIN, columns, spread } from "./parts.js";
+import { DEGREES, ORIGIN, columns, spread, turning } from "./parts.js";
 import { combine, quaternionProduct, rotate, rotationMatrix, transpose } from "./sphere.js";
 
 const W = [0, 0, 1];
@@ -60,6 +60,7 @@ export function twoMirrors({ first, second, both, letter }, { lamp }) {
   return {
     parts,
     labels,
+    grips: { letter: { path: turning(out(-180, 1.05), W, 2 * Math.PI, 48) } },
     outputs: {
       between,
       turned: 2 * between,

@@ -6,7 +6,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from rotedu.colors import AXIS, CROSS, NEUTRAL, RESULT, VECTOR
 from rotedu.figures import Slider, describe, explorable, read_out
-from rotedu.figures.frames import LAMP, place_part
+from rotedu.figures.frames import LAMP, place_grip, place_part
 from rotedu.general_rotation import homogeneous
 from rotedu.ordinary_rotation import rotate, rotation_matrix
 from rotedu.quaternions import Quaternion
@@ -64,7 +64,7 @@ def letter_f(size: float = 0.5, thickness: float = 0.07, border: float = 0.0) ->
     second=Slider(0, 180, "mirror 2, °", step=1),
     # At these strides no letter lies on another, nor in a mirror.
     both=Slider(0, 360, "turn both by, °", step=1, stride=60, plays=12),
-    letter=Slider(-180, 180, "blue letter, °", step=1, grip=1.05),
+    letter=Slider(-180, 180, "blue letter, °", step=1),
 )
 def two_mirrors_by_hand(
     first: float = 0, second: float = 60, both: float = 0, letter: float = -30
@@ -100,8 +100,10 @@ def two_mirrors_by_hand(
     plotter = new_scene(eye=(-3.6, -2.1, 6.1), target=(0, 0, 0.05), view_angle=25)
     add_arrow(plotter, -0.15 * W, 0.5 * W, AXIS)
     add_label(plotter, -0.42 * W, r"$\hat n$", AXIS)
-    ring = add_line(plotter, turning(out(0, 1.05), W, 2 * np.pi), NEUTRAL, 0.004, name="ring")
+    circle = turning(out(-180, 1.05), W, 2 * np.pi)
+    ring = add_line(plotter, circle, NEUTRAL, 0.004, name="ring")
     ring.prop.opacity = 0.4
+    place_grip(plotter, "letter", path=circle)
     # The second mirror is longer: both show where they coincide.
     for angle, m, k, size in zip(angles, (m1, m2), (1, 2), (1.4, 1.65), strict=True):
         foot, top = out(angle, size), 0.3 * W

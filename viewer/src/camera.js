@@ -1,5 +1,5 @@
 /* The geometry of the camera: what it sees of a scene, and which way is right and up. */
-import { Vector3 } from "three";
+import { Quaternion, Vector3 } from "three";
 
 const DEGREES = 180 / Math.PI;
 // How far a turned scene may reach: labels need some room at the border.
@@ -100,4 +100,19 @@ export function widened(angle, now, atRest) {
 export function turned(point, [right, up], [x, y], angle) {
   const axis = new Vector3(...up).multiplyScalar(x).addScaledVector(new Vector3(...right), -y);
   return new Vector3(...point).applyAxisAngle(axis, angle).toArray();
+}
+
+/**
+ * Turn a body as the camera sees it.
+ * @param {number[]} pose a unit quaternion, scalar first
+ * @param {number[][]} axes of the camera: right, up, back
+ * @param {number[]} turn axis times angle along these axes
+ */
+export function spun([w, x, y, z], axes, turn) {
+  const axis = new Vector3();
+  axes.forEach((direction, i) => axis.addScaledVector(new Vector3(...direction), turn[i]));
+  const angle = axis.length();
+  const by = new Quaternion().setFromAxisAngle(axis.normalize(), angle);
+  const now = by.multiply(new Quaternion(x, y, z, w)).normalize();
+  return [now.w, now.x, now.y, now.z];
 }

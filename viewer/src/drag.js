@@ -1,4 +1,7 @@
-/* The geometry of dragging a point over a sphere about the origin, or over the plane of x and y. */
+/*
+ * The geometry of dragging: a point over a sphere about the origin, a number along a path, a body
+ * about its middle.
+ */
 
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 
@@ -25,12 +28,61 @@ export function alongSphere(eye, direction, radius) {
   return along(towards.map((x) => radius * cosine * x), out, across);
 }
 
+/** Whether a path ends where it begins. */
+export function isClosed(path) {
+  const last = path.at(-1);
+  return Math.hypot(...path[0].map((x, i) => x - last[i])) < 1e-4;
+}
+
+/** The point of a path at a share of its steps. */
+export function pointOf(path, share) {
+  const at = Math.min(1, Math.max(0, share)) * (path.length - 1);
+  const i = Math.min(path.length - 2, Math.floor(at));
+  return path[i].map((x, k) => x + (at - i) * (path[i + 1][k] - x));
+}
+
 /**
- * Where a line of sight meets the plane of x and y; above its horizon, the direction of sight.
- * @param {number[]} eye
- * @param {number[]} direction
+ * Where a path in the picture comes nearest to a place, as a share of its steps.
+ * @param {number[][]} path of pixels
+ * @param {number[]} place
+ * @param {number} [about] a share from which the path is searched for `reach` to both sides; round and
+ *   round if it is closed, so that the answer may lie beyond 0 and 1
  */
-export function alongPlane(eye, direction) {
-  const way = -eye[2] / direction[2];
-  return way > 0 ? along(eye, way, direction) : direction;
+export function nearest(path, [x, y], about = 0.5, reach = 0.5, closed = false) {
+  const steps = path.length - 1;
+  const first = Math.floor((about - reach) * steps);
+  const last = Math.ceil((about + reach) * steps);
+  let best = { distance: Infinity };
+  for (let i = first; i < last; i++) {
+    if (!closed && (i < 0 || i >= steps)) continue;
+    const from = ((i % steps) + steps) % steps;
+    const [ax, ay] = path[from];
+    const [dx, dy] = path[from + 1].map((value, k) => value - path[from][k]);
+    const square = dx * dx + dy * dy;
+    const t = square && Math.min(1, Math.max(0, ((x - ax) * dx + (y - ay) * dy) / square));
+    const distance = Math.hypot(ax + t * dx - x, ay + t * dy - y);
+    if (distance < best.distance) best = { distance, share: (i + t) / steps };
+  }
+  return best;
+}
+
+/**
+ * The turn of a ball under a finger, as axis times angle: to the right, up, and towards the eye.
+ * @param {number[]} from a place of the finger, in radii from the middle of the ball, right and up
+ * @param {number[]} to the next place
+ */
+export function rolling(from, to) {
+  const [a, b] = [from, to].map(onBall);
+  const axis = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+  const sine = Math.hypot(...axis);
+  const angle = Math.atan2(sine, dot(a, b));
+  return axis.map((x) => (sine ? (x * angle) / sine : 0));
+}
+
+/** A point of the ball of radius 1 or, farther out, of the slope around it. */
+function onBall([x, y]) {
+  const square = x * x + y * y;
+  const z = square < 0.5 ? Math.sqrt(1 - square) : 0.5 / Math.sqrt(square);
+  const length = Math.hypot(x, y, z);
+  return [x, y, z].map((value) => value / length);
 }

@@ -6,6 +6,7 @@
 import { addHandles } from "./handles.js";
 import { fromText, toText } from "./link.js";
 import { bindPanel } from "./panel.js";
+import { trails } from "./trails.js";
 
 // Frames are stored with six digits.
 const ROUNDING = 2e-6;
@@ -30,6 +31,8 @@ export function explore(element, live, data, models, python) {
   const status = element.querySelector(".explorable-status");
   let inputs = structuredClone({ ...data.start, ...python?.values });
   if (data.frames) inputs = stored(data, inputs);
+  const ways = trails();
+  let held = false;
   let asked = null;
   let refused = "";
   let timer;
@@ -43,6 +46,7 @@ export function explore(element, live, data, models, python) {
     clearTimeout(timer);
     timer = setTimeout(() => write(text()), QUIET);
   };
+  const marks = ({ trails: places = {} }) => (held ? ways.follow(places) : ways.clear());
   /** Show a frame everywhere; a refusal keeps the last picture, pale. */
   const show = (frame) => {
     refused = frame.refused ?? "";
@@ -51,10 +55,10 @@ export function explore(element, live, data, models, python) {
     scene.toggleAttribute("data-refused", Boolean(refused));
     if (refused) hint?.remove();
     // The scene has come as it is at the start.
-    else if (frame !== data.frame) live.apply(frame);
+    else if (frame !== data.frame) live.apply({ ...frame, parts: { ...frame.parts, ...marks(frame) } });
     panel.show(inputs, frame);
     if (refused) panel.withhold();
-    handles.update();
+    handles.update(frame.grips);
     const { outputs = { refused } } = frame;
     element.dataset.values = JSON.stringify({ ...inputs, ...outputs });
   };
@@ -75,7 +79,7 @@ export function explore(element, live, data, models, python) {
     if (data.frames) inputs = stored(data, inputs);
     if (!model) return python ? ask() : show(storedFrame(data, inputs));
     try {
-      show(model(inputs, data.constants));
+      show(model(inputs, data.constants, Object.keys(changes)));
     } catch (error) {
       if (error.name !== "DegenerateError") throw error;
       show({ refused: error.message });
@@ -84,14 +88,28 @@ export function explore(element, live, data, models, python) {
   /** What the hand does, unlike what Python sets, is told to Python. */
   const change = (changes, spoken) => {
     hint?.remove();
+    held = true;
     set(changes);
+    held = false;
     python?.tell(inputs);
     if (!refused && spoken) say(spoken);
   };
+  /** Go to a state as a whole, by no way. */
+  const jump = (values, spoken) => {
+    hint?.remove();
+    set({ ...data.start, ...values });
+    python?.tell(inputs);
+    if (!refused) say(spoken);
+  };
   const reset = () => {
-    change(data.start);
+    jump({}, () => "Reset");
     live.reset();
-    say(() => "Reset");
+  };
+  /** Go where a link of the figure leads; in a page, its address says so. */
+  const follow = ({ hash, textContent: words }) => {
+    const wanted = fromText(hash, data);
+    if (!python) history.pushState(null, "", hash);
+    jump(wanted, () => words);
   };
   const link = () => {
     hint?.remove();
@@ -101,8 +119,8 @@ export function explore(element, live, data, models, python) {
   };
 
   const handles = addHandles(scene, live, data.inputs, () => inputs, change);
-  const panel = bindPanel(element, data.inputs, () => inputs, { change, reset, link });
-  const follow = () => {
+  const panel = bindPanel(element, data.inputs, () => inputs, { change, reset, link, follow });
+  const arrive = () => {
     const wanted = fromText(location.hash, data);
     if (wanted) set({ ...data.start, ...wanted });
   };
@@ -111,8 +129,8 @@ export function explore(element, live, data, models, python) {
   // In a page, Python runs beside the figure.
   element.addEventListener("rotedu:set", ({ detail }) => set(detail));
   if (!python) {
-    follow();
-    addEventListener("hashchange", follow);
+    arrive();
+    addEventListener("hashchange", arrive);
   }
   return { set, receive };
 }
@@ -124,8 +142,8 @@ function reproduces(model, { name, model: called, constants, start, frame }) {
     return false;
   };
   if (!model) return complain("is missing");
-  const mine = model(structuredClone(start), constants);
-  for (const kind of ["parts", "labels", "outputs", "charts"]) {
+  const mine = model(structuredClone(start), constants, Object.keys(start));
+  for (const kind of ["parts", "labels", "grips", "outputs", "charts"]) {
     for (const [key, value] of Object.entries(mine[kind] ?? {})) {
       if (!agree(value, frame[kind][key])) return complain(`differs from Python in ${key}`);
     }

@@ -1,15 +1,34 @@
 /*
- * Points that can be dragged over a sphere about the origin. Each has a button over the picture,
- * for mouse, finger and keys alike. An angle with a grip can be dragged round a circle, too; for keys
- * it has its slider.
+ * What can be grabbed in a picture, by mouse, finger and keys alike: points that are dragged over a
+ * sphere about the origin, numbers along paths, and bodies that are turned. Each has a button over the
+ * picture; a path can be grabbed anywhere.
  */
-import { alongPlane, alongSphere } from "./drag.js";
+import { alongSphere, isClosed, nearest, pointOf, rolling } from "./drag.js";
 
-const HINT = "Drag a ring to move its point";
-const DEGREES = 180 / Math.PI;
+const HINTS = {
+  points: "Drag a ring to move its point",
+  number: "Drag a ring along its path",
+  poses: "Drag a body to turn it",
+};
 const STEP = Math.PI / 90;
 const STEPS = { Shift: 5, Alt: 0.1 };
 const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+// Turns of a body: about the axis to the right, the one that points up, the line of sight.
+const TURNS = {
+  ArrowLeft: [0, -1, 0],
+  ArrowRight: [0, 1, 0],
+  ArrowUp: [-1, 0, 0],
+  ArrowDown: [1, 0, 0],
+  ",": [0, 0, 1],
+  ".": [0, 0, -1],
+};
+// A body turns by more at once than a point moves.
+const TURN = 2.5 * STEP;
+// Beyond the rim by no more than rounding, a point has not gone to the far side.
+const RIM = -1e-3;
+// How much of a path is searched to both sides of a finger: it can jump, but not to the next turn.
+const REACH = 0.2;
+const SVG = "http://www.w3.org/2000/svg";
 
 /**
  * @param {HTMLElement} scene
@@ -18,81 +37,222 @@ const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowD
  * @param {function} now returns the present inputs
  * @param {function} change takes changed inputs and a function that says for those who cannot see
  *   them what has come of it
+ * @returns {{update: function}} takes the grips of a frame, by input
  */
 export function addHandles(scene, live, specs, now, change) {
   const layer = document.createElement("div");
   layer.className = "scene-handles";
   live.canvas.after(layer);
-  const groups = Object.entries(specs)
-    .filter(([, { kind }]) => kind === "points")
-    .map(([name, spec]) => ({ name, spec, handles: [] }));
+  let grips = {};
+  let made = [];
 
-  const hint = scene.querySelector(".scene-hint");
-  const grips = Object.entries(specs)
-    .filter(([, { grip }]) => grip)
-    .map(([name, { grip, step }]) => {
-      const at = () => [Math.cos(now()[name] / DEGREES), Math.sin(now()[name] / DEGREES), 0];
-      const point = () => scaled(at(), grip);
-      const put = ([x, y]) => change({ [name]: step * Math.round((Math.atan2(y, x) * DEGREES) / step) });
-      const handle = createHandle(layer);
-      handle.tabIndex = -1;
-      handle.setAttribute("aria-hidden", "true");
-      drag(handle, layer, live, point, put, alongPlane);
-      return () => cover(handle, live, point(), true);
-    });
-  if ((groups.length || grips.length) && hint) hint.textContent = HINT;
-
-  /** The points of an input as a list, also if it is only one. */
-  const listed = (value) => (Array.isArray(value[0]) ? value : [value]);
-  const coverAll = () => {
-    for (const { name, spec, handles } of groups) {
-      listed(now()[name]).forEach((point, i) => cover(handles[i], live, scaled(point, spec.reach)));
-    }
-    for (const coverGrip of grips) coverGrip();
+  const groups = Object.entries(specs).map(([name, spec]) => ({ name, spec, handles: [] }));
+  const begin = { points: addPoint, poses: addBody, number: addPath };
+  const context = { layer, live, now, change, grips: () => grips };
+  const count = ({ name, spec }) => {
+    if (spec.kind === "points") return listed(now()[name]).length;
+    if (spec.kind === "poses") return grips[name] ? listed(now()[name]).length : 0;
+    return spec.kind === "number" && grips[name] ? 1 : 0;
   };
-
-  const make = ({ name, spec, handles }, i) => {
-    const handle = createHandle(layer);
-    handle.dataset.handle = Array.isArray(spec.names) ? `${name}-${i}` : name;
-    handle.setAttribute("aria-roledescription", "point");
-    const point = () => scaled(listed(now()[name])[i], spec.reach);
-    const put = (moved, spoken) => {
-      const old = now()[name];
-      const value = scaled(moved, 1 / spec.reach);
-      const all = Array.isArray(old[0]) ? old.with(i, value) : value;
-      change({ [name]: all }, spoken && (() => label(spec, i, listed(now()[name])[i])));
-    };
-    drag(handle, layer, live, point, put, alongSphere);
-    handle.addEventListener("keydown", (event) => {
-      const arrow = ARROWS[event.key];
-      if (!arrow || event.ctrlKey || event.metaKey) return;
-      event.preventDefault();
-      event.stopPropagation();
-      const size = (event.shiftKey ? STEPS.Shift : 1) * (event.altKey ? STEPS.Alt : 1);
-      put(live.turned(point(), arrow, STEP * size), true);
-    });
-    handles[i] = handle;
-  };
-
-  const update = () => {
+  const update = (changed = {}) => {
+    grips = { ...grips, ...changed };
     for (const group of groups) {
-      const points = listed(now()[group.name]);
-      for (let i = group.handles.length; i < points.length; i++) make(group, i);
-      for (const extra of group.handles.splice(points.length)) extra.remove();
-      points.forEach((point, i) => {
-        group.handles[i].setAttribute("aria-label", label(group.spec, i, point));
-      });
+      const { spec, handles } = group;
+      const wanted = count(group);
+      for (let i = handles.length; i < wanted; i++) handles[i] = begin[spec.kind](context, group, i);
+      for (const { remove } of handles.splice(wanted)) remove();
     }
+    made = groups.flatMap(({ handles }) => handles);
+    for (const { name } of made) name();
     coverAll();
+    sayHow();
+  };
+  const coverAll = () => made.forEach(({ cover }) => cover());
+  const hint = scene.querySelector(".scene-hint");
+  const sayHow = () => {
+    const kind = Object.keys(HINTS).find((kind) =>
+      groups.some(({ spec, handles }) => spec.kind === kind && handles.length),
+    );
+    if (kind && hint) hint.textContent = HINTS[kind];
   };
   live.onDraw(coverAll);
   return { update };
 }
 
-function createHandle(layer) {
+/** The values of an input as a list, also if it is only one. */
+const listed = (value) => (Array.isArray(value[0]) ? value : [value]);
+
+/** An input with another value in one place. */
+const replaced = (old, i, value) => (Array.isArray(old[0]) ? old.with(i, value) : value);
+
+/** A point of a sphere. */
+function addPoint({ layer, live, now, change }, { name, spec }, i) {
+  const handle = createHandle(layer, Array.isArray(spec.names) ? `${name}-${i}` : name, "point");
+  const value = () => listed(now()[name])[i];
+  const point = () => scaled(value(), spec.reach);
+  const said = () => label(spec, i, value());
+  const put = (moved, spoken) =>
+    change({ [name]: replaced(now()[name], i, scaled(moved, 1 / spec.reach)) }, spoken && said);
+  const grabbed = drag(handle, layer, {
+    grab(place) {
+      const { left, top } = live.project(point());
+      // The point keeps its distance from the finger.
+      return { shift: [left - place.share[0], top - place.share[1]], radius: Math.hypot(...point()) };
+    },
+    move({ shift, radius }, { share }) {
+      const { eye, direction } = live.sight(share[0] + shift[0], share[1] + shift[1]);
+      put(alongSphere(eye, direction, radius), false);
+    },
+    drop: () => put(point(), true),
+  });
+  keys(handle, ARROWS, (arrow, size) => put(live.turned(point(), arrow, STEP * size), true));
+  return {
+    name: () => handle.setAttribute("aria-label", said()),
+    cover() {
+      const { left, top, riding } = live.project(point());
+      put2d(handle, left, top);
+      const eye = live.eye();
+      const facing = point().reduce((sum, x, k) => sum + x * (eye[k] - x), 0);
+      // A point on the far side cannot be caught, but the one that is held stays in hand.
+      handle.toggleAttribute("data-behind", facing < RIM && !grabbed());
+      handle.hidden = riding;
+    },
+    remove: () => handle.remove(),
+  };
+}
+
+/** A body. */
+function addBody({ layer, live, now, change, grips }, { name, spec }, i) {
+  const handle = createHandle(layer, Array.isArray(spec.names) ? `${name}-${i}` : name, "body");
+  handle.classList.add("scene-body");
+  layer.prepend(handle);
+  const value = () => listed(now()[name])[i];
+  const said = () => label(spec, i, value());
+  const turn = (by, spoken) =>
+    change({ [name]: replaced(now()[name], i, live.spun(value(), by)) }, spoken && said);
+  /** The middle of the body and its size in the picture. */
+  const disc = () => {
+    const { at, size } = grips()[name];
+    const middle = listed(at)[i];
+    const [right] = live.axes();
+    const { left, top, riding } = live.project(middle);
+    const rim = live.project(middle.map((x, k) => x + size * right[k]));
+    return { left, top, riding, width: Math.hypot(rim.left - left, 0) };
+  };
+  /** A place in radii from the middle of the body. */
+  const within = ({ share, aspect }) => {
+    const { left, top, width } = disc();
+    return [(share[0] - left) / width, (top - share[1]) / (width * aspect)];
+  };
+  drag(handle, layer, {
+    grab: (place) => ({ last: within(place) }),
+    move(grip, place) {
+      const here = within(place);
+      const by = rolling(grip.last, here);
+      grip.last = here;
+      turn(by, false);
+    },
+    drop: () => turn([0, 0, 0], true),
+  });
+  keys(handle, TURNS, (axis, size) => turn(axis.map((x) => x * TURN * size), true));
+  return {
+    name: () => handle.setAttribute("aria-label", said()),
+    cover() {
+      const { left, top, riding, width } = disc();
+      put2d(handle, left, top);
+      handle.style.width = `${200 * width}%`;
+      handle.hidden = riding;
+    },
+    remove: () => handle.remove(),
+  };
+}
+
+/** A number along a path. */
+function addPath({ layer, live, now, change, grips }, { name, spec }) {
+  const { low, high, step } = spec;
+  const handle = createHandle(layer, name, "");
+  handle.setAttribute("role", "slider");
+  handle.setAttribute("aria-label", spec.label || name);
+  handle.setAttribute("aria-valuemin", low);
+  handle.setAttribute("aria-valuemax", high);
+  const svg = document.createElementNS(SVG, "svg");
+  const line = document.createElementNS(SVG, "path");
+  line.setAttribute("class", "scene-path");
+  svg.setAttribute("viewBox", "0 0 100 100");
+  svg.setAttribute("preserveAspectRatio", "none");
+  svg.setAttribute("aria-hidden", "true");
+  svg.append(line);
+  layer.querySelector(".scene-handle:not(.scene-body)").before(svg);
+
+  const path = () => grips()[name].path;
+  const share = () => (now()[name] - low) / (high - low);
+  const said = () => `${spec.label || name}: ${Number(now()[name].toFixed(5))}`;
+  const put = (number, spoken) => {
+    const beyond = number < low || number > high;
+    const lap = high - low;
+    const within = beyond && isClosed(path()) ? number - lap * Math.floor((number - low) / lap) : number;
+    const whole = low + step * Math.round((within - low) / step);
+    change({ [name]: Math.min(high, Math.max(low, whole)) }, spoken && said);
+  };
+  /** The path in the picture, in units of its width. */
+  const flat = (aspect) =>
+    path().map((point) => {
+      const { left, top } = live.project(point);
+      return [left, top / aspect];
+    });
+  const spot = ({ share, aspect }) => [share[0], share[1] / aspect];
+  const hands = {
+    grab(place) {
+      const found = nearest(flat(place.aspect), spot(place)).share;
+      // The value keeps its distance from the finger along the path.
+      return { at: found, value: share() - found };
+    },
+    move(grip, place) {
+      const closed = isClosed(path());
+      grip.at = nearest(flat(place.aspect), spot(place), grip.at, REACH, closed).share;
+      put(low + (grip.at + grip.value) * (high - low), false);
+    },
+    drop: () => put(now()[name], true),
+  };
+  drag(handle, layer, {
+    ...hands,
+    // The path may cross itself, but the ring is in one place.
+    grab: (place) => ({ at: nearest(flat(place.aspect), spot(place), share(), 0.05).share ?? share(), value: 0 }),
+  });
+  drag(line, layer, { ...hands, focus: handle });
+  const steps = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1 };
+  keys(handle, steps, (way, size) => put(now()[name] + way * Math.max(step, step * size), true));
+  return {
+    name() {
+      handle.setAttribute("aria-valuenow", now()[name]);
+      handle.setAttribute("aria-valuetext", Number(now()[name].toFixed(5)));
+    },
+    cover() {
+      const there = path();
+      const { riding } = live.project([0, 0, 0]);
+      handle.hidden = riding || !there;
+      svg.toggleAttribute("hidden", riding || !there);
+      if (!there) return;
+      const { left, top } = live.project(pointOf(there, share()));
+      put2d(handle, left, top);
+      const places = there.map((point) => live.project(point));
+      line.setAttribute("d", `M${places.map((p) => `${round(100 * p.left)} ${round(100 * p.top)}`).join(" ")}`);
+    },
+    remove() {
+      handle.remove();
+      svg.remove();
+    },
+  };
+}
+
+const round = (x) => Math.round(x * 100) / 100;
+
+function createHandle(layer, name, what) {
   const handle = document.createElement("button");
   handle.type = "button";
   handle.className = "scene-handle";
+  handle.dataset.handle = name;
+  if (what) handle.setAttribute("aria-roledescription", what);
   layer.append(handle);
   return handle;
 }
@@ -107,44 +267,51 @@ function scaled(point, factor) {
   return factor === 1 ? point : point.map((x) => x * factor);
 }
 
-/** Put a handle over its point; a point on the far side of a sphere cannot be caught. */
-function cover(handle, live, point, onPlane = false) {
-  const { left, top, riding } = live.project(point);
-  handle.style.left = `${100 * left}%`;
-  handle.style.top = `${100 * top}%`;
-  const eye = live.eye();
-  const facing = point.reduce((sum, x, i) => sum + x * (eye[i] - x), 0);
-  handle.toggleAttribute("data-behind", !onPlane && facing < 0);
-  handle.hidden = riding;
+/** Put a handle to a place of the picture, in fractions of its size. */
+function put2d({ style }, left, top) {
+  style.left = `${100 * left}%`;
+  style.top = `${100 * top}%`;
 }
 
-/** Let a pointer drag a handle along what the line of sight meets. */
-function drag(handle, layer, live, point, put, meet) {
+/** Let some keys move a handle, with others by larger and smaller steps. */
+function keys(handle, ways, move) {
+  handle.addEventListener("keydown", (event) => {
+    const way = ways[event.key];
+    if (!way || event.ctrlKey || event.metaKey) return;
+    event.preventDefault();
+    event.stopPropagation();
+    move(way, (event.shiftKey ? STEPS.Shift : 1) * (event.altKey ? STEPS.Alt : 1));
+  });
+}
+
+/**
+ * Let a pointer drag an element over the picture.
+ * @param {{grab: function, move: function, drop: function, focus?: HTMLElement}} hands what to do; a
+ *   place is given in fractions of the picture, whose aspect is its width over its height
+ * @returns a function that tells whether it is held
+ */
+function drag(element, layer, { grab, move, drop, focus = element }) {
   let grip = null;
   const at = ({ clientX, clientY }) => {
     const { left, top, width, height } = layer.getBoundingClientRect();
-    return [(clientX - left) / width, (clientY - top) / height];
+    return { share: [(clientX - left) / width, (clientY - top) / height], aspect: width / height };
   };
-  handle.addEventListener("pointerdown", (event) => {
+  element.addEventListener("pointerdown", (event) => {
     if (event.button !== 0) return;
     event.preventDefault();
-    handle.focus({ preventScroll: true });
-    handle.setPointerCapture(event.pointerId);
-    const [x, y] = at(event);
-    const { left, top } = live.project(point());
-    // The point keeps its distance from the finger.
-    grip = { dx: left - x, dy: top - y, radius: Math.hypot(...point()) };
+    focus.focus({ preventScroll: true });
+    element.setPointerCapture(event.pointerId);
+    grip = grab(at(event));
   });
-  handle.addEventListener("pointermove", (event) => {
-    if (!grip) return;
-    const [x, y] = at(event);
-    const { eye, direction } = live.sight(x + grip.dx, y + grip.dy);
-    put(meet(eye, direction, grip.radius), false);
+  element.addEventListener("pointermove", (event) => {
+    if (grip) move(grip, at(event));
   });
   for (const kind of ["pointerup", "pointercancel"]) {
-    handle.addEventListener(kind, () => {
-      if (grip) put(point(), true);
+    element.addEventListener(kind, () => {
+      const held = grip;
       grip = null;
+      if (held) drop();
     });
   }
+  return () => grip !== null;
 }

@@ -28,15 +28,16 @@ export function fromText(hash, { name, inputs, start }) {
   return found;
 }
 
-function read(text, { kind, low, high, options, names, least, most, length }, start) {
+function read(text, { kind, low, high, options, names, least, most, length = 1 }, start) {
   if (kind === "number") {
     const number = Number(text);
     return number >= low && number <= high ? number : undefined;
   }
   if (kind === "switch") return text === "true";
   if (kind === "choice") return options.includes(text) ? text : undefined;
+  const size = kind === "poses" ? 4 : 3;
   const points = text.split(" ").map((point) => point.split(",").map(Number));
-  const sound = points.every((p) => p.length === 3 && p.every(Number.isFinite) && Math.hypot(...p) > 0);
+  const sound = points.every((p) => p.length === size && p.every(Number.isFinite) && Math.hypot(...p) > 0);
   if (!sound) return undefined;
   // The digits of an address do not give points quite the length that they must have.
   const right = points.map((p) => p.map((x) => (length ? (x * length) / Math.hypot(...p) : x)));

@@ -12,11 +12,11 @@ const calm = matchMedia("(prefers-reduced-motion: reduce)");
  * @param {HTMLElement} element the figure
  * @param specs its inputs
  * @param {function} now returns the present inputs
- * @param {{change: function, reset: function, link: function}} actions
+ * @param {{change: function, reset: function, link: function, follow: function}} actions
  * @returns {{show: function, withhold: function}} writes inputs and a frame into the panel; puts a dash
  *   for each number that does not hold
  */
-export function bindPanel(element, specs, now, { change, reset, link }) {
+export function bindPanel(element, specs, now, { change, reset, link, follow }) {
   const form = element.querySelector(".explorable-panel");
   const all = (selector) => [...form.querySelectorAll(selector)];
   // Nothing is looked up while the hand moves.
@@ -28,11 +28,19 @@ export function bindPanel(element, specs, now, { change, reset, link }) {
     digits: decimals(spec.step),
     buttons: all(`[data-input="${name}"]`),
   }));
-  const charts = new Map(all("[data-chart]").map((chart) => [chart.dataset.chart, bindChart(chart)]));
   form.querySelector("fieldset").disabled = false;
   form.addEventListener("submit", (event) => event.preventDefault());
 
   const player = playing(element, specs, now, change);
+  const scrub = (name, value, spoken) => {
+    const { low, high, step } = specs[name];
+    player.stop();
+    const whole = low + step * Math.round((value - low) / step);
+    change({ [name]: Math.min(high, Math.max(low, whole)) }, spoken);
+  };
+  const charts = new Map(
+    all("[data-chart]").map((chart) => [chart.dataset.chart, bindChart(chart, specs, now, scrub)]),
+  );
   form.addEventListener("input", ({ target }) => {
     const name = target.name.replace(/-number$/, "");
     const { kind, low, high } = specs[name] ?? {};
@@ -42,7 +50,14 @@ export function bindPanel(element, specs, now, { change, reset, link }) {
     else if (kind === "switch") change({ [name]: target.checked });
     else if (kind === "choice") change({ [name]: target.value });
   });
-  form.addEventListener("click", ({ target }) => {
+  form.addEventListener("click", (event) => {
+    const { target } = event;
+    // With a key held, a link opens elsewhere.
+    if (target.matches("a.try") && !(event.ctrlKey || event.metaKey || event.shiftKey)) {
+      event.preventDefault();
+      player.stop();
+      follow(target);
+    }
     const { action, input } = target.dataset;
     const points = input && now()[input];
     if (action !== "play") player.stop();
@@ -86,8 +101,11 @@ export function bindPanel(element, specs, now, { change, reset, link }) {
   };
 }
 
-/** What draws the curves of a chart, and its mark at the value of the input along it. */
-function bindChart(chart) {
+/**
+ * What draws the curves of a chart, and its mark at the value of the input along it. In the chart this
+ * input is dragged.
+ */
+function bindChart(chart, specs, now, scrub) {
   const { over, x, y } = chart.dataset;
   const [[first, last], [low, high]] = [x, y].map((range) => range.split(" ").map(Number));
   const { width, height } = chart.querySelector("svg").viewBox.baseVal;
@@ -97,6 +115,13 @@ function bindChart(chart) {
   );
   const marks = chart.querySelectorAll(".explorable-marks span");
   const here = chart.querySelector("[data-mark]");
+  const plot = chart.querySelector("svg");
+  if (specs[over]?.kind === "number") {
+    grabbed(plot, chart.dataset.chart, specs[over], () => now()[over], {
+      to: (share) => scrub(over, first + share * (last - first)),
+      by: (steps, spoken) => scrub(over, now()[over] + steps * specs[over].step, spoken),
+    });
+  }
   return {
     over,
     draw(curves, value) {
@@ -108,8 +133,42 @@ function bindChart(chart) {
       const at = ((value - first) / (last - first)) * width;
       here.setAttribute("x1", at);
       here.setAttribute("x2", at);
+      plot.setAttribute("aria-valuenow", value);
     },
   };
+}
+
+/** Let a number be dragged along a chart, and be moved by keys. */
+function grabbed(plot, name, { low, high, label }, now, { to, by }) {
+  const said = () => `${label}: ${Number(now().toFixed(5))}`;
+  const attributes = { role: "slider", tabindex: 0, "aria-valuemin": low, "aria-valuemax": high };
+  for (const [key, value] of Object.entries(attributes)) plot.setAttribute(key, value);
+  plot.dataset.handle = `chart-${name}`;
+  let held = false;
+  const follow = ({ clientX }) => {
+    const { left, width } = plot.getBoundingClientRect();
+    to((clientX - left) / width);
+  };
+  plot.addEventListener("pointerdown", (event) => {
+    if (event.button !== 0) return;
+    held = true;
+    plot.setPointerCapture(event.pointerId);
+    follow(event);
+  });
+  plot.addEventListener("pointermove", (event) => held && follow(event));
+  for (const kind of ["pointerup", "pointercancel"]) {
+    plot.addEventListener(kind, () => {
+      if (held) by(0, said);
+      held = false;
+    });
+  }
+  const ways = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1 };
+  plot.addEventListener("keydown", (event) => {
+    const way = ways[event.key];
+    if (!way || event.ctrlKey || event.metaKey) return;
+    event.preventDefault();
+    by(way * (event.shiftKey ? 10 : 1), said);
+  });
 }
 
 /** Decimals for a number with a smallest difference. */

@@ -1,6 +1,6 @@
 /* Makes a scene of the page live. */
 import { PerspectiveCamera, Scene, Vector3 } from "three";
-import { clipping, fieldOfView, outermost, reach, turned, widened } from "./camera.js";
+import { clipping, fieldOfView, outermost, reach, spun, turned, widened } from "./camera.js";
 import { orbit } from "./orbit.js";
 import { isHidden, project } from "./labels.js";
 import { scaleWidths, sortSeeThrough } from "./looks.js";
@@ -155,6 +155,8 @@ export async function show(element, file, context, { width, height, alt }) {
       return { eye: camera.position.toArray(), direction: direction.toArray() };
     },
     eye: () => camera.position.toArray(),
+    axes: () => axes(camera),
+    spun: (pose, turn) => spun(pose, axes(camera), turn),
     turned: (point, arrow, angle) => turned(point, axes(camera), arrow, angle),
     reset,
     rest,

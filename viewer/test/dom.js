@@ -1,6 +1,6 @@
 /* A page without a browser: what panels, handles and figures ask of one. Import it before them. */
 import { Window } from "happy-dom";
-import { turned } from "../src/camera.js";
+import { spun, turned } from "../src/camera.js";
 
 const window = new Window({ url: "http://localhost/" });
 const { document, location, history } = window;
@@ -61,6 +61,8 @@ export function liveScene(scene) {
     project: ([x, , z]) => ({ left: 0.5 + x / 4, top: 0.5 - z / 4, riding: live.riding }),
     sight: (left, top) => ({ eye: [4 * left - 2, -1e6, 2 - 4 * top], direction: [0, 1, 0] }),
     eye: () => [0, -1e6, 0],
+    axes: () => [[1, 0, 0], [0, 0, 1], [0, -1, 0]],
+    spun: (pose, turn) => spun(pose, live.axes(), turn),
     turned: (point, arrow, angle) => turned(point, [[1, 0, 0], [0, 0, 1]], arrow, angle),
     reset: () => (live.resets += 1),
   };

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { alongPlane, alongSphere } from "../src/drag.js";
+import { alongSphere, isClosed, nearest, pointOf, rolling } from "../src/drag.js";
 
 const near = (mine, wanted, within = 1e-12) =>
   mine.forEach((x, i) => assert.ok(Math.abs(x - wanted[i]) < within, `${mine} is not ${wanted}`));
@@ -26,8 +26,34 @@ test("beside the sphere a point slides along the rim", () => {
   }
 });
 
-test("a line of sight meets a level plane, and above the horizon it points the way", () => {
-  near(alongPlane([0, 0, 2], [0.6, 0, -0.8]), [1.5, 0, 0]);
-  near(alongPlane([0, 0, -2], [0, 0.6, 0.8]), [0, 1.5, 0]);
-  near(alongPlane([0, 0, 2], [0.6, 0, 0.8]), [0.6, 0, 0.8]);
+const SQUARE = [[0, 0], [4, 0], [4, 4], [0, 4], [0, 0]];
+
+test("a path gives the point of a share, and the share of what is nearest to a place", () => {
+  near(pointOf(SQUARE, 0.375), [4, 2]);
+  near(pointOf(SQUARE, 1), [0, 0]);
+  near([nearest(SQUARE, [5, 2]).share], [0.375]);
+  near([nearest(SQUARE, [1, 5]).share], [0.6875]);
+  near([nearest([[0, 0], [0, 0], [2, 0]], [1, 3]).share], [0.75]);
+});
+
+test("an open path ends; a closed one goes on", () => {
+  assert.ok(isClosed(SQUARE) && !isClosed(SQUARE.slice(1)));
+  near([nearest(SQUARE, [-1, 3.9], 0.02, 0.2).share], [0]);
+  near([nearest(SQUARE, [-1, 1], 0.02, 0.2, true).share], [-0.0625]);
+  near([nearest(SQUARE, [1, -1], 0.98, 0.2, true).share], [1.0625]);
+});
+
+test("where a path runs twice along one way, the finger stays on its own", () => {
+  const there_and_back = [[0, 0], [4, 0], [0, 0]];
+  near([nearest(there_and_back, [1, 1], 0.2, 0.2).share], [0.125]);
+  near([nearest(there_and_back, [1, 1], 0.8, 0.2).share], [0.875]);
+});
+
+test("a ball rolls under a finger: what is under it stays there, and the rim turns it in the picture", () => {
+  near(rolling([0, 0], [0.6, 0]), [0, Math.asin(0.6), 0]);
+  near(rolling([0, 0], [0, 0.6]), [-Math.asin(0.6), 0, 0]);
+  near(rolling([0.3, 0.2], [0.3, 0.2]), [0, 0, 0]);
+  // Far out the slope is almost level, so a quarter round turns by almost a quarter about the line of sight.
+  const [x, y, z] = rolling([1e3, 0], [0, 1e3]);
+  near([x, y, z], [0, 0, Math.PI / 2], 1e-2);
 });

@@ -7,9 +7,15 @@ const SPECS = {
   u: { kind: "number" },
   points: { kind: "points", names: ["P", "Q", "R"], reach: 1 },
   axis: { kind: "points", names: "n", reach: 1.5 },
-  angle: { kind: "number", grip: 1.2, step: 5 },
+  angle: { kind: "number", low: -180, high: 180, step: 5, label: "angle, °" },
+  spoon: { kind: "poses", names: "the spoon" },
 };
-const START = { u: 0, points: [[0, -1, 0], [0.6, -0.8, 0]], axis: [0, 0, 1], angle: 30 };
+const ROUND = Array.from({ length: 73 }, (_, i) => {
+  const angle = ((i * 5 - 180) * Math.PI) / 180;
+  return [1.2 * Math.cos(angle), 0, 1.2 * Math.sin(angle)];
+});
+const GRIPS = { angle: { path: ROUND }, spoon: { at: [1, 0, 0], size: 0.5 } };
+const START = { u: 0, points: [[0, -1, 0], [0.6, -0.8, 0]], axis: [0, 0, 1], angle: 30, spoon: [1, 0, 0, 0] };
 const near = (mine, wanted, within = 1e-6) =>
   mine.forEach((x, i) => assert.ok(Math.abs(x - wanted[i]) < within, `${mine} is not ${wanted}`));
 
@@ -26,8 +32,7 @@ function scene(specs = SPECS) {
   const handles = addHandles(element, live, specs, () => state.inputs, change);
   handles.update();
   const handle = (name) => element.querySelector(`[data-handle="${name}"]`);
-  const grip = () => element.querySelector("[aria-hidden=true].scene-handle");
-  return { element, live, state, handles, handle, grip };
+  return { element, live, state, handles, handle };
 }
 
 const place = ({ style }) => [style.left, style.top].map(parseFloat);
@@ -46,10 +51,15 @@ test("each point has its handle, at its place and with its name", () => {
   assert.equal(element.querySelector("canvas + .scene-handles button").className, "scene-handle");
 });
 
-test("a scene says so if there is a point or a grip, and keeps its hint without", () => {
-  for (const name of ["points", "angle"]) {
-    const { element } = scene({ [name]: SPECS[name] });
-    assert.equal(element.querySelector(".scene-hint").textContent, "Drag a ring to move its point");
+test("a scene says what can be dragged, and keeps its hint if nothing can", () => {
+  for (const [name, hint] of [
+    ["points", "Drag a ring to move its point"],
+    ["angle", "Drag a ring along its path"],
+    ["spoon", "Drag a body to turn it"],
+  ]) {
+    const { element, handles } = scene({ [name]: SPECS[name] });
+    handles.update(GRIPS);
+    assert.equal(element.querySelector(".scene-hint").textContent, hint);
   }
   const { element } = scene({ u: { kind: "number" } });
   assert.equal(element.querySelector(".scene-hint").textContent, "");
@@ -190,16 +200,103 @@ test("handles come and go with their points", () => {
   near(place(handle("points-0")), [50, 50]);
 });
 
-test("an angle is dragged round its circle, in its steps, and not by keys", () => {
-  const { live, state, grip } = scene({ angle: SPECS.angle });
-  // From above: the picture shows x and y.
-  live.project = ([x, y]) => ({ left: 0.5 + x / 4, top: 0.5 - y / 4, riding: false });
-  live.sight = (left, top) => ({ eye: [4 * left - 2, 2 - 4 * top, 9], direction: [0, 0, -1] });
+test("a point at the rim stays in hand, and can be caught again", () => {
+  const { live, state, handle } = scene();
+  live.eye = () => [0, -4, 0];
+  // Rounding puts a point of the rim a little behind it.
+  const y = -1 / 4 + 1e-5;
+  state.inputs.points[0] = [Math.sqrt(1 - y * y), y, 0];
   live.draw();
-  const radius = 1.2 * 25;
-  near(place(grip()), [50 + radius * Math.cos(Math.PI / 6), 50 - radius / 2]);
-  drag(grip(), -radius * Math.cos(Math.PI / 6), -radius / 2 + 1);
+  assert.ok(!handle("points-0").hasAttribute("data-behind"));
+  drag(handle("points-0"), 0, 0);
+  tell(handle("points-0"), "pointerdown", { button: 0, pointerId: 1, clientX: 50, clientY: 60 });
+  state.inputs.points[0] = [0, 1, 0];
+  live.draw();
+  assert.ok(!handle("points-0").hasAttribute("data-behind"));
+  tell(handle("points-0"), "pointerup");
+  assert.ok(handle("points-0").hasAttribute("data-behind"));
+});
+
+/** A scene with a number on a circle in the picture, and places on it. */
+function circled() {
+  const made = scene({ angle: SPECS.angle });
+  made.handles.update(GRIPS);
+  const on = (angle, radius = 30) =>
+    [Math.cos, Math.sin].map((f, i) => (i ? -1 : 1) * radius * f((angle * Math.PI) / 180));
+  return { ...made, on, ring: made.handle("angle"), path: made.element.querySelector(".scene-path") };
+}
+
+test("a number has a ring on its path, which speaks", () => {
+  const { ring, on } = circled();
+  near(place(ring), on(30).map((x) => 50 + x), 0.05);
+  const said = ["role", "aria-label", "aria-valuemin", "aria-valuemax", "aria-valuenow"];
+  assert.deepEqual(
+    said.map((name) => ring.getAttribute(name)),
+    ["slider", "angle, °", "-180", "180", "30"],
+  );
+});
+
+test("a ring is dragged along its path, in steps, and beyond the end of a closed one", () => {
+  const { ring, state, on } = circled();
+  ring.parentElement.getBoundingClientRect = () => ({ left: 0, top: 0, width: 100, height: 100 });
+  ring.setPointerCapture = () => {};
+  const go = (angles, radius = 30) => {
+    const at = (angle) => on(angle, radius).map((x) => 50 + x);
+    const [first, ...rest] = angles.map(at);
+    tell(ring, "pointerdown", { button: 0, pointerId: 1, clientX: first[0], clientY: first[1] });
+    for (const [x, y] of rest) tell(ring, "pointermove", { clientX: x, clientY: y });
+    tell(ring, "pointerup");
+  };
+  go([30, 60, 92]);
   assert.equal(state.inputs.angle, 90);
-  assert.ok(!grip().hasAttribute("data-behind"));
-  assert.equal(grip().tabIndex, -1);
+  go([90, 130, 170, 200], 25);
+  assert.equal(state.inputs.angle, -160);
+  assert.equal(state.said.at(-1), "angle, °: -160");
+});
+
+test("a path is grabbed anywhere, and the number moves by as much as the finger", () => {
+  const { path, state, on } = circled();
+  path.parentElement.parentElement.getBoundingClientRect = () => ({ left: 0, top: 0, width: 100, height: 100 });
+  path.setPointerCapture = () => {};
+  const [from, to] = [200, 240].map((angle) => on(angle).map((x) => 50 + x));
+  tell(path, "pointerdown", { button: 0, pointerId: 1, clientX: from[0], clientY: from[1] });
+  tell(path, "pointermove", { clientX: to[0], clientY: to[1] });
+  tell(path, "pointerup");
+  assert.equal(state.inputs.angle, 70);
+});
+
+test("keys move a number by its steps, within its bounds or round", () => {
+  const { ring, state } = circled();
+  tell(ring, "keydown", { key: "ArrowRight" });
+  assert.equal(state.inputs.angle, 35);
+  tell(ring, "keydown", { key: "ArrowDown", shiftKey: true });
+  assert.equal(state.inputs.angle, 10);
+  state.inputs.angle = 180;
+  tell(ring, "keydown", { key: "ArrowUp" });
+  assert.equal(state.inputs.angle, -175);
+});
+
+test("a path that is gone takes its ring along", () => {
+  const { handles, ring } = circled();
+  handles.update({ angle: { path: null } });
+  assert.ok(ring.hidden);
+});
+
+test("a body turns under the finger, and a whole turn leads to the opposite quaternion", () => {
+  const { handles, state, handle } = scene({ spoon: SPECS.spoon });
+  handles.update(GRIPS);
+  const body = handle("spoon");
+  near(place(body), [75, 50]);
+  assert.equal(body.style.width, "25%");
+  body.parentElement.getBoundingClientRect = () => ({ left: 0, top: 0, width: 100, height: 100 });
+  body.setPointerCapture = () => {};
+  tell(body, "pointerdown", { button: 0, pointerId: 1, clientX: 75, clientY: 50 });
+  tell(body, "pointermove", { clientX: 75 + 12.5 / 2, clientY: 50 });
+  tell(body, "pointerup");
+  // From the left to the right: about z, which points up in the picture, by asin(1/2).
+  near(state.inputs.spoon, [Math.cos(Math.PI / 12), 0, 0, Math.sin(Math.PI / 12)]);
+  assert.equal(state.said.at(-1), "the spoon at 0.97, 0.00, 0.00, 0.26");
+  state.inputs.spoon = [1, 0, 0, 0];
+  for (let i = 0; i < 72; i++) tell(body, "keydown", { key: "ArrowRight" });
+  near(state.inputs.spoon, [-1, 0, 0, 0]);
 });

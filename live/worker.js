@@ -4,10 +4,10 @@
  * From the page:  {compiled, files}                  first, if an earlier worker has sent them
  *                 {id, code, name, figures}          run a cell; figures: name -> values, {} if not live
  * To the page:    {fetched, total}                   bytes, while loading
- *                 {ready, versions, compiled, files} keep both for the next worker
+ *                 {ready, compiled, files} keep both for the next worker
  *                 {failed}                           why Python did not load
  *                 {id, text}                         all that the cell has printed so far
- *                 {id, done, heap}                   done: see `run` in python/page.py
+ *                 {id, done}                         done: see `run` in python/page.py
  *                 {id, dead}                         Python has ended; a new worker is needed
  */
 "use strict";
@@ -77,7 +77,7 @@ async function load({ compiled, files }) {
       throw new Error(`${name}: Python in a page talks to no host`);
     };
   }
-  postMessage({ ready: true, versions: page.versions(), compiled, files });
+  postMessage({ ready: true, compiled, files });
   return { python, page };
 }
 
@@ -88,7 +88,7 @@ async function answer({ id, code, name, figures, ...kept }) {
   if (id === undefined) return;
   try {
     const done = page.run(code, name, JSON.stringify(figures), (text) => postMessage({ id, text }));
-    postMessage({ id, done: JSON.parse(done), heap: python._module.HEAP8.length });
+    postMessage({ id, done: JSON.parse(done) });
   } catch (error) {
     // The runtime is gone: os._exit, or a stack that ran over.
     postMessage({ id, dead: String(error).trim().split("\n").at(-1).slice(0, 200) });

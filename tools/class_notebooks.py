@@ -298,6 +298,12 @@ def marked(solution: NotebookNode, number: str) -> Iterator[NotebookNode]:
     yield cell("test", test, grade=True, locked=True, solution=False, points=1)
 
 
+def classroom() -> Classroom:
+    """Return what writes notebooks with the addresses of ``pyproject.toml``."""
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+    return Classroom(project["tool"]["rotedu"]["book"], project["tool"]["rotedu"]["wheel"])
+
+
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument(
@@ -309,7 +315,5 @@ if __name__ == "__main__":
         help="write a third folder, nbgrader, as a source for nbgrader",
     )
     readers = parser.parse_args().readers
-    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
-    settings = project["tool"]["rotedu"]
-    Classroom(settings["book"], settings["wheel"]).write(CLASS, readers)
+    classroom().write(CLASS, readers)
     print("The notebooks for a class are here:", *(f"class/{reader}" for reader in readers))

@@ -5,7 +5,6 @@ The setting is ``python_in_page``. Without it the book is as it would be without
 
 import shutil
 import sys
-import tomllib
 from itertools import takewhile
 from pathlib import Path
 from typing import Any
@@ -18,8 +17,8 @@ from sphinx.transforms.post_transforms import SphinxPostTransform
 from cells import belongs_to_solution, code_cells, exercise_of, notebook_cell, part_of_exercise
 
 sys.path.append(str(Path(__file__).parents[2] / "tools"))
-from class_notebooks import Classroom
-from notebook_language import ROOT, notebooks, tags
+from class_notebooks import classroom
+from notebook_language import notebooks, tags
 from runtime import LIVE, bundle, put_together
 
 SCRIPT = "live/live.js"
@@ -93,11 +92,10 @@ def serve(app: Sphinx) -> None:
     licences = [file.read_text("utf-8") for file in sorted(LIVE.glob("licences/*.txt"))]
     with (folder.parent / "licences.txt").open("a", encoding="utf-8") as file:
         file.write("\n\n\n".join(["", *licences]))
-    settings = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["tool"]["rotedu"]
-    classroom = Classroom(settings["book"], settings["wheel"])
     (folder / "notebooks").mkdir()
+    edition = classroom()
     for page in notebooks():
-        nbformat.write(classroom.notebook(page, "student"), folder / "notebooks" / page.name)
+        nbformat.write(edition.notebook(page, "student"), folder / "notebooks" / page.name)
 
 
 def setup(app: Sphinx) -> dict[str, Any]:

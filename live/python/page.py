@@ -9,7 +9,6 @@ import importlib
 import io
 import json
 import linecache
-import platform
 import re
 import sys
 import time
@@ -33,10 +32,8 @@ for name, functions in {
     module = sys.modules[f"rotedu.figures.{name}"] = types.ModuleType(name)
     vars(module).update(dict.fromkeys(functions, lambda *_, **__: None))
 
-import numpy as np
 import pyvista
 
-import rotedu
 from rotedu import scenes
 from rotedu.edition import exercises
 
@@ -204,10 +201,3 @@ def start() -> None:
     FIGURES.clear()
     NAMESPACE.clear()
     NAMESPACE["__name__"] = "__main__"
-
-
-def versions() -> str:
-    """Say what runs."""
-    return (
-        f"Python {platform.python_version()}, NumPy {np.__version__}, rotedu {rotedu.__version__}"
-    )

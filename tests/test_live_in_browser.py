@@ -199,6 +199,7 @@ def test_a_change_runs_and_goes(at_desk: Reader) -> None:
     assert reader.page.evaluate(KEYS) == []
 
 
+@pytest.mark.slow
 def test_cells_above_run_first_and_once(at_desk: Reader) -> None:
     reader = at_desk
     reader.run("code-15")
@@ -219,6 +220,7 @@ def test_cells_above_run_first_and_once(at_desk: Reader) -> None:
     assert "ZeroDivisionError" in reader.output("code-6")
 
 
+@pytest.mark.slow
 def test_an_error_shows_the_readers_own_lines(at_desk: Reader) -> None:
     code = "def f(points):\n    return closed_curve(points)\n\nprint('before')\nf([[1, 0, 0]])"
     shown = at_desk.run("code-6", code)
@@ -229,6 +231,7 @@ def test_an_error_shows_the_readers_own_lines(at_desk: Reader) -> None:
     assert ".py" not in shown
 
 
+@pytest.mark.slow
 def test_what_comes_out_is_text(at_desk: Reader) -> None:
     html = "<img src=x onerror='document.title = 1'><b>bold</b>"
     assert at_desk.run("code-6", f'print("{html}")\n"<script>1</script>"').startswith(html)
@@ -239,6 +242,7 @@ def test_what_comes_out_is_text(at_desk: Reader) -> None:
     assert shown.locator("img, b, script").count() == 0
 
 
+@pytest.mark.slow
 def test_impatient_readers_get_everything_once_and_in_order(at_desk: Reader) -> None:
     reader = at_desk
     reader.write("code-6", "count = globals().get('count', 0) + 1\ncount")

@@ -17,7 +17,16 @@ import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
 
 const here = dirname(fileURLToPath(import.meta.url));
-const common = { bundle: true, minify: true, target: "es2022", legalComments: "eof" };
+// Python gives VTK the same text.
+const shader = await readFile(join(here, "../rotedu/figures/ball.glsl"), "utf8");
+const BALL = JSON.stringify(shader.replace(/ *\/\/.*/g, "").replace(/\n\s*/g, "\n"));
+const common = {
+  bundle: true,
+  define: { BALL },
+  minify: true,
+  target: "es2022",
+  legalComments: "eof",
+};
 
 async function forPages(folder) {
   await mkdir(folder, { recursive: true });
@@ -36,7 +45,7 @@ async function forPages(folder) {
     entryPoints: [join(here, "src/loader.js")],
     outdir: folder,
     format: "iife",
-    define: { VIEWER: JSON.stringify(viewer), BY_HAND: JSON.stringify(byHand) },
+    define: { BALL, VIEWER: JSON.stringify(viewer), BY_HAND: JSON.stringify(byHand) },
   });
   await copyFile(join(here, "scene.css"), join(folder, "scene.css"));
 }
@@ -50,7 +59,13 @@ async function forNotebooks(folder) {
     loader: { ".woff2": "dataurl", ".woff": "empty", ".ttf": "empty" },
   });
   const module = (entry, outfile, define) =>
-    build({ ...common, entryPoints: [join(here, entry)], outfile, format: "esm", define });
+    build({
+      ...common,
+      entryPoints: [join(here, entry)],
+      outfile,
+      format: "esm",
+      define: { BALL, ...define },
+    });
   const figure = join(folder, "figure.js");
   await module("notebook.js", figure, { STYLES: JSON.stringify(styles.outputFiles[0].text) });
   const digest = createHash("sha256").update(await readFile(figure)).digest("hex");

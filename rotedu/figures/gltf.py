@@ -17,6 +17,8 @@ import numpy as np
 import pyvista
 from numpy.typing import ArrayLike, NDArray
 
+from rotedu.figures.ball import ball_looks
+
 FLOAT, BYTE, USHORT, UINT = 5126, 5120, 5123, 5125
 COMPONENT_TYPES = {"float32": FLOAT, "int8": BYTE, "uint16": USHORT, "uint32": UINT}
 VERTEX_DATA, INDICES = 34962, 34963
@@ -265,7 +267,8 @@ def _material(actor: pyvista.Actor) -> dict[str, Any]:
             "lineWidth": prop.line_width,
             "pointSize": prop.point_size,
             "roundPoints": prop.render_points_as_spheres,
-        },
+        }
+        | ball_looks(actor),
     }
     if prop.opacity < 1:
         material["alphaMode"] = "BLEND"

@@ -287,11 +287,6 @@ def arcs_of_arcs(control: ArrayLike = ARCS, u: float = 0.4) -> pyvista.Plotter:
     return plotter
 
 
-GRID = (
-    *(turning((0, 0, -1), (np.cos(x), np.sin(x), 0), np.pi) for x in np.arange(12) * np.pi / 6),
-    *(turning((np.cos(x), 0, np.sin(x)), (0, 0, 1), 2 * np.pi) for x in (-np.pi / 6, np.pi / 6)),
-)
-"""Meridians and parallels, 30 degrees apart."""
 LEG = 24
 HORIZONS = 6
 WIDTH, HEIGHT = 0.21, 0.14
@@ -393,11 +388,10 @@ def samples_until(u: float) -> int:
 
 
 def add_horizon(plotter: pyvista.Plotter, ride: bool) -> None:
-    """Add a darker lower half, meridians, parallels and a horizon, with names for a rider."""
+    """Add a darker lower half and a horizon, with names for a rider."""
     ground = pyvista.Sphere(start_phi=90, theta_resolution=48, phi_resolution=16)
     ground.points *= JUST_INSIDE / np.linalg.norm(ground.points, axis=1, keepdims=True)
     plotter.add_mesh(ground, color=NEUTRAL, opacity=0.35, smooth_shading=True, pickable=False)
-    add_lines(plotter, GRID, NEUTRAL, radius=0.002, name="grid")
     horizon = turning((1, 0, 0), (0, 0, 1), 2 * np.pi)
     add_line(plotter, horizon, NEUTRAL, radius=0.005, name="horizon")
     for k in range(HORIZONS):

@@ -335,7 +335,7 @@ def control_points_by_hand(
     b = slerp(*doubled, 2)
 
     plotter = new_scene(eye=(4.86, -0.2, 3.0), target=(0, 0, 0.06))
-    add_sphere(plotter, opacity=0.3)
+    add_sphere(plotter)
     circle = turning(before, axis, 2 * np.pi, 96)
     add_line(plotter, circle, NEUTRAL, radius=0.004, name="circle").visibility = one_circle
     add_arcs(plotter, [before, here], [here, after], VECTOR, name="given")

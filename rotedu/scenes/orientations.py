@@ -214,7 +214,7 @@ def four_ways_between(
     short, long = slerp_rotations(r1, r2, t)[:, :, 0], tips(slerp(q1, -q2, t))
 
     plotter = new_scene(eye=(1.15, 3.3, 4.3), target=(0, 0, 0.05))
-    add_sphere(plotter, opacity=0.12)
+    add_sphere(plotter)
     for turn, name in ((r1, "$R_1$"), (r2, "$R_2$")):
         spoon = teaspoon(stations=41, around=12)
         spoon.points = transform(turn, spoon.points)

@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from rotedu.arcs import slerp
 from rotedu.colors import AXIS, NEUTRAL, RESULT, VECTOR
+from rotedu.figures.ball import draw_as_ball, fade_behind_ball
 from rotedu.figures.frames import place_label, place_part
 from rotedu.ordinary_rotation import rotate
 
@@ -107,8 +108,8 @@ def add_point(
 def add_thin(
     plotter: pyvista.Plotter, mesh: pyvista.PolyData, color: str, name: str | None = None
 ) -> pyvista.Actor:
-    """Add a thin part, which does not hide the labels behind it."""
-    return plotter.add_mesh(
+    """Add a thin part, which does not hide the labels behind it, and is pale behind a ball."""
+    actor = plotter.add_mesh(
         mesh,
         color=color,
         smooth_shading=True,
@@ -116,6 +117,9 @@ def add_thin(
         pickable=False,
         name=name,
     )
+    if hasattr(plotter, "ball"):
+        fade_behind_ball(actor, *plotter.ball)
+    return actor
 
 
 def add_label(
@@ -155,10 +159,24 @@ def add_axis(plotter: pyvista.Plotter, axis: ArrayLike, text: str, length: float
     add_label(plotter, (length + 0.1) * axis, text, AXIS)
 
 
-def add_sphere(plotter: pyvista.Plotter, opacity: float = 0.18) -> None:
-    """Add the translucent unit sphere, which hides the labels behind it."""
-    ball = pyvista.Sphere(radius=1.0, theta_resolution=48, phi_resolution=32)
-    plotter.add_mesh(ball, color=NEUTRAL, opacity=opacity, smooth_shading=True)
+def add_sphere(
+    plotter: pyvista.Plotter, center: ArrayLike = ORIGIN, radius: float = 1.0
+) -> pyvista.Actor:
+    """Add a sphere of glass, which hides the labels behind it; thin parts come after it."""
+    around, down = 60, 31
+    # The mesh contains the sphere: the middles of its faces touch it.
+    within = np.cos(np.pi / around) * np.cos(np.pi / (2 * (down - 1)))
+    mesh = pyvista.Sphere(
+        radius=radius / within,
+        center=tuple(np.asarray(center, float)),
+        theta_resolution=around,
+        phi_resolution=down,
+    )
+    mesh.clear_data()
+    actor = plotter.add_mesh(mesh, color=NEUTRAL, opacity=0.3, smooth_shading=False)
+    draw_as_ball(actor, center, radius)
+    pyvista.set_new_attribute(plotter, "ball", (center, radius))
+    return actor
 
 
 def add_arc(

@@ -1,4 +1,4 @@
-/* The looks of VTK: light without gamma, on both sides of a surface. */
+/* The looks of VTK: light without gamma, on both sides of a surface. And a ball of glass. */
 import {
   Color,
   ColorManagement,
@@ -9,12 +9,20 @@ import {
   Points,
   ShaderMaterial,
   Vector3,
+  Vector4,
 } from "three";
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
 
 ColorManagement.enabled = false;
+
+/* global BALL -- the text of rotedu/figures/ball.glsl */
+
+// What the unit ball has to do with a part.
+const NOTHING = 0;
+const IS_BALL = 1;
+const MAY_BE_BEHIND = 2;
 
 // Which sides of a surface to draw.
 const BACK = -1;
@@ -27,6 +35,9 @@ const VERTEX = /* glsl */ `
   varying vec3 place;
   varying vec3 direction;
   varying vec4 tint;
+  uniform vec4 ball;
+  varying vec3 ballEye;
+  varying vec3 ballPlace;
 
   vec3 gamma(vec3 c) {
     return mix(12.92 * c, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c));
@@ -42,10 +53,16 @@ const VERTEX = /* glsl */ `
     #endif
     gl_Position = projectionMatrix * seen;
     gl_PointSize = pointSize;
+    ballEye = (cameraPosition - ball.xyz) / ball.w;
+    ballPlace = ((modelMatrix * vec4(position, 1.0)).xyz - ball.xyz) / ball.w;
   }
 `;
 
-const FRAGMENT = /* glsl */ `
+const FRAGMENT = () => /* glsl */ `
+  ${BALL}
+  uniform int ballRole;
+  varying vec3 ballEye;
+  varying vec3 ballPlace;
   uniform float opacity;
   uniform float ambient;
   uniform float diffuse;
@@ -75,6 +92,10 @@ const FRAGMENT = /* glsl */ `
 
   void main() {
     if (!isPoint && sides * (gl_FrontFacing ? 1 : -1) < 0) discard;
+    if (ballRole == ${IS_BALL}) {
+      gl_FragColor = ballColor(ballEye, ballPlace, gl_FrontFacing);
+      return;
+    }
     vec3 n = normalHere();
     vec3 color = (ambient + (lit ? 0.0 : diffuse)) * tint.rgb;
     for (int i = 0; lit && i < LIGHTS; i++) {
@@ -83,7 +104,9 @@ const FRAGMENT = /* glsl */ `
       float shine = max(0.0, dot(reflect(-toward[i], n), normalize(-place)));
       if (facing > 0.0) color += pow(shine, specularPower) * specular * light[i];
     }
-    gl_FragColor = vec4(color, opacity * tint.a);
+    // Only opaque parts can be behind a ball, and they do not blend.
+    float clear = ballRole == ${MAY_BE_BEHIND} ? ballClear(ballEye, ballPlace) : 1.0;
+    gl_FragColor = vec4(clear * color, clear * opacity * tint.a);
   }
 `;
 
@@ -102,6 +125,8 @@ function shader({ material, geometry, isPoints }, lights, sides = BOTH) {
     specularPower: looks.specularPower,
     pointSize: looks.pointSize,
     sides,
+    ball: new Vector4(...(looks.ball ?? looks.behind ?? [0, 0, 0, 1])),
+    ballRole: looks.ball ? IS_BALL : looks.behind ? MAY_BE_BEHIND : NOTHING,
     // Light falls on points only if they are drawn as balls.
     lit: looks.lit && (!isPoints || looks.roundPoints),
     smoothed: "normal" in geometry.attributes,
@@ -112,7 +137,7 @@ function shader({ material, geometry, isPoints }, lights, sides = BOTH) {
   };
   return new ShaderMaterial({
     vertexShader: VERTEX,
-    fragmentShader: FRAGMENT,
+    fragmentShader: FRAGMENT(),
     defines: { LIGHTS: Math.max(1, lights.length) },
     uniforms: Object.fromEntries(Object.entries(uniforms).map(([key, value]) => [key, { value }])),
     vertexColors: "color" in geometry.attributes,

@@ -3,6 +3,7 @@ import { test } from "node:test";
 import * as three from "three";
 import { dress, scaleWidths, sortSeeThrough } from "../src/looks.js";
 
+globalThis.BALL = "// the ball";
 const LOOKS = {
   ambient: 0.25,
   diffuse: 0.5,
@@ -45,6 +46,16 @@ test("a surface has the looks that Python has given it", () => {
   assert.equal(made.material.defines.LIGHTS, 2);
   near(made.matrix.elements.slice(12, 15), [1, 2, 3]);
   assert.ok(!made.matrixAutoUpdate);
+});
+
+test("a part knows the ball that it is, or may stand behind", () => {
+  const roles = [{}, { ball: [1, 2, 3, 4] }, { behind: [1, 2, 3, 4] }].map((looks) => {
+    const [made] = drawn(three.Mesh, { looks });
+    assert.match(made.material.fragmentShader, /^\s*\/\/ the ball$/m);
+    near(uniform(made, "ball").toArray(), "ball" in looks || "behind" in looks ? [1, 2, 3, 4] : [0, 0, 0, 1]);
+    return uniform(made, "ballRole");
+  });
+  assert.equal(new Set(roles).size, 3);
 });
 
 test("a surface without normals is flat, with colors it has them, without light it shines", () => {

@@ -4,6 +4,7 @@ import { PerspectiveCamera } from "three";
 import { sortSeeThrough } from "../src/looks.js";
 import { read } from "../src/read.js";
 
+globalThis.BALL = "";
 const LIGHT = { lit: true, ambient: 0, diffuse: 1, specular: [0, 0, 0], specularPower: 1 };
 const LOOKS = { ...LIGHT, lineWidth: 3, pointSize: 5, roundPoints: false };
 

@@ -1,0 +1,130 @@
+"""The ball of glass: VTK's pixels where geometry says that something must be seen."""
+
+import io
+
+import numpy as np
+import pytest
+import pyvista
+from numpy.typing import ArrayLike
+from PIL import Image
+
+from rotedu.figures.backend import take_poster
+from rotedu.figures.ball import ball_looks
+from rotedu.scenes.parts import add_line, add_point, add_sphere, new_scene
+
+EYE = np.array([5.0, 0, 0])
+VIEW_ANGLE = 28.0
+HALF = np.tan(np.deg2rad(VIEW_ANGLE / 2))
+# Half the height of a poster in pixels.
+MIDDLE = 480
+
+
+def scene() -> pyvista.Plotter:
+    """An empty scene, seen along the U axis: V to the right, W up."""
+    return new_scene(EYE, (0, 0, 0), VIEW_ANGLE)
+
+
+def picture(plotter: pyvista.Plotter) -> np.ndarray:
+    return np.asarray(Image.open(io.BytesIO(take_poster(plotter))), float) / 255
+
+
+def pixel(point: ArrayLike) -> tuple[int, int]:
+    """Row and column of a point."""
+    depth, right, up = np.asarray(point, float)
+    scale = MIDDLE / HALF / (EYE[0] - depth)
+    return round(MIDDLE - scale * up - 0.5), round(1.5 * MIDDLE + scale * right - 0.5)
+
+
+def opacity(seen: np.ndarray, point: ArrayLike) -> float:
+    """The opacity of the strongest of nine pixels about a point."""
+    row, column = pixel(point)
+    return float(seen[row - 1 : row + 2, column - 1 : column + 2, 3].max())
+
+
+def place(azimuth: float, height: float, radius: float = 1) -> np.ndarray:
+    azimuth, height = np.deg2rad([azimuth, height])
+    level = np.cos(height)
+    return radius * np.array([level * np.cos(azimuth), level * np.sin(azimuth), np.sin(height)])
+
+
+@pytest.fixture(scope="module")
+def ball() -> np.ndarray:
+    plotter = scene()
+    add_sphere(plotter)
+    return picture(plotter)
+
+
+def test_its_outline_is_a_circle_whatever_the_mesh(ball: np.ndarray) -> None:
+    radius = MIDDLE / HALF / np.sqrt(EYE @ EYE - 1)
+    rows, columns = np.nonzero(ball[..., 3] > 0.1)
+    distance = np.hypot(rows - MIDDLE + 0.5, columns - 1.5 * MIDDLE + 0.5)
+    assert distance.max() < radius + 1
+    angle = np.degrees(np.arctan2(rows - MIDDLE, columns - 1.5 * MIDDLE)).astype(int)
+    for degree in range(-179, 180):
+        assert distance[angle == degree].max() > radius - 1
+
+
+def test_it_is_clear_in_the_middle_and_dense_at_the_rim(ball: np.ndarray) -> None:
+    clear = [opacity(ball, place(azimuth, 15)) for azimuth in (-15, 15)]
+    assert max(clear) < 0.12
+    across = ball[MIDDLE, : 3 * MIDDLE // 2, 3]
+    edge = np.flatnonzero(across > 0.1)[0]
+    assert across[edge + 2 : edge + 6].min() > 0.4
+
+
+@pytest.mark.parametrize("angle", [-60, -30, 0, 30, 60])
+def test_lines_are_30_degrees_apart(ball: np.ndarray, angle: float) -> None:
+    """Parallels and meridians, each compared with a place beside it."""
+    beside = angle + (4 if angle < 0 else -4)
+    for other in (-15, 10, 20):
+        assert opacity(ball, place(other, angle)) > opacity(ball, place(other, beside)) + 0.1
+        assert opacity(ball, place(angle, other)) > opacity(ball, place(beside, other)) + 0.1
+
+
+def test_the_back_is_fainter_than_the_front(ball: np.ndarray) -> None:
+    before, behind = (opacity(ball, place(azimuth, 30)) for azimuth in (15, 165))
+    assert opacity(ball, place(165, 20)) + 0.05 < behind < before - 0.15
+
+
+def test_its_light_comes_from_above(ball: np.ndarray) -> None:
+    up, down = (ball[pixel(place(15, height))] for height in (45, -45))
+    assert up[:3].mean() > down[:3].mean() + 0.05
+
+
+def test_what_stands_behind_it_is_pale() -> None:
+    """So is a point, so is a line; but not before it, within it and beside it."""
+    plotter = scene()
+    add_sphere(plotter)
+    places = [place(azimuth, 15) for azimuth in (15, 165)]
+    for center in (*places, (0, -0.4, -0.4), (-1, 1.4, 0.3)):
+        add_point(plotter, center, "#00ff00", radius=0.06)
+    add_line(plotter, [place(a, -15) for a in np.linspace(150, 170, 9)], "#00ff00", radius=0.03)
+    seen = picture(plotter)
+    inner = [seen[pixel(place(160, -15))], seen[pixel(places[1])]]
+    for r, g, b, alpha in inner:
+        assert 0.35 < alpha < 0.7
+        assert g > max(r, b) + 0.1
+    for center in (places[0], (0, -0.4, -0.4), (-1, 1.4, 0.3)):
+        assert seen[pixel(center)][3] > 0.99
+
+
+def test_it_can_stand_elsewhere_in_another_size() -> None:
+    center = np.array([-0.2, 0.9, -0.3])
+    plotter = scene()
+    add_sphere(plotter, center, 0.5)
+    add_point(plotter, center + place(160, 15, 0.5), "#00ff00", radius=0.04)
+    seen = picture(plotter)
+    assert opacity(seen, center + place(20, 30, 0.5)) > 0.3
+    assert opacity(seen, center + place(20, 15, 0.5)) < 0.12
+    assert opacity(seen, (0, 0, 0)) == 0
+    assert 0.35 < seen[pixel(center + place(160, 15, 0.5))][3] < 0.7
+
+
+def test_the_viewer_is_told_of_it() -> None:
+    plotter = scene()
+    apart = add_point(plotter, (1, 0, 0), "#00ff00")
+    sphere = add_sphere(plotter, (1, 2, 3), 4)
+    point = add_point(plotter, (1, 0, 0), "#00ff00")
+    assert ball_looks(sphere) == {"ball": [1, 2, 3, 4]}
+    assert ball_looks(point) == {"behind": [1, 2, 3, 4]}
+    assert ball_looks(apart) == {}

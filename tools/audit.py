@@ -3,7 +3,7 @@
 ``python tools/audit.py`` serves _build/html compressed, as a web server does. It measures for every
 page its weight on a first visit and for readers who come from the front page, its number of
 elements, its scores in Lighthouse (mobile preset) and the findings of axe at two widths in both
-themes. It prints a table, then what dragging costs (`tools/drag.py`), what a first run costs
+themes. It prints a table, then what figures cost (`tools/drag.py`), what a first run costs
 (`tools/first_output.py`) and each finding, and returns 1 if a page misses a budget.
 
 Name pages to judge only those: ``python tools/audit.py index 03``.
@@ -194,7 +194,11 @@ def main() -> int:
             row = [f"{first:.0f}", f"{after:.0f}", elements, *scores.values(), len(findings)]
             print(f"{path:34}{''.join(f'{value:>15}' for value in row)}", flush=True)
             missed += [f"{path}: {finding}" for finding in findings]
-        print(*drag.weights(HTML / "_static" / "scene"), drag.frames(browser, host), sep="\n")
+        costs = list(drag.weights(HTML / "_static" / "scene"))
+        for path in pages(sys.argv[1:]):
+            costs += drag.figures(browser, host, HTML, path)
+        print(*(cost for cost, _ in costs), sep="\n")
+        missed += [f"{cost}: {wrong}" for cost, wrong in costs if wrong]
         print(first_output(browser, host))
     print("\n".join(missed))
     if not missed:

@@ -1,9 +1,9 @@
-"""Measure what dragging a point costs, for `tools/audit.py`.
+"""Measure what figures that answer the hand cost, for `tools/audit.py`.
 
-The page draws the closed curve through eight points. Blocks of frames in which a point is dragged
-alternate with blocks in which the same scene is turned, and medians are compared. What the main
-thread does for a drag is timed by itself: mathematics, shapes, numbers and charts first, then
-everything else of the frame, with the drawing.
+Of each figure: what it fetches to go live, and what dragging costs. Blocks of frames in which its
+first handle is dragged alternate with blocks in which the same scene is turned, and medians are
+compared. What the main thread does for a drag is timed by itself: mathematics, shapes, numbers and
+charts first, then everything else of the frame, with the drawing.
 """
 
 import gzip
@@ -11,21 +11,25 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from playwright.sync_api import Browser
+from playwright.sync_api import Browser, Locator, Page
 
-PAGE, FIGURE = "book/05-closed-curve.html", ".explorable[data-name=closed-curve-by-hand]"
-BLOCKS, FRAMES = 6, 25
+# Kilobytes, packed: the viewer, what figures that answer the hand add to it, what one fetches.
+HEAVIEST = {"viewer": 185, "by-hand": 35}
+FETCHED = 160
+# A frame of a drag beside one of turning, and milliseconds of work for it.
+RATIO, WORK = 1.5, 8
+BLOCKS, FRAMES = 4, 20
 
 # Frame after frame does one thing; the intervals between frames and the work in them are returned.
 RUN = """async ([figure, kind, frames]) => {
-    const handle = figure.querySelector('[data-handle=points-2]');
+    const handle = figure.querySelector('.scene [data-handle]');
     const canvas = figure.querySelector('canvas');
-    const box = handle.getBoundingClientRect();
+    const box = (handle ?? canvas).getBoundingClientRect();
     const [x, y] = [box.left + box.width / 2, box.top + box.height / 2];
     const act = (i) => {
         const angle = i / 4;
         const place = { clientX: x + 9 * Math.cos(angle) - 9, clientY: y + 9 * Math.sin(angle) };
-        if (kind === "drag") handle.dispatchEvent(new PointerEvent("pointermove", place));
+        if (kind === "drag") handle?.dispatchEvent(new PointerEvent("pointermove", place));
         else {
             const key = i % 2 ? "ArrowLeft" : "ArrowRight";
             canvas.dispatchEvent(new KeyboardEvent("keydown", { key }));
@@ -51,42 +55,70 @@ def median(values: list[float]) -> float:
     return sorted(values)[len(values) // 2]
 
 
-def weights(static: Path) -> Iterator[str]:
-    """Tell how heavy the viewer is, and what figures that answer the hand add to it."""
-    for name in ("viewer", "by-hand"):
-        file = max(static.glob(f"{name}-*.js"), key=lambda file: file.stat().st_mtime)
-        packed = len(gzip.compress(file.read_bytes(), 9))
-        yield f"{name}: {packed / 1000:.1f} kB gzipped"
+def packed(file: Path) -> float:
+    """Return the size of a file in kilobytes, as a server sends it."""
+    return len(gzip.compress(file.read_bytes(), 9)) / 1000
 
 
-def frames(browser: Browser, host: str) -> str:
-    """Compare frames in which a point is dragged with frames in which the scene is turned."""
+def weights(static: Path) -> Iterator[tuple[str, str]]:
+    """Yield how heavy the scripts of figures are, and what is wrong with that."""
+    for name, limit in HEAVIEST.items():
+        weight = packed(max(static.glob(f"{name}-*.js"), key=lambda file: file.stat().st_mtime))
+        yield f"{name}: {weight:.1f} kB gzipped", "" if weight <= limit else f"at most {limit}"
+
+
+def figures(browser: Browser, host: str, html: Path, path: str) -> Iterator[tuple[str, str]]:
+    """Yield what each figure of a page costs, and what is wrong with that."""
     page = browser.new_page(viewport={"width": 1000, "height": 900})
-    page.goto(host + PAGE)
-    figure = page.locator(FIGURE)
+    page.goto(host + path)
+    for figure in page.locator(".explorable").all():
+        name = figure.get_attribute("data-name")
+        files = (
+            figure.get_attribute("data-explore"),
+            figure.locator(".scene").get_attribute("data-scene"),
+        )
+        fetched = sum(packed((html / path).parent / str(file)) for file in files)
+        turn, drag, work = frames(page, figure)
+        found = (
+            f"{name}: fetches {fetched:.0f} kB gzipped; a frame of a drag takes {drag:.1f} ms, of"
+            f" turning {turn:.1f} ms, ratio {drag / turn:.2f}; work {work:.1f} ms"
+        )
+        wrong = [
+            limit
+            for limit, over in (
+                (f"at most {FETCHED} kB", fetched > FETCHED),
+                (f"ratio at most {RATIO}", drag > RATIO * turn),
+                (f"work at most {WORK} ms", work > WORK),
+            )
+            if over
+        ]
+        yield found, ", ".join(wrong)
+    page.close()
+
+
+def frames(page: Page, figure: Locator) -> tuple[float, float, float]:
+    """Return milliseconds: a frame of turning, a frame of a drag, and the work for a drag."""
     figure.locator(".scene").evaluate("element => element.scrollIntoView({block: 'center'})")
     page.mouse.move(3, 3)
     page.mouse.move(9, 9)
-    figure.locator("[data-handle=points-2]").wait_for(timeout=30_000)
-    for _ in range(4):
-        figure.locator("[data-action=add]").click()
-    box = figure.locator("[data-handle=points-2]").bounding_box()
-    assert box is not None
-    page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
-    page.mouse.down()
+    figure.locator(".scene[data-state=live]").wait_for(timeout=60_000)
+    add = figure.locator("[data-action=add]")
+    while add.count() and add.is_enabled():
+        add.click()
     found: dict[str, dict[str, list[float]]] = {
         kind: {"intervals": [], "handlers": []} for kind in ("turn", "drag")
     }
+    handle = figure.locator(".scene [data-handle]").first
+    box = handle.bounding_box() if handle.count() else None
+    if box:
+        page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+        page.mouse.down()
     for _ in range(BLOCKS):
         for kind, lists in found.items():
             run: dict[str, Any] = page.evaluate(RUN, [figure.element_handle(), kind, FRAMES])
             # The first frames still end what came before.
             for name, values in lists.items():
                 values += run[name][3:]
-    page.close()
+    page.mouse.up()
     turn, drag = (median(found[kind]["intervals"]) for kind in ("turn", "drag"))
-    work = median(found["drag"]["handlers"])
-    return (
-        f"dragging one of eight points: a frame takes {drag:.1f} ms, turning {turn:.1f} ms,"
-        f" ratio {drag / turn:.2f}; mathematics, shapes and numbers {work:.1f} ms"
-    )
+    return turn, drag, median(found["drag"]["handlers"])

@@ -79,6 +79,7 @@ export function closedCurve({ points, u, fraction }) {
   return {
     parts,
     labels,
+    grips: { u: { path: [...curve, curve[0]] } },
     outputs: {
       speed: DEGREES * length(now.velocity),
       curvature: now.curvature,

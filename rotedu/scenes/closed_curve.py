@@ -19,9 +19,11 @@ from rotedu.figures import (
     describe,
     draw_chart,
     explorable,
+    place_grip,
     place_part,
     read_out,
 )
+from rotedu.ordinary_rotation import rotate
 from rotedu.scenes.arcs import CAMERA_SEES, CAMERA_TARGETS, camera
 from rotedu.scenes.parts import (
     JUST_INSIDE,
@@ -134,8 +136,19 @@ def motion(
     return velocity, sideways / np.maximum(np.linalg.norm(velocity, axis=-1), STEP) ** 3
 
 
+# Four points evenly spread over a great circle, and those of Figure 8 with two of them near.
+RING = rotate((0.86, 0, -0.51), (0.51, 0, 0.86), np.arange(4) * np.pi / 2).round(3).tolist()
+NEAR = (FIGURE_8[0], (0.608, 0.769, 0.197), *FIGURE_8[2:])
+
+
 @explorable(
     model="closedCurve",
+    tries={
+        "where the curvature jumps most": {"u": 0.75},
+        "two points close together": {"points": NEAR, "u": 0.32},
+        "points on a great circle": {"points": RING},
+        "and a third of the way": {"points": RING, "fraction": 1 / 3},
+    },
     points=Handles([f"P{k}" for k in range(MOST)], least=3, most=MOST),
     u=Slider(0, 1, "once round, u", plays=10),
     fraction=Slider(0.2, 0.5, "how far aᵢ goes", step=0.005),
@@ -173,6 +186,7 @@ def closed_curve_by_hand(
     add_sphere(plotter)
     curve = closed_curve(p, 40, fraction)
     add_line(plotter, [*curve, curve[0]], RESULT, radius=0.013, name="curve")
+    place_grip(plotter, "u", path=[*curve, curve[0]])
     polygon = np.stack([b, p, a], axis=1).reshape(-1, 3)
     add_arcs(plotter, [*b, *p], [*p, *a], CROSS, "handles", radius=0.013)
     add_arcs(plotter, a, control[:, 2], CROSS, "polygon")
@@ -198,13 +212,17 @@ def closed_curve_by_hand(
     speed = np.degrees(np.linalg.norm(velocity, axis=-1))
     arriving, leaving = np.roll(velocity[:, -1], 1, axis=0), velocity[:, 0]
     velocity_here, curvature_here = motion(control[segment], within)
-    read_out(plotter, "speed", np.degrees(np.linalg.norm(velocity_here)), "speed here", 0, "°/s")
-    read_out(plotter, "curvature", curvature_here, "curvature here (great circle: 0)", 2)
     jump = np.degrees(np.linalg.norm(leaving - arriving, axis=-1)).max()
-    read_out(plotter, "velocity_jump", jump, "largest jump of velocity", 1, "°/s")
     jumps = abs(curvature[:, 0] - np.roll(curvature[:, -1], 1))
-    read_out(plotter, "curvature_jump", jumps.max(), "largest jump of curvature", 2)
-    read_out(plotter, "curvature_jumps", jumps, "jumps of curvature at P₀, P₁, …", 2)
+    speed_here = np.degrees(np.linalg.norm(velocity_here))
+    for where, name, value, text, digits, unit in (
+        ("picture", "velocity_jump", jump, "velocity jumps by", 1, "°/s"),
+        ("picture", "curvature_jump", jumps.max(), "curvature by", 2, ""),
+        ("folded", "speed", speed_here, "speed here", 0, "°/s"),
+        ("folded", "curvature", curvature_here, "curvature here (great circle: 0)", 2, ""),
+        ("folded", "curvature_jumps", jumps, "jumps of curvature at P₀, P₁, …", 2, ""),
+    ):
+        read_out(plotter, name, value, text, digits, unit, where=where)
     for name, values, top, text in (
         ("speeds", speed, (0.0, 150.0), "speed, degrees a second"),
         ("curvatures", curvature, (-6.0, 6.0), "curvature, positive to the left (cut off at ±6)"),

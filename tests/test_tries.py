@@ -1,0 +1,66 @@
+"""What to try in a figure: each chip leads to a state that shows what the page says it does.
+
+A new chip gets a row here: the words on it, and the numbers on which its discovery rests, as a
+reader sees them. Where they are not obvious, a test below computes them in another way.
+"""
+
+from typing import Any
+
+import pytest
+from test_explorables import BY_HAND
+
+from rotedu.figures import explore
+from rotedu.figures.explorable import Exploration
+from rotedu.figures.panel import text_of
+
+# Figure, words on the chip, outputs.
+SHOWN: list[tuple[str, str, dict[str, str]]] = [
+    (
+        "closed_curve_by_hand",
+        "where the curvature jumps most",
+        {"velocity_jump": "0.0°/s", "curvature_jumps": "0.04 0.56 0.55 1.52"},
+    ),
+    (
+        "closed_curve_by_hand",
+        "two points close together",
+        {"velocity_jump": "0.0°/s", "curvature_jump": "1.77", "speed": "1°/s"},
+    ),
+    (
+        "closed_curve_by_hand",
+        "points on a great circle",
+        {"velocity_jump": "0.0°/s", "curvature_jump": "0.00"},
+    ),
+    (
+        "closed_curve_by_hand",
+        "and a third of the way",
+        {"curvature_jump": "0.00", "speed": "90°/s"},
+    ),
+]
+
+
+def tried(name: str, words: str) -> tuple[Exploration, dict[str, Any]]:
+    """A figure, and its inputs after a press on a chip."""
+    figure = explore(BY_HAND[name])
+    chosen = BY_HAND[name].tries[words]
+    return figure, figure.start | {
+        key: figure.inputs[key].value(key, x) for key, x in chosen.items()
+    }
+
+
+@pytest.mark.parametrize(("name", "words", "outputs"), SHOWN)
+def test_a_chip_shows_what_it_promises(name: str, words: str, outputs: dict[str, str]) -> None:
+    figure, inputs = tried(name, words)
+    seen = figure.draw(**inputs).shown.outputs
+    assert {key: text_of(seen[key]) for key in outputs} == outputs
+
+
+def test_every_chip_has_its_row() -> None:
+    chips = {(name, words) for name, function in BY_HAND.items() for words in function.tries}
+    assert chips == {(name, words) for name, words, _ in SHOWN}
+
+
+@pytest.mark.parametrize("name", [name for name, function in BY_HAND.items() if function.tries])
+def test_chips_are_few_and_short(name: str) -> None:
+    tries = BY_HAND[name].tries
+    assert 2 <= len(tries) <= 4
+    assert all(len(words) <= 32 for words in tries)

@@ -22,7 +22,14 @@ from rotedu.control_points import bisect, control_points, double
 from rotedu.errors import DegenerateError
 from rotedu.general_rotation import euler_angles, matrix_from_euler_angles
 from rotedu.ordinary_rotation import axis_angle, rotate, rotation_matrix, transform
-from rotedu.orientations import slerp_rotations
+from rotedu.orientations import (
+    closed_rotation_curve,
+    nearest_rotation,
+    one_turn,
+    periodic_spline,
+    slerp_rotations,
+    squad,
+)
 from rotedu.quaternions import Quaternion
 
 Array = np.ndarray[Any, Any]
@@ -31,7 +38,7 @@ SEED = int(os.environ.get("SPHERE_SEED") or secrets.randbits(32))
 DIMENSIONS = (2, 3, 4, 7)
 TRIES = 8
 
-pytestmark = pytest.mark.filterwarnings("ignore:.*almost antipodal")
+pytestmark = pytest.mark.filterwarnings("ignore:.*are almost")
 
 
 def of_components(q: Any) -> Quaternion:
@@ -56,6 +63,8 @@ PYTHON: dict[str, Callable[..., Any]] = {
     "deCasteljauLevels": de_casteljau_levels,
     "deCasteljau": de_casteljau,
     "closedCurve": closed_curve,
+    "squad": squad,
+    "periodicSpline": periodic_spline,
     "cross": np.cross,
     "arcAxis": arc_axis,
     "rotate": rotate,
@@ -65,6 +74,8 @@ PYTHON: dict[str, Callable[..., Any]] = {
     "product": np.matmul,
     "transpose": np.transpose,
     "slerpRotations": slerp_rotations,
+    "closedRotationCurve": closed_rotation_curve,
+    "nearestRotation": nearest_rotation,
     "matrixFromEulerAngles": euler_matrix,
     "eulerAngles": euler_angles,
     "quaternionFromAxisAngle": lambda *given: Quaternion.from_axis_angle(*given).components,
@@ -148,6 +159,29 @@ def arcs_of_closed_curve(points: Array, fraction: float) -> list[Array]:
     return [angle_between(p, q) for p, q in ends]
 
 
+def arcs_of_squad(points: Array) -> list[Any]:
+    """The angles of all arcs between neighbours and between the points s."""
+    q = points / np.linalg.norm(points, axis=-1, keepdims=True)
+    before, after = np.roll(q, 1, axis=0), np.roll(q, -1, axis=0)
+    tangent = -sum(log(q, other) for other in (after, before)) / 4
+    size = np.linalg.norm(tangent, axis=-1, keepdims=True)
+    s = np.cos(size) * q + np.sinc(size / np.pi) * tangent
+    return [angle_between(p, np.roll(p, -1, axis=0)) for p in (q, s)]
+
+
+def log(p: Array, q: Array) -> Array:
+    """The tangent vectors that lead from p to q."""
+    angle = angle_between(p, q)[:, np.newaxis]
+    return np.asarray((q - np.cos(angle) * p) / np.sinc(angle / np.pi))
+
+
+def halves_of_turns(rotations: Array) -> Array:
+    """Half of each turn from Double(R_{i-1}, R_i) to R_{i+1}."""
+    axis, angle = axis_angle(rotations.swapaxes(-1, -2) @ np.roll(rotations, -1, axis=0))
+    turn = (angle[:, np.newaxis] * axis).T
+    return np.asarray(np.linalg.norm(one_turn(-np.roll(turn, 1, axis=-1), turn), axis=0) / 2)
+
+
 def arcs_of_levels(control: Array, u: float) -> list[float]:
     levels = de_casteljau_levels(control, u)[:-1]
     return [angle_between(p, q) for level in levels for p, q in pairwise(level)]
@@ -190,6 +224,8 @@ def in_any_dimension(rng: np.random.Generator, d: int) -> Iterator[Case]:
             angles = [0.0]
         yield Case("controlPoints", [points, fraction], angles)
         yield Case("closedCurve", [points, int(rng.integers(1, 9)), fraction], angles)
+        yield Case("squad", [points, int(rng.integers(1, 9))], arcs_of_squad(points))
+        yield Case("periodicSpline", [points / abs(points).max(), int(rng.integers(1, 9))])
 
 
 def in_three_dimensions(rng: np.random.Generator) -> Iterator[Case]:
@@ -213,6 +249,17 @@ def in_three_dimensions(rng: np.random.Generator) -> Iterator[Case]:
         yield Case("axisAngle", [m], np.pi - angle)
         yield Case("quaternionFromMatrix", [m])
         yield Case("slerpRotations", [a := rotation_matrix(axis, t), a @ m, t])
+    for scale in (0.3, 1):
+        sizes = scale * rng.normal(size=rng.integers(3, 9))
+        given = rotation_matrix(rng.normal(size=(len(sizes), 3)), sizes)
+        fraction, samples = rng.uniform(0.2, 0.5), int(rng.integers(1, 9))
+        angles = halves_of_turns(given)
+        yield Case("closedRotationCurve", [given, samples, fraction], angles)
+    yield Case("closedRotationCurve", [np.stack([m, m, m]), 3])
+    for m in (a, b, -a, 1e-200 * a, rotation_matrix(v, angle), np.diag([3, 2, -1])):
+        large, middle, small = np.linalg.svd(m)[1]
+        gap = (middle + np.sign(np.linalg.det(m / large)) * small) / large
+        yield Case("nearestRotation", [m], np.pi - np.arcsin(min(1, gap)))
     for v in (rng.uniform(-1.5, 1.5), *np.pi / 2 * np.array([1, -1, 1 - 1e-9, 1e-6 - 1])):
         u, w = rng.uniform(-3, 3, 2)
         yield Case("matrixFromEulerAngles", [u, v, w])
@@ -261,6 +308,17 @@ def without_answer(rng: np.random.Generator) -> Iterator[Case]:
             yield Case("closedCurve", [np.roll(points, start, axis=0), 2])
     for points in ([p, q, -double(p, q), r], [p, far, p, r]):
         yield Case("controlPoints", [points])
+    for start in range(4):
+        yield Case("squad", [np.roll([q, p, -p, r], start, axis=0)])
+        for degrees in ([0, 120, 130, 10], [0, 170, 0, 170]):
+            x = np.radians(np.roll(degrees, start))
+            yield Case("squad", [np.stack([np.cos(x), np.sin(x)], axis=-1), 2])
+        for angles in ([0, np.pi, 1, 2], [0, np.pi - 1e-9, 0, 0.1]):
+            given = m @ rotation_matrix(p, np.roll(angles, start))
+            yield Case("closedRotationCurve", [given, 2])
+    flat = (np.zeros((3, 3)), np.diag([1, 0, 0]), -np.eye(3), np.diag([3, 1, -1]))
+    for bad in (*flat, np.diag([1, 1e-9, 0]), np.diag([3, 1, 1e-9 - 1])):
+        yield Case("nearestRotation", [m @ bad @ rotation_matrix(q, 1)])
 
 
 def with_bad_numbers(rng: np.random.Generator) -> Iterator[Case]:
@@ -282,6 +340,7 @@ def with_bad_numbers(rng: np.random.Generator) -> Iterator[Case]:
         yield Case("unit", [bad])
         yield Case("controlPoints", [[p, q, bad]])
         yield Case("closedCurve", [[p, q, bad]])
+        yield Case("squad", [[p, q, bad]])
         yield Case("rotate", [p, bad, 1])
         yield Case("rotationMatrix", [bad, 1])
         yield Case("quaternionFromAxisAngle", [bad, 1])
@@ -290,6 +349,8 @@ def with_bad_numbers(rng: np.random.Generator) -> Iterator[Case]:
     for bad in no_directions[1:]:
         yield Case("rotate", [bad, p, 1])
         yield Case("transform", [m, bad])
+        yield Case("periodicSpline", [[p, q, bad]])
+        yield Case("nearestRotation", [[p, q, bad]])
         yield Case("rotateByQuaternion", [[1, *p], bad])
         yield Case("conjugate", [[1, *bad]])
         yield Case("quaternionProduct", [[1, *p], [1, *bad]])
@@ -307,12 +368,18 @@ def with_bad_numbers(rng: np.random.Generator) -> Iterator[Case]:
             yield Case(name, [bad])
         yield Case("slerpRotations", [m, bad, 0.5])
         yield Case("slerpRotations", [bad, m, 0.5])
+        yield Case("closedRotationCurve", [[m, bad, m]])
     for fraction in (-0.1, 1.1, np.nan):
         yield Case("controlPoints", [[p, q, r], fraction])
         yield Case("closedCurve", [[p, q, r], 2, fraction])
+        yield Case("closedRotationCurve", [[m, m, m], 2, fraction])
     for samples in (0, -1, 1.5):
-        yield Case("closedCurve", [[p, q, r], samples])
-    yield Case("closedCurve", [[p, q]])
+        for name in ("closedCurve", "squad", "periodicSpline"):
+            yield Case(name, [[p, q, r], samples])
+        yield Case("closedRotationCurve", [[m, m, m], samples])
+    yield Case("closedRotationCurve", [[m, m]])
+    for name in ("closedCurve", "squad", "periodicSpline"):
+        yield Case(name, [[p, q]])
     yield Case("controlPoints", [[p, q]])
     yield Case("deCasteljau", [np.empty((0, 3)), 0.5])
     yield Case("slerp", [p, p[:2], 0.5])

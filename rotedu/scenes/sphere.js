@@ -69,8 +69,8 @@ export function bisect(p, q) {
 
 /** The control points after and before each point: `rotedu.control_points.control_points`. */
 export function controlPoints(points, fraction = 1 / 2) {
-  if (points.length < 3) throw new RangeError("a closed curve needs at least 3 points");
-  if (!(fraction >= 0 && fraction <= 1)) throw new RangeError("a fraction is from 0 to 1");
+  threeAtLeast(points);
+  fromZeroToOne(fraction);
   const p = units(points);
   const after = rolled(p, 1);
   const doubled = rolled(p, -1).map((before, i) => reflected(before, p[i]));
@@ -101,20 +101,42 @@ export const deCasteljau = (control, u) => deCasteljauLevels(control, u).at(-1)[
 
 /** Points of a closed curve, `samples` on each segment: `rotedu.closed_curve.closed_curve`. */
 export function closedCurve(points, samples = 100, fraction = 1 / 2) {
-  if (!(Number.isInteger(samples) && samples > 0)) {
-    throw new RangeError("the number of samples must be a positive integer");
-  }
   const { a, b } = controlPoints(points, fraction);
   const p = units(points);
-  const [nextPoint, nextB] = [rolled(p, 1), rolled(b, 1)];
+  const nextB = rolled(b, 1);
   refuseAntipodalAmong(a, nextB, "control points a and b between {i} and {j}");
-  return p.flatMap((q, i) =>
-    Array.from({ length: samples }, (_, k) => {
-      let level = [q, a[i], nextB[i], nextPoint[i]];
-      while (level.length > 1) level = nextLevel(level, k / samples);
-      return level[0];
-    }),
-  );
+  return sampled(arcsOfArcs, [p, a, nextB, rolled(p, 1)], samples);
+}
+
+/** Points of Shoemake's closed curve, `samples` on each segment: `rotedu.orientations.squad`. */
+export function squad(quaternions, samples = 100) {
+  threeAtLeast(quaternions);
+  const q = units(quaternions);
+  const [before, after] = [rolled(q, -1), rolled(q, 1)];
+  refuseAntipodalAmong(q, after, "{i} and {j}", "quaternions");
+  const s = q.map((p, i) => {
+    return onward(p, combine(-1 / 4, towards(p, after[i]), -1 / 4, towards(p, before[i])));
+  });
+  const nextS = rolled(s, 1);
+  refuseAntipodalAmong(s, nextS, "points s of {i} and {j}", "quaternions");
+  return sampled(arcTowardsArc, [q, s, nextS, after], samples);
+}
+
+/** Points of the closed cubic curve through values: `rotedu.orientations.periodic_spline`. */
+export function periodicSpline(values, samples = 100) {
+  threeAtLeast(values);
+  for (const value of values) value.forEach(finite);
+  const after = rolled(values, 1);
+  const right = rolled(values, -1).map((before, i) => combine(3, after[i], -3, before));
+  // What is wrong with the rates is halved by each step.
+  let rates = right;
+  for (let step = 0; step < 60; step++) {
+    rates = right.map((sum, i) => {
+      const neighbours = combine(1, rates.at(i - 1), 1, rates[(i + 1) % rates.length]);
+      return combine(1 / 4, sum, -1 / 4, neighbours);
+    });
+  }
+  return sampled(cubic, [values, rates, rolled(rates, 1), after], samples);
 }
 
 // Three dimensions.
@@ -161,15 +183,9 @@ export const transform = (matrix, point) => matrix.map((row) => finite(dot(row, 
 
 /** The axis and angle of a rotation matrix: `rotedu.ordinary_rotation.axis_angle`. */
 export function axisAngle(matrix) {
-  const [[uu, uv, uw], [vu, vv, vw], [wu, wv, ww]] = rotation(matrix);
-  const sixteenProducts = [
-    [1 + uu + vv + ww, wv - vw, uw - wu, vu - uv],
-    [wv - vw, 1 + uu - vv - ww, uv + vu, uw + wu],
-    [uw - wu, uv + vu, 1 - uu + vv - ww, vw + wv],
-    [vu - uv, uw + wu, vw + wv, 1 - uu - vv + ww],
-  ];
-  const squares = sixteenProducts.map((row, i) => row[i]);
-  const [w, ...v] = sixteenProducts[squares.indexOf(Math.max(...squares))];
+  const products = sixteenProducts(rotation(matrix), 1);
+  const squares = products.map((row, i) => row[i]);
+  const [w, ...v] = products[squares.indexOf(Math.max(...squares))];
   const sine = Math.hypot(...v);
   const axis = sine ? v.map((x) => x / sine) : [1, 0, 0];
 
@@ -195,10 +211,42 @@ export const transpose = (a) => a[0].map((_, j) => a.map((row) => row[j]));
 export function slerpRotations(r1, r2, t) {
   const start = rotation(r1);
   const { axis, angle } = axisAngle(product(transpose(start), rotation(r2)));
-  if (angle >= Math.PI - 64 * Number.EPSILON) {
-    throw new DegenerateError("r1 and r2 are half a turn apart: no unique arc joins them");
-  }
+  refuseTwoWays([angle], 64 * Number.EPSILON, "r1 and r2", "", "half a turn apart");
   return product(start, rotationMatrix(axis, t * angle));
+}
+
+/** Orientations of a closed curve: `rotedu.orientations.closed_rotation_curve`. */
+export function closedRotationCurve(rotations, samples = 100, fraction = 1 / 2) {
+  threeAtLeast(rotations);
+  fromZeroToOne(fraction);
+  const given = rotations.map(rotation);
+  const turns = rolled(given, 1).map((after, i) => axisAngle(product(transpose(given[i]), after)));
+  const angles = turns.map(({ angle }) => angle);
+  refuseTwoWays(angles, 64 * Number.EPSILON, "{i} and {j}", "rotations", "half a turn apart");
+  const toNext = turns.map(({ axis, angle }) => scaled(angle, axis));
+  const toHere = rolled(toNext, -1);
+  const fromDouble = toHere.map((turn, i) => oneTurn(scaled(-1, turn), toNext[i]));
+  const halves = fromDouble.map((turn) => length(turn) / 2);
+  const pair = "Double({h}, {i}) and {j}";
+  refuseTwoWays(halves, ANTIPODAL, pair, "rotations", "a whole turn apart");
+  const toA = toHere.map((turn, i) => scaled(fraction, oneTurn(turn, scaled(1 / 2, fromDouble[i]))));
+  const fromNextB = rolled(toA, 1);
+  const between = toA.map((turn, i) =>
+    oneTurn(oneTurn(scaled(-1, turn), toNext[i]), scaled(-1, fromNextB[i])),
+  );
+  return sampled(follow, [given, toA, between, fromNextB], samples);
+}
+
+/** The rotation that differs least from a matrix: `rotedu.orientations.nearest_rotation`. */
+export function nearestRotation(matrix) {
+  // Its quaternion makes the sum of products with the entries, q^T K q, as large as it can be.
+  const { values, vectors } = eigen(sixteenProducts(matrix.map((row) => row.map(finite)), 0));
+  const [, , second, largest] = [...values].sort((a, b) => a - b);
+  // Twice the sum of the smaller singular values, and twice the largest.
+  if (largest - second <= ANTIPODAL * (largest + second)) {
+    throw new DegenerateError("matrix has several nearest rotations");
+  }
+  return quaternionMatrix(vectors[values.indexOf(largest)]);
 }
 
 /** Turns about U, V, W, as 3x3 matrix: `rotedu.general_rotation.matrix_from_euler_angles`. */
@@ -285,26 +333,136 @@ function arc(p, q, t) {
 
 const reflected = (p, q) => combine(2 * dot(p, q), q, -1, p);
 
+const scaled = (factor, v) => v.map((x) => factor * x);
+
 const nextLevel = (level, u) => level.slice(1).map((q, j) => arc(level[j], q, u));
 
-function refuseAntipodal(angle, pair) {
-  if (angle >= Math.PI - ANTIPODAL) {
-    throw new DegenerateError(`${pair} are antipodal: no unique arc joins them`);
+/** Evaluate the segments of a closed curve, given their parts: `rotedu.closed_curve.sampled`. */
+function sampled(curve, parts, samples) {
+  if (!(Number.isInteger(samples) && samples > 0)) {
+    throw new RangeError("the number of samples must be a positive integer");
   }
+  return parts[0].flatMap((_, i) => {
+    const segment = parts.map((part) => part[i]);
+    return Array.from({ length: samples }, (_, k) => curve(segment, k / samples));
+  });
 }
 
-/** Compare p[i] with q[i] for all i; {h}, {i} and {j} in `pair` stand for three neighbours. */
-function refuseAntipodalAmong(p, q, pair) {
-  const n = p.length;
-  p.forEach((point, i) => {
-    const places = { h: (i + n - 1) % n, i, j: (i + 1) % n };
-    const names = pair.replace(/{(.)}/g, (_, place) => `points[${places[place]}]`);
-    refuseAntipodal(theta(point, q[i]), names);
-  });
+function arcsOfArcs(level, u) {
+  while (level.length > 1) level = nextLevel(level, u);
+  return level[0];
+}
+
+function arcTowardsArc([q, s, nextS, nextQ], u) {
+  const [onArc, aim] = [arc(q, nextQ, u), arc(s, nextS, u)];
+  refuseAntipodal(theta(onArc, aim), "points of the arcs from q and s");
+  return arc(onArc, aim, 2 * u * (1 - u));
+}
+
+function cubic([value, rate, nextRate, nextValue], u) {
+  const begin = combine((1 - u) ** 2 * (1 + 2 * u), value, (1 - u) ** 2 * u, rate);
+  const end = combine(u ** 2 * (3 - 2 * u), nextValue, -(u ** 2) * (1 - u), nextRate);
+  return combine(1, begin, 1, end);
+}
+
+function follow([start, ...route], u) {
+  let turn = scaled(u, route[0]);
+  while (route.length > 1) {
+    route = route.slice(1).map((w, i) => oneTurn(scaled(1 - u, route[i]), scaled(u, w)));
+    turn = oneTurn(turn, scaled(u, route[0]));
+  }
+  const angle = length(turn);
+  return angle ? product(start, rotationMatrix(turn, angle)) : start;
+}
+
+/** One turn in place of two: `rotedu.orientations.one_turn`. */
+function oneTurn(v, w) {
+  const [a, b] = [length(v) / 2, length(w) / 2];
+  const [n, m] = [scaled(1 / (2 * a || 1), v), scaled(1 / (2 * b || 1), w)];
+  const [cosA, sinA, cosB, sinB] = [Math.cos(a), Math.sin(a), Math.cos(b), Math.sin(b)];
+  const cos = cosA * cosB - sinA * sinB * dot(n, m);
+  const sum = combine(sinA * cosB, n, cosA * sinB, m);
+  const axis = combine(1, sum, sinA * sinB, cross(n, m));
+  const sin = length(axis);
+  return scaled((2 * Math.atan2(sin, cos)) / (sin || 1), axis);
+}
+
+/** The tangent vector at p, as long as the arc, that leads to q. */
+function towards(p, q) {
+  const tangent = combine(1, q, -dot(p, q), p);
+  return scaled(theta(p, q) / (length(tangent) || 1), tangent);
+}
+
+/** Go from p along the arc that begins with a tangent vector, as far as it is long. */
+function onward(p, tangent) {
+  const size = length(tangent);
+  return combine(Math.cos(size), p, Math.sin(size) / (size || 1), tangent);
+}
+
+/** Shepperd's table, 4 q_i q_j of a rotation matrix, if the squares get 1. */
+const sixteenProducts = ([[uu, uv, uw], [vu, vv, vw], [wu, wv, ww]], one) => [
+  [one + uu + vv + ww, wv - vw, uw - wu, vu - uv],
+  [wv - vw, one + uu - vv - ww, uv + vu, uw + wu],
+  [uw - wu, uv + vu, one - uu + vv - ww, vw + wv],
+  [vu - uv, uw + wu, vw + wv, one - uu - vv + ww],
+];
+
+/** Eigenvalues of a symmetric matrix, and its eigenvectors as rows: Jacobi's method. */
+function eigen(matrix) {
+  const a = matrix.map((row) => [...row]);
+  const vectors = a.map((row, i) => row.map((_, j) => Number(i === j)));
+  // Each sweep squares what is left beside the diagonal.
+  for (let sweep = 0; sweep < 10; sweep++) {
+    for (let i = 0; i < a.length; i++) {
+      for (let j = i + 1; j < a.length; j++) if (a[i][j]) annul(a, vectors, i, j);
+    }
+  }
+  return { values: a.map((row, i) => row[i]), vectors };
+}
+
+/** Turn the i-th and j-th axis until the entry a_ij of a symmetric matrix is zero. */
+function annul(a, vectors, i, j) {
+  const cot = (a[j][j] - a[i][i]) / (2 * a[i][j]);
+  const tan = (cot < 0 ? -1 : 1) / (Math.abs(cot) + Math.hypot(1, cot));
+  const cos = 1 / Math.hypot(1, tan);
+  const turn = (row, other) => {
+    return [combine(cos, row, -tan * cos, other), combine(tan * cos, row, cos, other)];
+  };
+  [vectors[i], vectors[j]] = turn(vectors[i], vectors[j]);
+  [a[i], a[j]] = turn(a[i], a[j]);
+  for (const row of a) [[row[i]], [row[j]]] = turn([row[i]], [row[j]]);
+}
+
+function refuseAntipodal(angle, pair) {
+  refuseTwoWays([angle], ANTIPODAL, pair, "", "antipodal");
+}
+
+/** Compare p[i] with q[i] for all i: `refuseTwoWays`. */
+function refuseAntipodalAmong(p, q, pair, sequence = "points") {
+  const angles = p.map((point, i) => theta(point, q[i]));
+  refuseTwoWays(angles, ANTIPODAL, pair, sequence, "antipodal");
+}
+
+/** Refuse an angle of pi; {h}, {i} and {j} in `pair` stand for three neighbours. */
+function refuseTwoWays(angles, tolerance, pair, sequence, apart) {
+  const i = angles.findIndex((angle) => angle >= Math.PI - tolerance);
+  if (i < 0) return;
+  const n = angles.length;
+  const places = { h: (i + n - 1) % n, i, j: (i + 1) % n };
+  const names = pair.replace(/{(.)}/g, (_, place) => `${sequence}[${places[place]}]`);
+  throw new DegenerateError(`${names} are ${apart}: no unique arc joins them`);
 }
 
 /** Start a closed sequence later, or earlier by a negative number. */
 const rolled = (points, by) => points.map((_, i) => points.at((i + by) % points.length));
+
+function threeAtLeast(points) {
+  if (points.length < 3) throw new RangeError("a closed curve needs at least 3 points");
+}
+
+function fromZeroToOne(fraction) {
+  if (!(fraction >= 0 && fraction <= 1)) throw new RangeError("a fraction is from 0 to 1");
+}
 
 function finite(number) {
   if (!Number.isFinite(number)) throw new RangeError(`numbers must be finite; got ${number}`);

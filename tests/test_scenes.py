@@ -163,6 +163,13 @@ def test_what_a_misprint_makes_wrong_is_red(misprints: list[str], wrong: list[in
     for k, (name, ink) in enumerate(zip(names, inks, strict=True)):
         meant = pyvista.Color(colors.WRONG if k in wrong else ink)
         assert {plotter.actors[part].prop.color for part in (name, f"path {k}")} == {meant}
+    seen = [label for label in scene_labels(plotter) if label["position"]]
+    named = {
+        label["color"]
+        for label in seen
+        if label["text"] in [construction.PLAIN[name] for name in names]
+    }
+    assert named == {plotter.actors[name].prop.color.hex_rgb for name in names}
 
 
 def test_construction_of_figures_3_to_7_is_that_of_control_points() -> None:

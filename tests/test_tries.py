@@ -6,6 +6,7 @@ reader sees them. Where they are not obvious, a test below computes them in anot
 
 from typing import Any
 
+import numpy as np
 import pytest
 from test_explorables import BY_HAND
 
@@ -32,9 +33,13 @@ SHOWN: list[tuple[str, str, dict[str, str]]] = [
     ),
     (
         "closed_curve_by_hand",
-        "and a third of the way",
+        "the same, a third of the way",
         {"curvature_jump": "0.00", "speed": "90°/s"},
     ),
+    ("control_points_by_hand", "the three points alone", {"now": "0 three given points"}),
+    ("control_points_by_hand", "the next point straight ahead", {"tests": "all say yes"}),
+    ("control_points_by_hand", "before the jump", {"to_jump": "5°", "tests": "all say yes"}),
+    ("control_points_by_hand", "behind it", {"to_jump": "5°", "tests": "all say yes"}),
 ]
 
 
@@ -52,6 +57,17 @@ def test_a_chip_shows_what_it_promises(name: str, words: str, outputs: dict[str,
     figure, inputs = tried(name, words)
     seen = figure.draw(**inputs).shown.outputs
     assert {key: text_of(seen[key]) for key in outputs} == outputs
+
+
+def test_the_control_point_goes_halfway_straight_ahead_and_jumps_by_almost_a_right_angle() -> None:
+    place = {}
+    for words in list(BY_HAND["control_points_by_hand"].tries)[1:]:
+        figure, inputs = tried("control_points_by_hand", words)
+        a = np.array(figure.draw(**inputs).shown.parts["$a_i$"]["at"])
+        place[words] = np.degrees(np.arctan2(a[1], a[0]))
+    # P_i is at 60 degrees of the equator, and two halvings leave a quarter of a turn but for 2.5.
+    assert place["the next point straight ahead"] == pytest.approx(90)
+    assert place["before the jump"] - place["behind it"] == pytest.approx(90 - 2.5)
 
 
 def test_every_chip_has_its_row() -> None:

@@ -105,10 +105,16 @@ def visit_scene(writer: Any, node: scene) -> None:
         writer.body.append('<div class="scene">')
         return
     attributes = {
-        "style": f"aspect-ratio: {node['width']} / {node['height']}",
+        "style": shape(node),
         "data-scene": posixpath.join(writer.builder.dlpath, node["filename"]),
     }
     writer.body.append(writer.starttag(node, "div", CLASS="scene", **attributes))
+
+
+def shape(node: nodes.Element) -> str:
+    """Style a box with the shape of a picture, at most as wide as it was made."""
+    width, height = node["width"], node["height"]
+    return f"aspect-ratio: {width} / {height}; --scene-width: {width / 16:g}rem"
 
 
 def depart_scene(writer: Any, node: scene) -> None:

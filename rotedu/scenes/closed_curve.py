@@ -28,6 +28,7 @@ from rotedu.scenes.arcs import CAMERA_SEES, CAMERA_TARGETS, camera
 from rotedu.scenes.parts import (
     JUST_INSIDE,
     ORIGIN,
+    ROUND,
     add_arc,
     add_arrow,
     add_label,
@@ -147,7 +148,7 @@ NEAR = (FIGURE_8[0], (0.608, 0.769, 0.197), *FIGURE_8[2:])
         "where the curvature jumps most": {"u": 0.75},
         "two points close together": {"points": NEAR, "u": 0.32},
         "points on a great circle": {"points": RING},
-        "and a third of the way": {"points": RING, "fraction": 1 / 3},
+        "the same, a third of the way": {"points": RING, "fraction": 1 / 3},
     },
     points=Handles([f"P{k}" for k in range(MOST)], least=3, most=MOST),
     u=Slider(0, 1, "once round, u", plays=10),
@@ -182,10 +183,10 @@ def closed_curve_by_hand(
     levels = de_casteljau_levels(control[segment], within)
     t = np.linspace(0, 1, 25)
 
-    plotter = new_scene(eye=(4.28, 2.42, 2.51), target=(0, 0, 0))
+    plotter = new_scene(eye=(4.28, 2.42, 2.51), target=(0, 0, 0), size=ROUND)
     add_sphere(plotter)
     curve = closed_curve(p, 40, fraction)
-    add_line(plotter, [*curve, curve[0]], RESULT, radius=0.013, name="curve")
+    add_line(plotter, [*curve, curve[0]], RESULT, radius=0.015, name="curve")
     place_grip(plotter, "u", path=[*curve, curve[0]])
     polygon = np.stack([b, p, a], axis=1).reshape(-1, 3)
     add_arcs(plotter, [*b, *p], [*p, *a], CROSS, "handles", radius=0.013)

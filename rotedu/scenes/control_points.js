@@ -11,7 +11,7 @@ const SAMPLES = spread(25);
 /** `control_points_by_hand` */
 export function controlPoints(
   { points, step, printed_axis, printed_double, one_circle },
-  { inks, lamp, notYet, steps },
+  { inks, lamp, notYet, steps, verdicts },
 ) {
   const [before, here, held] = points.map(unit);
   const axis = one_circle && arcAxis(before, here);
@@ -60,29 +60,40 @@ export function controlPoints(
     const [at, color, hidden] = [way.at(-1), wrong ? inks.wrong : ink, step <= k];
     parts[`path ${k}`] = { paths: [way], color, hidden };
     parts[`$${name}$`] = { at, color, hidden };
-    labels[name] = hidden ? null : beside(at, others, distance);
+    const place = hidden ? null : beside(at, others, distance);
+    labels[name] = wrong ? null : place;
+    labels[`${name} spoiled`] = wrong ? place : null;
   });
 
   const [near, far] = [a, b].map((q) => angleBetween(here, q));
   const span = angleBetween(reflected, after);
   const halves = [angleBetween(reflected, middle), angleBetween(middle, after)];
   const turnsIn = cross(b, here);
-  const tested = (made, error) => (step < made ? notYet : lamp[Number(error < SAME)]);
+  const errors = {
+    midway: [2, Math.max(...halves.map((x) => Math.abs(x - span / 2)))],
+    on_circle: [4, Math.abs(dot(turnsIn, a))],
+    equally_far: [4, Math.abs(near - far)],
+    no_corner: [4, -dot(turnsIn, cross(here, a))],
+  };
+  const tested = ([made, error]) => (step < made ? notYet : lamp[Number(error < SAME)]);
+  const failed = Object.values(errors).filter(([, error]) => error >= SAME).length;
   return {
     // The ring stays on the point that it holds.
     inputs: one_circle ? { points: [before, here, after] } : {},
     parts,
     labels,
+    trails: { "way of a": step < 3 ? null : above(a), "way of P": above(after) },
     outputs: {
       now: steps[Math.ceil(step)],
-      on_circle: tested(4, Math.abs(dot(turnsIn, a))),
-      equally_far: tested(4, Math.abs(near - far)),
-      no_corner: tested(4, -dot(turnsIn, cross(here, a))),
-      midway: tested(2, Math.max(...halves.map((x) => Math.abs(x - span / 2)))),
-      to_jump: step < 1 ? notYet : 180 - DEGREES * span,
+      tests: step < 4 ? "" : verdicts[failed],
+      to_jump: one_circle && step >= 1 ? 180 - DEGREES * span : "",
+      ...Object.fromEntries(Object.entries(errors).map(([name, test]) => [name, tested(test)])),
     },
   };
 }
+
+/** Where a way is seen over the arcs. */
+const above = (point) => combine(1.05, point, 0, ORIGIN);
 
 /** The place of a label: next to a point of the sphere, away from others. */
 function beside(point, others, distance = NEAR) {

@@ -15,6 +15,7 @@ from rotedu.figures.frames import LAMP
 from rotedu.scenes.closed_curve import add_arcs
 from rotedu.scenes.parts import (
     ORIGIN,
+    ROUND,
     add_angle,
     add_arc,
     add_axis,
@@ -267,6 +268,8 @@ STEPS = (
     "4 Double: the other side, bᵢ",
 )
 NOT_YET = "–"
+# By the number of tests that say no.
+VERDICTS = ("all say yes", "one says no", "two say no", "three say no", "all say no")
 INKS = {"cross": CROSS, "result": RESULT, "wrong": WRONG}
 # Lengths of vectors and angles in radians that look equal.
 SAME = 1e-6
@@ -279,6 +282,11 @@ NEAR, FAR = 0.17, 0.36
 INWARD = -0.2
 
 
+def on_equator(degrees: float) -> tuple[float, float, float]:
+    """Return a point of the equator, where the first two points of `AHEAD` lie at 0° and 60°."""
+    return (round(np.cos(np.radians(degrees)), 6), round(np.sin(np.radians(degrees)), 6), 0.0)
+
+
 @explorable(
     model="controlPoints",
     constants={
@@ -286,6 +294,13 @@ INWARD = -0.2
         "lamp": LAMP,
         "notYet": NOT_YET,
         "steps": STEPS,
+        "verdicts": VERDICTS,
+    },
+    tries={
+        "the three points alone": {"step": 0},
+        "the next point straight ahead": {"points": (*NEIGHBOURS[:2], on_equator(120))},
+        "before the jump": {"points": (*NEIGHBOURS[:2], on_equator(295)), "one_circle": True},
+        "behind it": {"points": (*NEIGHBOURS[:2], on_equator(305)), "one_circle": True},
     },
     points=Handles(("P before", "P", "P after")),
     step=Slider(0, 4, "steps taken", step=1, stride=1, plays=8),
@@ -295,7 +310,7 @@ INWARD = -0.2
 )
 def control_points_by_hand(
     points: ArrayLike = AHEAD,
-    step: float = 0,
+    step: float = 4,
     printed_axis: bool = False,
     printed_double: bool = False,
     one_circle: bool = False,
@@ -334,7 +349,7 @@ def control_points_by_hand(
     doubled = (here, a) if printed_double else (a, here)
     b = slerp(*doubled, 2)
 
-    plotter = new_scene(eye=(4.86, -0.2, 3.0), target=(0, 0, 0.06))
+    plotter = new_scene(eye=(4.86, -0.2, 3.0), target=(0, 0, 0.06), size=ROUND)
     add_sphere(plotter)
     circle = turning(before, axis, 2 * np.pi, 96)
     add_line(plotter, circle, NEUTRAL, radius=0.004, name="circle").visibility = one_circle
@@ -351,7 +366,10 @@ def control_points_by_hand(
     opposite = add_point(plotter, -reflected, NEUTRAL, 0.03, name="opposite")
     opposite.visibility = step >= 1
     place = beside(-reflected, (), INWARD) if step >= 1 else None
-    add_label(plotter, place, "−P̄ᵢ₋₁", "black", "opposite")
+    add_label(plotter, place, "here aᵢ jumps", "black", "opposite")
+    for name, color in (("way of a", RESULT), ("way of P", VECTOR)):
+        # Nothing has moved yet, and a tube needs a length.
+        add_line(plotter, [before, here], color, 0.006, name).visibility = False
 
     # With (5-13) as printed, b_i comes to the second auxiliary point and its name.
     last = FAR if printed_double else NEAR
@@ -369,8 +387,10 @@ def control_points_by_hand(
         line.visibility = taken
         add_point(plotter, way[-1], color, name=name).visibility = taken
         place = beside(way[-1], others, distance) if taken else None
-        # A misprint can turn these points red, but no frame colours a label.
-        add_label(plotter, place, PLAIN[name], "black", name.strip("$"))
+        title = name.strip("$")
+        add_label(plotter, None if wrong else place, PLAIN[name], ink, title)
+        # No frame colours a label, so a point that a misprint spoils has another one.
+        add_label(plotter, place if wrong else None, PLAIN[name], WRONG, f"{title} spoiled")
 
     near, far = (angle_between(here, q) for q in (a, b))
     span = angle_between(reflected, after)
@@ -382,18 +402,21 @@ def control_points_by_hand(
         ("equally_far", 4, "aᵢ, bᵢ equally far from Pᵢ", abs(near - far)),
         ("no_corner", 4, "straight on at Pᵢ", -(turns_in @ turns_out)),
     )
+    failed = sum(bool(error >= SAME) for *_, error in tests)
     read_out(plotter, "now", STEPS[ceil(step)], "step")
+    read_out(plotter, "tests", VERDICTS[failed] if step == 4 else "", "four tests", where="picture")
+    to_jump = 180 - np.degrees(span) if one_circle and step >= 1 else ""
+    read_out(plotter, "to_jump", to_jump, "from Pᵢ₊₁ to the jump", 0, "°", where="picture")
     for name, made, label, error in tests:
-        read_out(plotter, name, bool(error < SAME) if step >= made else NOT_YET, label)
-    to_jump = 180 - np.degrees(span) if step >= 1 else NOT_YET
-    read_out(plotter, "to_jump", to_jump, "from Pᵢ₊₁ to −P̄ᵢ₋₁", 0, "°")
+        verdict = bool(error < SAME) if step >= made else NOT_YET
+        read_out(plotter, name, verdict, label, where="folded")
     describe(
         plotter,
         "A see-through sphere with three blue points P_{i-1}, P_i and P_{i+1} that can be dragged."
         " Purple paths lead to two auxiliary points: straight on beyond P_i by as far again, then"
         " halfway to P_{i+1}. The green control point a_i lies halfway back to P_i, and b_i lies"
-        " on the other side of P_i. A grey point lies"
-        " opposite the first auxiliary point. With a misprint, what it makes wrong is red.",
+        " on the other side of P_i. A grey point opposite the first auxiliary point is marked: here"
+        " a_i jumps. With a misprint, what it makes wrong is red.",
     )
     return plotter
 

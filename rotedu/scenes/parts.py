@@ -13,12 +13,19 @@ from rotedu.figures.frames import place_label, place_part
 from rotedu.ordinary_rotation import rotate
 
 SIZE = (720, 480)
+ROUND = (576, 480)
+"""Size of a scene with a sphere, which then fills it, also on a phone."""
 ORIGIN = np.zeros(3)
 JUST_INSIDE = 0.99
 """Radius of a surface along the unit sphere: two surfaces in one place would show stripes."""
 
 
-def new_scene(eye: ArrayLike, target: ArrayLike, view_angle: float = 24.0) -> pyvista.Plotter:
+def new_scene(
+    eye: ArrayLike,
+    target: ArrayLike,
+    view_angle: float = 24.0,
+    size: tuple[int, int] = SIZE,
+) -> pyvista.Plotter:
     """Open an empty scene with the W axis pointing up.
 
     Parameters
@@ -27,13 +34,15 @@ def new_scene(eye: ArrayLike, target: ArrayLike, view_angle: float = 24.0) -> py
         Position of the camera, and the point it looks at.
     view_angle : float
         Height of the field of view in degrees.
+    size : tuple of int
+        Width and height of the picture in pixels.
 
     Returns
     -------
     pyvista.Plotter
         The scene.
     """
-    plotter = pyvista.Plotter(window_size=list(SIZE))
+    plotter = pyvista.Plotter(window_size=list(size))
     plotter.enable_anti_aliasing("ssaa")
     plotter.camera_position = (tuple(np.asarray(eye)), tuple(np.asarray(target)), (0, 0, 1))
     plotter.camera.view_angle = view_angle
@@ -131,7 +140,7 @@ def add_label(
 ) -> None:
     """Write a text, or a formula between dollar signs, centred at a point, or nowhere for now."""
     place = place_label(plotter, name or text.strip("$"), point)
-    plotter.add_point_labels(
+    actor = plotter.add_point_labels(
         np.reshape(np.asarray(ORIGIN if point is None else point, float), (1, 3)),
         [text],
         name=place,
@@ -143,6 +152,7 @@ def add_label(
         justification_horizontal="center",
         justification_vertical="center",
     )
+    actor.SetVisibility(point is not None)
 
 
 def add_coordinate_axes(plotter: pyvista.Plotter, length: float) -> None:

@@ -39,7 +39,7 @@ export function render({ model, el }, models) {
     {
       class: "scene",
       "data-state": "loading",
-      style: `aspect-ratio: ${made.width} / ${made.height}`,
+      style: `aspect-ratio: ${made.width} / ${made.height}; --scene-width: ${made.width / 16}rem`,
     },
     ...labels.map(createLabel),
   );

@@ -103,6 +103,9 @@ SPECIAL = {
         {"step": 1.0},
         {"printed_double": True, "step": 3.5},
     ],
+    "double_cover_by_hand": [
+        {"turns": n, "passed": passed} for n, passed in ((0, 0), (1, 0.3), (2, 1), (3, 1), (4, 2))
+    ],
     # Of the two triples for this pose the matrix gives the farther one.
     "euler_angles_by_hand": [*HALF_A_TURN, {"v": 150.0, "tilt": 5.0}],
     "figure_1_by_hand": [{"theta": 0.0}],

@@ -265,7 +265,7 @@ def changed(name: str, before: dict[str, Any], after: dict[str, Any]) -> set[str
         ("closed_curve_by_hand", {"u": 0.7, "fraction": 0.3}),
         ("control_points_by_hand", {"printed_axis": True}),
         ("two_mirrors_by_hand", {"first": 20.0, "second": 75.0, "letter": -30.0}),
-        ("double_cover_by_hand", {"theta": 200.0}),
+        ("double_cover_by_hand", {"turns": 1.0, "passed": 0.3}),
     ],
 )
 def test_a_figure_looks_as_python_draws_it(

@@ -12,6 +12,7 @@ from rotedu.figures.backend import scene_labels
 from rotedu.figures.frames import shown
 from rotedu.ordinary_rotation import rotate
 from rotedu.scenes import control_points as construction
+from rotedu.scenes import quaternions as chapter_2
 from rotedu.scenes.arcs import camera
 
 SCENES = [
@@ -119,29 +120,119 @@ def test_two_mirrors_turn_the_letter_by_twice_their_angle(between: float) -> Non
 
 
 @pytest.mark.parametrize(
-    ("theta", "back"),
-    [(0, ("yes", "yes")), (180, ("no", "no")), (360, ("yes", "no")), (720, ("yes", "yes"))],
+    ("turns", "back"),
+    [(0, ("yes", "yes")), (0.5, ("no", "no")), (1, ("yes", "no")), (2, ("yes", "yes"))],
 )
-def test_the_spoon_is_back_after_one_turn_and_its_quaternion_after_two(theta, back) -> None:
-    plotter = scenes.double_cover_by_hand(theta)
+def test_the_spoon_is_back_after_one_turn_and_its_quaternion_after_two(turns, back) -> None:
+    plotter = scenes.double_cover_by_hand(turns)
     outputs = shown(plotter).outputs
     assert (outputs["spoon_back"].value, outputs["q_back"].value) == back
-    turn = Rotation.from_euler("z", theta, degrees=True).as_matrix()
+    turn = Rotation.from_euler("z", 360 * turns, degrees=True).as_matrix()
     np.testing.assert_allclose(plotter.actors["spoon"].user_matrix[:3, :3], turn, atol=1e-14)
     np.testing.assert_allclose(outputs["matrix"].value, turn, atol=1e-14)
+    half = np.pi * turns
     np.testing.assert_allclose(
-        outputs["q"].value,
-        [np.cos(np.deg2rad(theta / 2)), 0, 0, np.sin(np.deg2rad(theta / 2))],
-        atol=1e-14,
+        outputs["q"].value, [np.cos(half), 0, 0, np.sin(half)], rtol=0, atol=1e-14
     )
 
 
-def test_the_ribbon_is_twisted_as_far_as_the_spoon_has_turned() -> None:
-    ribbon = scenes.double_cover_by_hand(540).actors["ribbon, left"].mapper.dataset.points
-    border = ribbon[np.hypot(*ribbon.T[:2]) > 0.01]
-    border = border[np.argsort(-border[:, 2])]
-    twist = np.unwrap(np.arctan2(border[:, 1], border[:, 0]))
-    assert np.isclose(np.rad2deg(twist[-1] - twist[0]), 540, atol=1e-3)
+def half_of_ribbon(turns: float, passed: float) -> np.ndarray:
+    """The border and the middle of the ribbon, from the spoon to the bar, shape (2, n, 3)."""
+    plotter = scenes.double_cover_by_hand(turns, passed)
+    points = plotter.actors["one half"].mapper.dataset.points
+    return points.reshape(2, -1, 3) - chapter_2.HOME
+
+
+@pytest.mark.parametrize(
+    ("turns", "passed", "twists"),
+    [
+        *((n, 0, n) for n in (0.3, 1, 1.5, 2, 3, 4)),
+        *((1, 1, -1), (1.5, 1, -0.5), (2, 1, 0), (3, 1, 1), (3, 2, -1), (4, 1, 2), (4, 2, 0)),
+        # It is not passed more often than that.
+        *((1, 2, -1), (2, 2, 0)),
+    ],
+)
+def test_the_ribbon_has_the_twists_that_are_said(turns, passed, twists) -> None:
+    border, middle = half_of_ribbon(turns, passed)
+    across = border - middle
+    np.testing.assert_allclose(middle[:, :2], 0, atol=1e-5)
+    angle = np.unwrap(np.arctan2(across[:, 1], across[:, 0]))
+    assert np.isclose((angle[0] - angle[-1]) / (2 * np.pi), twists, atol=1e-5)
+    outputs = shown(scenes.double_cover_by_hand(turns, passed)).outputs
+    assert outputs["twists"].value == pytest.approx(twists)
+
+
+WAYS = [(turns, passed) for turns in (0, 0.4, 1, 1.7, 2, 2.3, 3, 4) for passed in (0, 0.3, 0.9, 1)]
+WAYS += [(turns, 1 + passed) for turns in (2.3, 3, 4) for passed in (1e-9, 0.5, 0.97, 1)]
+
+
+@pytest.mark.parametrize(("turns", "passed"), WAYS)
+def test_the_ends_of_the_ribbon_are_held_while_it_is_passed(turns, passed) -> None:
+    way = chapter_2.along_ribbon(turns, passed, np.linspace(0, 1, 2001)).components
+    np.testing.assert_allclose(np.linalg.norm(way, axis=1), 1, rtol=0, atol=1e-12)
+    half = np.pi * turns
+    ends = [[1, 0, 0, 0], [np.cos(half), 0, 0, np.sin(half)]]
+    np.testing.assert_allclose(way[[0, -1]], ends, rtol=0, atol=1e-9)
+    # At constant speed, no longer than four turns, and as little changed by a little passing.
+    steps = np.linalg.norm(np.diff(way, axis=0), axis=1)
+    assert np.ptp(steps) < 1e-7
+    assert steps.max() <= np.pi * max(turns, 2) / 2000 + 1e-9
+    before = chapter_2.along_ribbon(turns, max(passed - 1e-4, 0), np.linspace(0, 1, 2001))
+    assert np.abs(way - before.components).max() < 0.03
+
+
+@pytest.mark.parametrize("tau", [0, 0.2, 0.5, 0.9])
+def test_two_turns_shrink_in_the_ball_and_one_swings(tau) -> None:
+    s = np.linspace(0, 1, 1001)
+    # Two turns whose axes lean apart; one turn whose axis goes from pole to pole.
+    k = np.array([0, 0, 1])
+    i, lean = np.cross(k, chapter_2.ACROSS), np.pi * tau / 2
+    a, b = (np.cos(lean) * k + sign * np.sin(lean) * i for sign in (1, -1))
+    two = Rotation.from_rotvec(2 * np.pi * np.outer(s, a)) * Rotation.from_rotvec(
+        2 * np.pi * np.outer(s, b)
+    )
+    side = rotate(chapter_2.ACROSS, k, np.pi / 6)
+    n = np.cos(np.pi * tau) * k + np.sin(np.pi * tau) * side
+    one = Rotation.from_rotvec(2 * np.pi * np.outer(s, n))
+    for turns, expected, radius in ((2, two, 1 - tau), (1, one, 1)):
+        way = chapter_2.along_ribbon(turns, tau, s)
+        np.testing.assert_allclose(way.matrix(), expected.as_matrix(), rtol=0, atol=1e-12)
+        assert np.isclose(chapter_2.turns_of(way)[1].max(), radius, atol=1e-6)
+
+
+@pytest.mark.parametrize(("turns", "passed"), WAYS)
+def test_the_ribbon_meets_neither_itself_nor_the_spoon(turns, passed) -> None:
+    border, middle = half_of_ribbon(turns, passed)
+    far = np.linalg.norm(middle, axis=1)
+    ribbon = np.stack([border, middle])
+    distances = np.linalg.norm(ribbon[:, :, None, None] - ribbon[None, None], axis=-1)
+    along = np.abs(far[:, None] - far)[None, :, None]
+    apart = np.broadcast_to(along > 0.15, distances.shape)
+    assert distances[apart].min() > 0.13
+    # The spoon turns with the ribbon's end: only farther out do they differ.
+    plotter = scenes.double_cover_by_hand(turns, passed)
+    spoon = np.linalg.norm(plotter.actors["spoon"].mapper.dataset.points, axis=1).max()
+    assert spoon < chapter_2.SPOON < far[-1]
+    held = far < chapter_2.SPOON
+    width = chapter_2.WIDTH * rotate([-1, 0, 0], [0, 0, 1], 2 * np.pi * turns)
+    np.testing.assert_allclose((border - middle)[held], np.tile(width, (held.sum(), 1)), atol=1e-6)
+
+
+@pytest.mark.parametrize("turns", [0.5, 1, 2, 3, 4])
+def test_what_is_grabbed_lies_on_the_ribbon(turns) -> None:
+    grips = shown(scenes.double_cover_by_hand(turns)).grips
+    for k in range(0, 48 * chapter_2.passes(turns) + 1, 12):
+        ring = grips["passed"]["path"][k] - chapter_2.HOME
+        _, middle = half_of_ribbon(turns, k / 48)
+        line = pyvista.MultipleLines(middle)
+        _, nearest = line.find_closest_cell(ring, return_closest_point=True)
+        assert np.linalg.norm(nearest - ring) < 0.01
+    tips = grips["turns"]["path"] - chapter_2.HOME
+    turned = rotate([chapter_2.REACH, 0, 0], [0, 0, 1], 8 * np.pi * np.linspace(0, 1, 97))
+    np.testing.assert_allclose(tips, turned, atol=0.01 * chapter_2.REACH)
+    # A path that ended where it begins would lead from four turns to none.
+    assert np.linalg.norm(tips[-1] - tips[0]) > 1e-3
+    assert np.linalg.norm(grips["passed"]["path"][-1] - grips["passed"]["path"][0]) > 1e-3
 
 
 def test_no_turn_maps_the_letter_f_to_its_mirror_image() -> None:

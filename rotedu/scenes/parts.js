@@ -9,9 +9,9 @@ export function spread(count) {
   return Array.from({ length: count }, (_, i) => i / (count - 1));
 }
 
-/** The sixteen numbers, by columns, of a matrix that takes U, V and W to three vectors. */
-export function columns([u, v, w]) {
-  return [...u, 0, ...v, 0, ...w, 0, 0, 0, 0, 1];
+/** The sixteen numbers, by columns, of a matrix that takes U, V, W and O to three vectors and a point. */
+export function columns([u, v, w], origin = ORIGIN) {
+  return [...u, 0, ...v, 0, ...w, 0, ...origin, 1];
 }
 
 /** Arcs from each point to another: `rotedu.scenes.closed_curve.add_arcs`. */
@@ -25,7 +25,7 @@ export function turning(point, axis, angle, steps) {
   return spread(steps + 1).map((x) => rotate(point, axis, x * angle));
 }
 
-/** The sixteen numbers, by columns, that turn a part by a 3x3 matrix about the origin. */
-export function placing(matrix) {
-  return columns(transpose(matrix));
+/** The sixteen numbers, by columns, that turn a part by a 3x3 matrix and put it in a place. */
+export function placing(matrix, place) {
+  return columns(transpose(matrix), place);
 }

@@ -1,10 +1,27 @@
 /* Models of `rotedu.scenes.quaternions`. */
-import { DEGREES, ORIGIN, columns, spread, turning } from "./parts.js";
-import { combine, quaternionProduct, rotate, rotationMatrix, transpose } from "./sphere.js";
+import { DEGREES, ORIGIN, columns, placing, spread, turning } from "./parts.js";
+import {
+  combine,
+  quaternionFromAxisAngle,
+  quaternionProduct,
+  rotate,
+  rotateByQuaternion,
+  rotationMatrix,
+  transpose,
+  unit,
+} from "./sphere.js";
 
+const U = [1, 0, 0];
 const W = [0, 0, 1];
 const SMALLEST_ARC = 8;
 const BACK = 0.5;
+const [SPOON, BAR, WIDTH, STEM] = [0.42, 1.26, 0.11, 0.06];
+const [REACH, RING] = [0.4, 0.6];
+const ACROSS = unit([-2.6, 4.4, 0]);
+const HOME = ACROSS.map((x) => -2.35 * x);
+const [NO_AXIS, JUMP] = [1e-6, 0.35];
+const ON_SKIN = 0.97;
+const TINY = 1e-12;
 
 /** A point off the axis. */
 const out = (angle, radius = 1) => rotate([radius, 0, 0], W, angle / DEGREES);
@@ -64,8 +81,159 @@ export function twoMirrors({ first, second, both, letter }, { lamp }) {
     outputs: {
       between,
       turned: 2 * between,
-      home: lamp[Number((Math.abs(2 * between) + BACK) % 360 < 2 * BACK)],
+      home: lamp[Number(isBack(2 * between, 360))],
       q: quaternionProduct(m[1], m[0]).map((x) => -x),
     },
   };
 }
+
+/** `double_cover_by_hand` */
+export function doubleCover({ turns, passed: wanted }, { lamp, on_its_way }) {
+  const passed = Math.min(wanted, passes(turns));
+  const hangs = Number.isInteger(passed);
+  const angle = 2 * Math.PI * turns;
+  const matrix = rotationMatrix(W, angle);
+
+  const edges = [-WIDTH, 0, WIDTH].map((width) => sideOfRibbon(turns, passed, width));
+  const onRing = (theta, side) => combine(1, HOME, RING, onBand(theta, side));
+  const [q, opposite] = [1, -1].map((side) => onRing(angle, side));
+  const { axes, shares } = turnsOf(alongRibbon(turns, passed, spread(161)));
+  const path = axes.map((axis, i) => axis.map((x) => shares[i] * x));
+  const end = path.at(-1);
+  const drawn = pieces(path);
+  const wayHidden = !(hangs && turns > 0);
+
+  return {
+    inputs: { passed },
+    parts: {
+      spoon: { matrix: placing(matrix, HOME) },
+      "one half": { points: [...edges[0], ...edges[1]] },
+      "other half": { points: [...edges[1], ...edges[2]] },
+      borders: { paths: [edges[0], edges[2]].map((edge) => edge.filter((_, i) => i % 2 === 0)) },
+      band: { hidden: !hangs },
+      ring: { hidden: !hangs },
+      way: wayHidden
+        ? { hidden: true }
+        : { paths: [spread(97).map((t) => onRing(t * angle, 1))], hidden: false },
+      stick: { paths: [[q, opposite]], hidden: !hangs },
+      q: { at: q, hidden: !hangs },
+      "-q": { at: opposite, hidden: !hangs },
+      path: drawn.length ? { paths: drawn, hidden: false } : { hidden: true },
+      end: { at: end },
+      skin: { hidden: shares.at(-1) <= ON_SKIN },
+    },
+    labels: {
+      q: hangs ? onRing(angle, 1.6) : null,
+      "-q": hangs ? onRing(angle, -1.6) : null,
+      end: combine(1, end, 0.16, ACROSS),
+    },
+    grips: { turns: { path: onceForEachTurn() }, passed: { path: wayOfRibbon(turns) } },
+    outputs: {
+      twists: hangs ? turns - 2 * passed : on_its_way,
+      spoon_back: lamp[Number(isBack(360 * turns, 360))],
+      q_back: lamp[Number(isBack(360 * turns, 720))],
+      q: quaternionFromAxisAngle(W, angle),
+      matrix,
+    },
+  };
+}
+
+const passes = (turns) => (turns <= 2 ? 1 : 2);
+
+/** Rotations of the ribbon at fractions of its way: `along_ribbon`. */
+function alongRibbon(turns, passed, fractions) {
+  const { axis, radius, length, side, staying } = movingArc(turns, passed);
+  return fractions.map((s) => {
+    const gone = s * (length + Math.PI * staying);
+    const turned = Math.min(gone, length) / Math.max(radius, TINY);
+    const [w, along, aside] = rotate([1, 0, 0], axis, turned);
+    const moved = [w, ...combine(along, W, aside, side)];
+    return quaternionProduct(quaternionFromAxisAngle(W, 2 * Math.max(gone - length, 0)), moved);
+  });
+}
+
+/** `moving_arc` */
+function movingArc(turns, passed) {
+  const done = Math.min(Math.floor(passed), passes(turns) - 1);
+  const [left, tau] = [turns - 2 * done, passed - done];
+  const [moving, staying] = [Math.min(left, 2), Math.max(left - 2, 0)];
+  const half = (Math.PI * moving) / 2;
+  const rise = Math.cos(Math.PI * tau) - Math.cos(half);
+  const out = Math.sin(Math.PI * tau);
+  const tilt = Math.atan2(out, rise);
+  const axis = [-Math.sin(tilt) * Math.cos(half), -Math.sin(tilt) * Math.sin(half), Math.cos(tilt)];
+  const radius = Math.hypot(axis[1], axis[2]);
+  const arc = radius * 4 * Math.atan2(Math.hypot(rise, out), Math.sin(half));
+  const side = rotate(ACROSS, W, (Math.PI / 6) * (2 - moving));
+  return { axis, radius, length: arc, side, staying };
+}
+
+/** `side_of_ribbon` */
+function sideOfRibbon(turns, passed, width) {
+  const radii = spread(201).map((t) => STEM + t * (BAR - STEM));
+  const places = radii.map((r) => {
+    const x = Math.min(1, Math.max(0, (r - SPOON) / (BAR - SPOON)));
+    return 1 - x * x * (3 - 2 * x);
+  });
+  const turned = alongRibbon(turns, passed, places);
+  return turned.map((q, i) =>
+    combine(1, HOME, 1, rotateByQuaternion(q, combine(width, U, radii[i], W))),
+  );
+}
+
+/** `way_of_ribbon` */
+function wayOfRibbon(turns) {
+  const most = passes(turns);
+  const bar = combine(1, HOME, BAR, W);
+  const middle = (passed) => {
+    const { length, staying } = movingArc(turns, passed);
+    const s = staying ? length / (length + Math.PI * staying) / 2 : 0.5;
+    const x = 0.5 - Math.sin(Math.asin(2 * s - 1) / 3);
+    const [q] = alongRibbon(turns, passed, [s]);
+    return combine(1, HOME, SPOON + x * (BAR - SPOON), rotateByQuaternion(q, W));
+  };
+  return spread(97).map((t) => {
+    const beyond = Math.max(2 * t - most, 0);
+    const there = middle(Math.min(2 * t, most));
+    return beyond ? combine(1 - beyond, there, beyond, bar) : there;
+  });
+}
+
+/** `once_for_each_turn` */
+function onceForEachTurn() {
+  return spread(97).map((t) => {
+    return combine(1, HOME, REACH * (1 + 0.01 * t), rotate(U, W, 8 * Math.PI * t));
+  });
+}
+
+/** Axes and angles of quaternions along a path: `turns_of`. */
+function turnsOf(path) {
+  const sizes = path.map(([, ...v]) => Math.hypot(...v));
+  const known = (i) => sizes[i] > NO_AXIS;
+  let last = path.findIndex((_, i) => known(i));
+  const axes = path.map(([, ...v], i) => {
+    if (last < 0) return W;
+    if (known(i)) last = i;
+    return path[last].slice(1).map((x) => x / sizes[last]);
+  });
+  return { axes, shares: path.map(([w], i) => Math.atan2(sizes[i], w) / Math.PI) };
+}
+
+/** `pieces` */
+function pieces(path) {
+  const parts = [[]];
+  path.forEach((point, i) => {
+    if (i && Math.hypot(...combine(1, point, -1, path[i - 1])) > JUMP) parts.push([]);
+    parts.at(-1).push(point);
+  });
+  const extent = (part, k) => Math.max(...part.map((p) => p[k])) - Math.min(...part.map((p) => p[k]));
+  return parts.filter((part) => [0, 1, 2].some((k) => extent(part, k) > NO_AXIS));
+}
+
+/** `on_band` */
+function onBand(theta, side) {
+  const [w, s] = [Math.cos(theta / 2), Math.sin(theta / 2)].map((x) => 0.33 * side * x);
+  return [(1 + s) * Math.cos(theta), (1 + s) * Math.sin(theta), w];
+}
+
+const isBack = (angle, lap) => (Math.abs(angle) + BACK) % lap < 2 * BACK;

@@ -1,13 +1,15 @@
 """Scenes of Chapter 2: two mirrors and the two quaternions of a rotation."""
 
+from typing import NamedTuple
+
 import numpy as np
 import pyvista
 from numpy.typing import ArrayLike, NDArray
 
 from rotedu.colors import AXIS, CROSS, NEUTRAL, RESULT, VECTOR
-from rotedu.figures import Slider, describe, explorable, read_out
+from rotedu.figures import Slider, describe, explorable, limit_turning, read_out
 from rotedu.figures.frames import LAMP, place_grip, place_part
-from rotedu.general_rotation import homogeneous
+from rotedu.general_rotation import homogeneous, translation
 from rotedu.ordinary_rotation import rotate, rotation_matrix
 from rotedu.quaternions import Quaternion
 from rotedu.scenes.parts import (
@@ -15,7 +17,9 @@ from rotedu.scenes.parts import (
     add_arrow,
     add_label,
     add_line,
+    add_lines,
     add_point,
+    add_sphere,
     new_scene,
     teaspoon,
     triangle_mesh,
@@ -27,8 +31,24 @@ W = np.array([0.0, 0.0, 1.0])
 SMALLEST_ARC = 8.0
 # What is within this many degrees of its start is back.
 BACK = 0.5
-# Length of the ribbon.
-RIBBON = 1.1
+U = np.array([1.0, 0.0, 0.0])
+# The ribbon reaches from a bar down to a spoon about the middle of shells that turn.
+SPOON, BAR, WIDTH, STEM = 0.42, 1.26, 0.11, 0.06
+# Half the length of the spoon, and the radius of the ring about it.
+REACH, RING = 0.4, 0.6
+# Spoon and ball lie side by side: the camera looks at the point between.
+EYE = 9 * np.array([4.4, 2.6, 2.4]) / np.linalg.norm([4.4, 2.6, 2.4])
+ACROSS = np.array([-2.6, 4.4, 0.0]) / np.hypot(2.6, 4.4)
+HOME = -2.35 * ACROSS
+MIDDLE = -1.26 * ACROSS + [0, 0, 0.1]
+# The other side of the ribbon: a light `VECTOR`.
+PALE = "#8fc1e3"
+ON_ITS_WAY = "on its way"
+# A vector part without a direction, and a step of a path that is a jump through the skin.
+NO_AXIS, JUMP = 1e-6, 0.35
+# From this share of a whole turn on, a quaternion is on the skin.
+ON_SKIN = 0.97
+TINY = 1e-12
 
 
 def letter_f(size: float = 0.5, thickness: float = 0.07, border: float = 0.0) -> pyvista.PolyData:
@@ -159,91 +179,274 @@ def two_mirrors_by_hand(
     return plotter
 
 
-FRAME = 10.0
-"""Degrees from one frame of `double_cover_by_hand` to the next."""
+@explorable(
+    model="doubleCover",
+    constants={"lamp": LAMP, "on_its_way": ON_ITS_WAY},
+    tries={f"{n} turn{'s' * (n > 1)}": {"turns": n, "passed": 0} for n in (1, 2, 3, 4)},
+    turns=Slider(0, 4, "turns of the spoon", step=0.05, stride=1, plays=16),
+    passed=Slider(0, 2, "ribbon passed round it, times", step=0.02, stride=0.5, plays=12),
+)
+def double_cover_by_hand(turns: float = 2, passed: float = 0.44) -> pyvista.Plotter:
+    """Draw a spoon that has turned on a ribbon, and how the ribbon is passed round it.
 
-
-@explorable(theta=Slider(0, 720, "turned by θ, °", step=FRAME, stride=90, plays=12))
-def double_cover_by_hand(theta: float = 360) -> pyvista.Plotter:
-    """Draw a spoon that turns on a ribbon, and its quaternion on the edge of a band.
-
-    The spoon points to a place on a ring. There q lies cos(theta / 2) up and sin(theta / 2) out,
-    on one edge of the band; -q lies opposite, on the other edge.
+    From its bar to the spoon the ribbon is a path of rotations, which is drawn in a ball as well.
+    While nothing is on its way, a band about the spoon shows its two quaternions: q lies
+    cos(theta / 2) up from a ring and sin(theta / 2) out, -q opposite.
 
     Parameters
     ----------
-    theta : float
-        Angle in degrees by which the spoon has turned, from 0 to 720.
+    turns : float
+        How often the spoon has turned, from 0 to 4.
+    passed : float
+        How often the ribbon has been passed round the spoon, up to `passes`.
 
     Returns
     -------
     pyvista.Plotter
         The scene.
     """
-    angle = np.deg2rad(theta)
+    passed = min(passed, passes(turns))
+    hangs = float(passed).is_integer()
+    angle = 2 * np.pi * turns
     q = Quaternion.from_axis_angle(W, angle)
     matrix = rotation_matrix(W, angle)
 
-    plotter = new_scene(eye=(3.45, 2.25, 3.75), target=(0.0, 0.04, 0.11))
+    plotter = new_scene(eye=MIDDLE + EYE, target=MIDDLE, view_angle=18.6)
+    limit_turning(plotter, 25)
+    bar = HOME + BAR * W
+    add_line(plotter, [bar - 2.5 * WIDTH * U, bar + 2.5 * WIDTH * U], NEUTRAL, 0.025)
+    spoon = teaspoon(stations=41, around=16)
+    spoon.points = REACH * (spoon.points - [0, 0, 0.05])
+    pose = translation(HOME) @ homogeneous(matrix)
+    name = place_part(plotter, "spoon", matrix=pose.T.ravel())
+    plotter.add_mesh(spoon, color=VECTOR, smooth_shading=True, name=name).user_matrix = pose
+    edges = [side_of_ribbon(turns, passed, width) for width in (-WIDTH, 0, WIDTH)]
+    for name, between, color in (("one", edges[:2], VECTOR), ("other", edges[1:], PALE)):
+        half = strip(*between)
+        name = place_part(plotter, f"{name} half", points=half.points)
+        plotter.add_mesh(half, color=color, smooth_shading=True, pickable=False, name=name)
+    add_lines(plotter, [edges[0][::2], edges[2][::2]], NEUTRAL, 0.006, name="borders")
+    place_grip(plotter, "turns", path=once_for_each_turn())
+    place_grip(plotter, "passed", path=way_of_ribbon(turns))
+
     rounds = np.linspace(0, 2 * np.pi, 97)
-    edges = [on_band(rounds, side) for side in (1.0, 0.0, -1.0)]
-    plotter.add_mesh(sheet(edges), color=NEUTRAL, opacity=0.5, smooth_shading=True, pickable=False)
-    for edge, color, radius in zip(
-        edges, (NEUTRAL, VECTOR, NEUTRAL), (0.005, 0.009, 0.005), strict=True
+    band = [HOME + RING * on_band(rounds, side) for side in (1.0, 0.0, -1.0)]
+    name = place_part(plotter, "band")
+    plotter.add_mesh(
+        sheet(band), color=NEUTRAL, opacity=0.5, smooth_shading=True, pickable=False, name=name
+    ).visibility = hangs
+    way = HOME + RING * on_band(np.linspace(0, angle or 0.1, 97), 1)
+    ends = {side: HOME + RING * on_band(angle, side) for side in (1.0, -1.0)}
+    for name, points, color, radius, drawn in (
+        ("ring", band[1][::2], VECTOR, 0.007, hangs),
+        ("way", way, RESULT, 0.014, hangs and turns > 0),
+        ("stick", list(ends.values()), NEUTRAL, 0.009, hangs),
     ):
-        add_line(plotter, edge, color, radius)
-    # Not before the first frame after the start has the way a length.
-    way = np.deg2rad(np.arange(0, max(theta, FRAME) + FRAME / 4, FRAME / 2))
-    add_line(plotter, on_band(way, 1), RESULT, radius=0.018, name="way").visibility = theta >= FRAME
+        add_line(plotter, points, color, radius, name).visibility = drawn
+    for side, color, text in ((1.0, RESULT, "q"), (-1.0, CROSS, "-q")):
+        add_point(plotter, ends[side], color, 0.04, name=text).visibility = hangs
+        place = HOME + RING * on_band(angle, 1.6 * side) if hangs else None
+        add_label(plotter, place, f"${text}$", color, name=text)
 
-    # The axis leaves out the ribbon.
-    add_line(plotter, [-0.25 * W, ORIGIN], AXIS, radius=0.007)
-    add_arrow(plotter, RIBBON * W, (RIBBON + 0.2) * W, AXIS, radius=0.007)
-    add_label(plotter, [0, 0.1, RIBBON + 0.2], r"$\hat n$", AXIS)
-    spoon = teaspoon(stations=61, around=20)
-    spoon.points = 0.3 * (spoon.points - [-1, 0, 0.05])
-    actor = plotter.add_mesh(spoon, color=VECTOR, smooth_shading=True, name="spoon")
-    actor.user_matrix = homogeneous(matrix)
-    add_line(plotter, [[0, -0.2, RIBBON], [0, 0.2, RIBBON]], NEUTRAL, radius=0.02)
-    down = np.linspace(1, 0, 49)
-    middle = np.outer(RIBBON * down, W)
-    for name, side, opacity in (("left", 0.08, 1.0), ("right", -0.08, 0.35)):
-        border = middle + rotate([0, side, 0], W, (1 - down) * angle)
-        plotter.add_mesh(
-            sheet([middle, border]),
-            color=VECTOR,
-            opacity=opacity,
-            lighting=False,
-            pickable=False,
-            name=f"ribbon, {name}",
-        )
+    axes, shares = turns_of(along_ribbon(turns, passed, np.linspace(0, 1, 161)))
+    path = axes * shares[:, np.newaxis]
+    runs = pieces(path)
+    add_lines(plotter, runs or [[ORIGIN, W]], RESULT, 0.016, "path").visibility = bool(runs)
+    add_point(plotter, path[-1], RESULT, 0.05, name="end")
+    add_label(plotter, path[-1] + 0.16 * ACROSS, "$q$", RESULT, name="end")
+    add_ball_of_turns(plotter, RESULT).visibility = bool(shares[-1] > ON_SKIN)
 
-    ends = {side: on_band(angle, side) for side in (1.0, -1.0)}
-    add_line(plotter, list(ends.values()), NEUTRAL, radius=0.014, name="stick")
-    ahead = 0.2 * np.cross(W, on_band(angle, 0))
-    add_point(plotter, on_band(angle, 0), VECTOR, radius=0.035, name="rotation")
-    for side, color, text, start in ((1.0, RESULT, "q", "1"), (-1.0, CROSS, "-q", "-1")):
-        add_point(plotter, ends[side], color, radius=0.045, name=text)
-        add_label(plotter, on_band(angle, 1.3 * side) + ahead, f"${text}$", color, name=text)
-        add_point(plotter, on_band(0, side), NEUTRAL, radius=0.03)
-        add_line(plotter, [on_band(0, side), on_band(0, 1.35 * side)], NEUTRAL, radius=0.007)
-        add_label(plotter, on_band(0, 1.7 * side), f"${start}$")
-
-    read_out(plotter, "spoon_back", is_back(theta, 360), "spoon is back", loud="yes")
-    read_out(plotter, "q_back", is_back(theta, 720), "q is back", loud="yes")
-    read_out(plotter, "twists", theta / 360, "twists of the ribbon", 2)
-    read_out(plotter, "half", theta / 2, "θ/2", 0, "°")
+    twists = turns - 2 * passed if hangs else ON_ITS_WAY
+    read_out(plotter, "twists", twists, "twists of the ribbon", 2, where="picture")
+    read_out(plotter, "spoon_back", is_back(360 * turns, 360), "spoon is back", loud="yes")
+    read_out(plotter, "q_back", is_back(360 * turns, 720), "q is back", loud="yes")
     read_out(plotter, "q", q.components, "q (w x y z)", 2)
-    read_out(plotter, "matrix", matrix, "matrix", 2)
+    read_out(plotter, "matrix", matrix, "matrix", 2, where="folded")
     describe(
         plotter,
-        "A spoon hangs on a ribbon that runs up along an axis n to a fixed bar. It points to a ring"
-        " about the axis. A band runs along the ring and makes half a twist in one round."
-        f" The spoon has turned by {theta:.0f} degrees, and the ribbon is twisted by as much."
-        " A green line on the edge of the band leads from 1 to q, beside the tip of the spoon; -q"
-        " is on the opposite edge.",
+        "Left, a spoon hangs on a ribbon from a fixed bar, which is blue on one side of its middle"
+        f" and pale on the other. The spoon has turned {turns:g} times, and the ribbon"
+        + (f" has {twists:g} twists." if hangs else " is on its way round below the spoon.")
+        + " Right, a see-through ball. A green path leads in it from the middle, 1, to q: the"
+        " rotations of the ribbon from the bar to the spoon."
+        + (
+            " A band with half a twist lies about the spoon, with q on its edge and -q opposite."
+            if hangs
+            else ""
+        ),
     )
     return plotter
+
+
+def passes(turns: float) -> int:
+    """Return how often a ribbon must be passed round the spoon to lose all twists but one."""
+    return 1 if turns <= 2 else 2
+
+
+def along_ribbon(turns: float, passed: float, s: ArrayLike) -> Quaternion:
+    """Return the rotations of the ribbon on its way from the bar to the spoon.
+
+    Parameters
+    ----------
+    turns : float
+        How often the spoon has turned.
+    passed : float
+        How often the ribbon has been passed round the spoon, up to `passes`.
+    s : array_like, shape (n,)
+        Fractions of the way, which goes at constant speed.
+
+    Returns
+    -------
+    Quaternion
+        The rotations.
+    """
+    arc = moving_arc(turns, passed)
+    gone = np.multiply(s, arc.length + np.pi * arc.staying)
+    turned = np.minimum(gone, arc.length) / max(arc.radius, TINY)
+    w, along, aside = rotate([1, 0, 0], arc.axis, turned).T
+    moved = Quaternion(w, np.outer(along, W) + np.outer(aside, arc.side))
+    stayed = Quaternion.from_axis_angle(W, 2 * np.maximum(gone - arc.length, 0))
+    turned_on: Quaternion = stayed * moved
+    return turned_on
+
+
+class Arc(NamedTuple):
+    """An arc of unit quaternions: a part of a circle about an axis.
+
+    The axis has coordinates along 1, W and a direction to the side. The quaternion of so many
+    turns about W, which stay as they are, follows the arc.
+    """
+
+    axis: NDArray[np.float64]
+    radius: float
+    length: float
+    side: NDArray[np.float64]
+    staying: float
+
+
+def moving_arc(turns: float, passed: float) -> Arc:
+    """Return the arc to which the ribbon is a path, beside turns that stay next to the spoon.
+
+    Its ends are held: 1 at the bar, a quaternion about W at the other end. Two turns are a great
+    circle from 1 to 1, which shrinks to a point. Fewer are an arc of it, which goes over to the
+    other arc between its ends, with two turns less. On the way the circle is that through the ends
+    and the middle of the arc, which moves evenly from one side to the other.
+    """
+    done = min(np.floor(passed), passes(turns) - 1)
+    left, tau = turns - 2 * done, passed - done
+    moving, staying = min(left, 2.0), max(left - 2.0, 0.0)
+    half = np.pi * moving / 2
+    rise, out = np.cos(np.pi * tau) - np.cos(half), np.sin(np.pi * tau)
+    tilt = np.arctan2(out, rise)
+    axis = np.array([-np.sin(tilt) * np.cos(half), -np.sin(tilt) * np.sin(half), np.cos(tilt)])
+    radius = float(np.hypot(axis[1], axis[2]))
+    length = radius * 4 * np.arctan2(np.hypot(rise, out), np.sin(half))
+    return Arc(axis, radius, length, rotate(ACROSS, W, np.pi / 6 * (2 - moving)), staying)
+
+
+def side_of_ribbon(turns: float, passed: float, width: float) -> NDArray[np.float64]:
+    """Place a line of the ribbon, which is so far from its middle, from spoon to bar.
+
+    Shells about the spoon turn as the ribbon does. So it crosses neither itself nor the spoon.
+    """
+    r = np.linspace(STEM, BAR, 201)
+    x = np.clip((r - SPOON) / (BAR - SPOON), 0, 1)
+    q = along_ribbon(turns, passed, 1 - x * x * (3 - 2 * x))
+    line: NDArray[np.float64] = HOME + q.rotate(width * U + np.outer(r, W))
+    return line
+
+
+def way_of_ribbon(turns: float) -> NDArray[np.float64]:
+    """Return where the middle of what moves is, for all values of `passed`.
+
+    At the end the way goes on to the bar: a path that ended where it begins would have no end.
+    """
+
+    def middle(passed: float) -> NDArray[np.float64]:
+        """Return where the middle of the moving part is."""
+        arc = moving_arc(turns, passed)
+        s = arc.length / (arc.length + np.pi * arc.staying) / 2 if arc.staying else 0.5
+        # The inverse of the smooth step by which a shell's radius gives its place on the way.
+        x = 0.5 - np.sin(np.arcsin(2 * s - 1) / 3)
+        q = along_ribbon(turns, passed, [s])
+        point: NDArray[np.float64] = HOME + q.rotate((SPOON + x * (BAR - SPOON)) * W)[0]
+        return point
+
+    most = passes(turns)
+    places: list[NDArray[np.float64]] = [
+        middle(min(passed, most)) + max(passed - most, 0) * (HOME + BAR * W - middle(most))
+        for passed in np.linspace(0, 2, 97)
+    ]
+    return np.array(places)
+
+
+def once_for_each_turn() -> NDArray[np.float64]:
+    """Return the way of the tip of the spoon, which opens a little: four turns have two ends."""
+    angles = np.linspace(0, 8 * np.pi, 97)
+    radii = REACH * np.linspace(1, 1.01, 97)[:, np.newaxis]
+    way: NDArray[np.float64] = HOME + radii * rotate(U, W, angles)
+    return way
+
+
+def add_ball_of_turns(plotter: pyvista.Plotter, color: str) -> pyvista.Actor:
+    """Add the ball of all unit quaternions around what is in it, and return its skin.
+
+    A quaternion lies in the direction of its axis, as far from the middle as its angle is large: 1
+    is the middle, half turns are half way, and -1, a whole turn about any axis, is the skin.
+    """
+    add_point(plotter, ORIGIN, NEUTRAL, 0.035, name="one")
+    add_label(plotter, -0.13 * ACROSS, "$1$", name="one")
+    ball = pyvista.Sphere(radius=0.985, theta_resolution=32, phi_resolution=21)
+    name = place_part(plotter, "skin")
+    skin = plotter.add_mesh(
+        ball, color=color, opacity=0.16, smooth_shading=True, pickable=False, name=name
+    )
+    # What is inside does not stand behind the glass.
+    add_sphere(plotter)
+    return skin
+
+
+def turns_of(path: Quaternion) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return axes and angles of unit quaternions, as shares of a whole turn.
+
+    Parameters
+    ----------
+    path : Quaternion
+        Quaternions one after the other: at 1 and -1, where any axis would do, the axis is that of
+        the one before, and at the beginning that of the first one after.
+
+    Returns
+    -------
+    axes : ndarray, shape (n, 3)
+        Unit vectors.
+    shares : ndarray, shape (n,)
+        From 0 for the quaternion 1 over 1/2 for half a turn to 1 for -1. The opposite quaternion
+        has the same axis and a share that is less by 1.
+    """
+    sizes = np.linalg.norm(path.v, axis=-1)
+    known = np.flatnonzero(sizes > NO_AXIS)
+    if not known.size:
+        return np.tile(W, (len(sizes), 1)), np.arctan2(sizes, path.w) / np.pi
+    last = np.searchsorted(known, np.arange(len(sizes)), side="right") - 1
+    from_ = known[np.maximum(last, 0)]
+    return path.v[from_] / sizes[from_, np.newaxis], np.arctan2(sizes, path.w) / np.pi
+
+
+def pieces(path: NDArray[np.float64]) -> list[NDArray[np.float64]]:
+    """Cut a path where it jumps through the skin of the ball; leave out what has no length."""
+    steps = np.linalg.norm(np.diff(path, axis=0), axis=-1)
+    parts = np.split(path, np.flatnonzero(steps > JUMP) + 1)
+    return [part for part in parts if np.ptp(part, axis=0).max() > NO_AXIS]
+
+
+def strip(one: NDArray[np.float64], other: NDArray[np.float64]) -> pyvista.PolyData:
+    """Span a surface between two lines, shape (n, 3) each."""
+    k = np.arange(len(one) - 1)
+    n = len(one)
+    triangles = np.vstack(
+        [np.column_stack([k, k + 1, n + k]), np.column_stack([k + 1, n + k + 1, n + k])]
+    )
+    return triangle_mesh(np.vstack([one, other]), triangles)
 
 
 def on_band(theta: ArrayLike, side: float) -> NDArray[np.float64]:

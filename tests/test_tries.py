@@ -40,6 +40,15 @@ SHOWN: list[tuple[str, str, dict[str, str]]] = [
     ("control_points_by_hand", "the next point straight ahead", {"tests": "all say yes"}),
     ("control_points_by_hand", "before the jump", {"to_jump": "5°", "tests": "all say yes"}),
     ("control_points_by_hand", "behind it", {"to_jump": "5°", "tests": "all say yes"}),
+    *(
+        ("double_cover_by_hand", words, {"twists": f"{n:.2f}", "q_back": back})
+        for n, words, back in (
+            (1, "1 turn", "no"),
+            (2, "2 turns", "yes"),
+            (3, "3 turns", "no"),
+            (4, "4 turns", "yes"),
+        )
+    ),
 ]
 
 
@@ -80,3 +89,10 @@ def test_chips_are_few_and_short(name: str) -> None:
     tries = BY_HAND[name].tries
     assert 2 <= len(tries) <= 4
     assert all(len(words) <= 32 for words in tries)
+
+
+@pytest.mark.parametrize(("turns", "rest"), [(1, -1), (2, 0), (3, -1), (4, 0)])
+def test_pulled_round_a_ribbon_keeps_one_twist_or_none(turns: int, rest: int) -> None:
+    figure, inputs = tried("double_cover_by_hand", f"{turns} turn{'s' * (turns > 1)}")
+    last = figure.inputs["passed"].high
+    assert figure.draw(**inputs | {"passed": last}).shown.outputs["twists"].value == rest

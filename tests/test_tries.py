@@ -10,12 +10,33 @@ import numpy as np
 import pytest
 from test_explorables import BY_HAND
 
+from rotedu.arcs import angle_between
 from rotedu.figures import explore
 from rotedu.figures.explorable import Exploration
 from rotedu.figures.panel import text_of
 
 # Figure, words on the chip, outputs.
 SHOWN: list[tuple[str, str, dict[str, str]]] = [
+    (
+        "carried_around_by_hand",
+        "there and back",
+        {"twist": "−4.2°", "area": "−4.2°", "difference": "0°"},
+    ),
+    (
+        "carried_around_by_hand",
+        "the arrow comes back reversed",
+        {"twist": "180.0°", "area": "180.0°", "difference": "0°"},
+    ),
+    (
+        "carried_around_by_hand",
+        "an even larger triangle",
+        {"twist": "−120.1°", "area": "239.9°", "difference": "360°"},
+    ),
+    (
+        "carried_around_by_hand",
+        "clockwise",
+        {"twist": "−90.0°", "area": "−90.0°", "difference": "0°"},
+    ),
     (
         "closed_curve_by_hand",
         "where the curvature jumps most",
@@ -96,3 +117,14 @@ def test_pulled_round_a_ribbon_keeps_one_twist_or_none(turns: int, rest: int) ->
     figure, inputs = tried("double_cover_by_hand", f"{turns} turn{'s' * (turns > 1)}")
     last = figure.inputs["passed"].high
     assert figure.draw(**inputs | {"passed": last}).shown.outputs["twists"].value == rest
+
+
+@pytest.mark.parametrize("words", BY_HAND["carried_around_by_hand"].tries)
+def test_the_area_is_what_the_angles_exceed_half_a_turn_by(words: str) -> None:
+    figure, inputs = tried("carried_around_by_hand", words)
+    p = np.array(inputs["corners"])
+    # Where the planes of two sides meet at a corner.
+    planes = np.cross(p, np.roll(p, -1, axis=0))
+    angles = np.pi - angle_between(np.roll(planes, 1, axis=0), planes)
+    area = figure.draw(**inputs).shown.outputs["area"].value
+    assert abs(area) == pytest.approx(np.degrees(angles.sum() - np.pi))

@@ -14,6 +14,8 @@ import {
 
 const STATIONS = 9;
 const SIZE = 0.33;
+const STEPS = 60;
+const LEAST = 0.001;
 const JUST_INSIDE = 0.99;
 
 /** `carried_around_by_hand` */
@@ -32,7 +34,8 @@ export function carriedAround({ corners, t }) {
     });
     return [start, ahead].map((vector) => turns.reduce((v, turn) => transform(turn, v), vector));
   };
-  const arrow = ([at, way], size = SIZE) => ({ from: at, to: combine(1, at, size, way) });
+  const head = ([at, way], size = SIZE) => combine(1, at, size, way);
+  const arrow = (here, size) => ({ from: here[0], to: head(here, size) });
 
   const [, back] = carried(1);
   const twist = Math.atan2(dot(start, cross(ahead, back)), dot(ahead, back));
@@ -40,10 +43,15 @@ export function carriedAround({ corners, t }) {
   const area = 2 * Math.atan2(dot(p[0], cross(p[1], p[2])), nearness);
 
   const side = spread(25);
+  const roundOnce = spread(STEPS + 1);
+  const soFar = roundOnce.map((x) => carried(Math.max(t, LEAST) * x));
+  const tails = soFar.map(([at]) => at);
   const rim = turning(ahead.map((x) => 0.7 * SIZE * x), start, twist, 48);
   const parts = {
     inside: { points: triangle(p) },
     sides: { paths: p.map((point, i) => side.map((s) => slerp(point, after[i], s))) },
+    way: { paths: [tails] },
+    swept: { points: [...tails, ...soFar.map((here) => head(here))] },
     arrow: arrow(carried(t)),
     sector: { points: [start, ...rim.map((x) => combine(1, start, 1, x))], hidden: t !== 1 },
   };
@@ -57,7 +65,16 @@ export function carriedAround({ corners, t }) {
     parts["ABC"[i]] = { at: point };
     labels["ABC"[i]] = combine(1, point, 0.18, unit(combine(2, point, -1, others)));
   });
-  return { parts, labels, outputs: { twist: DEGREES * twist, area: DEGREES * area } };
+  return {
+    parts,
+    labels,
+    grips: { t: { path: roundOnce.map((x) => head(carried(x))) } },
+    outputs: {
+      twist: DEGREES * twist,
+      area: DEGREES * area,
+      difference: DEGREES * (area - twist),
+    },
+  };
 }
 
 /** Points of a triangle: `spherical_triangle`. */

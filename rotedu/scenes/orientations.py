@@ -8,7 +8,7 @@ from rotedu.arcs import angle_between, arc_axis, nlerp, slerp
 from rotedu.closed_curve import closed_curve
 from rotedu.colors import AXIS, CROSS, NEUTRAL, RESULT, VECTOR
 from rotedu.control_points import control_points
-from rotedu.figures import Handles, Slider, describe, explorable, read_out
+from rotedu.figures import Handles, Slider, describe, explorable, place_grip, read_out
 from rotedu.figures.frames import place_part
 from rotedu.general_rotation import matrix_from_euler_angles
 from rotedu.ordinary_rotation import rotation_matrix, transform
@@ -38,10 +38,25 @@ TWO_ORIENTATIONS = ((0, 0, 0), (150, -60, 150))
 STATIONS = 9
 """Number of arrows that `carried_around_by_hand` leaves on the way."""
 SIZE = 0.33
+STEPS = 60
+"""Number of steps in which it draws what the arrow has swept."""
+LEAST = 0.001
+# Out and back, almost; a face of a tetrahedron, a quarter of the sphere, or so little less that no
+# rounding makes -180 degrees of 180; a larger triangle; one whose corners run clockwise.
+NARROW = ((1, 0, 0.3), (0, 1, 0.3), (1, 1, 0.45))
+REVERSING = ((1, 1, -0.9999), (-0.9999, 1, 1), (1, -0.9999, 1))
+LARGE = ((1, 1, -1.3), (-1.3, 1, 1), (1, -1.3, 1))
+CLOCKWISE = ((1, 0, 0), (0, 0, 1), (0, 1, 0))
 
 
 @explorable(
     model="carriedAround",
+    tries={
+        "there and back": {"corners": NARROW},
+        "the arrow comes back reversed": {"corners": REVERSING},
+        "an even larger triangle": {"corners": LARGE},
+        "clockwise": {"corners": CLOCKWISE},
+    },
     corners=Handles(["A", "B", "C"]),
     t=Slider(0, 1, "once round, t", plays=8),
 )
@@ -86,6 +101,14 @@ def carried_around_by_hand(
     s = np.linspace(0, 1, 25)
     sides = [slerp(here, there, s) for here, there in zip(p, after, strict=True)]
     add_lines(plotter, sides, NEUTRAL, radius=0.005, name="sides")
+    round_once = np.linspace(0, 1, STEPS + 1)
+    so_far = np.array([carried(x) for x in max(t, LEAST) * round_once])
+    add_line(plotter, so_far[:, 0], RESULT, radius=0.012, name="way")
+    swept = ribbon(so_far[:, 0], so_far[:, 0] + SIZE * so_far[:, 1])
+    name = place_part(plotter, "swept", points=swept.points)
+    plotter.add_mesh(swept, color=AXIS, opacity=0.3, lighting=False, pickable=False, name=name)
+    # The arrow is grabbed by its tip, away from the rings of the corners.
+    place_grip(plotter, "t", path=[at + SIZE * way for at, way in map(carried, round_once)])
     for k in range(STATIONS):
         at, way = carried(k / STATIONS)
         # The first is longer, so that the green arrow does not hide it.
@@ -109,16 +132,29 @@ def carried_around_by_hand(
         place = point + 0.18 * outwards / np.linalg.norm(outwards)
         add_point(plotter, point, NEUTRAL, radius=0.03, name=letter)
         add_label(plotter, place, f"${letter}$", name=letter)
-    read_out(plotter, "twist", np.degrees(twist), "twist, once round", 1, "°")
-    read_out(plotter, "area", np.degrees(area), "area inside (whole sphere: 720°)", 1, "°")
+    for output, angle, text, digits in (
+        ("twist", twist, "twist, once round", 1),
+        ("area", area, "area inside", 1),
+        ("difference", area - twist, "area − twist", 0),
+    ):
+        read_out(plotter, output, np.degrees(angle), text, digits, "°", where="picture")
     describe(
         plotter,
         "A see-through sphere with a triangle ABC, whose corners can be dragged. A blue arrow"
-        " at A points to B. Grey arrows show its journey along the three sides, always at the same"
-        " angle to the side. The green arrow that arrives at A is turned against the blue one. The"
-        " sector between the two is filled in orange, and the triangle in green.",
+        " at A points to B. A green arrow is carried along the three sides, always at the same"
+        " angle to the side, and leaves grey arrows and an orange ribbon on its way. Back at A it"
+        " is turned against the blue one; the sector between the two is filled in orange, and the"
+        " triangle in green.",
     )
     return plotter
+
+
+def ribbon(side: NDArray[np.float64], other: NDArray[np.float64]) -> pyvista.PolyData:
+    """Fill what lies between two lines of as many points, shape (n, 3) each."""
+    i = np.arange(len(side) - 1)
+    j = i + len(side)
+    triangles = np.concatenate([np.stack(c, axis=-1) for c in ((i, i + 1, j), (i + 1, j + 1, j))])
+    return triangle_mesh(np.concatenate([side, other]), triangles)
 
 
 def spherical_triangle(corners: NDArray[np.float64], steps: int = 12) -> pyvista.PolyData:

@@ -224,7 +224,7 @@ class Switch:
 
     def spec(self) -> dict[str, Any]:
         """Describe the switch to the viewer."""
-        return {}
+        return {"label": self.label}
 
     def controls(self, name: str, start: bool) -> str:
         """Write a check box."""
@@ -260,7 +260,7 @@ class Choice:
 
     def spec(self) -> dict[str, Any]:
         """Describe the choice to the viewer."""
-        return {"options": list(self.options)}
+        return {"options": list(self.options), "label": self.label}
 
     def controls(self, name: str, start: str) -> str:
         """Write a group of radio buttons."""

@@ -66,7 +66,7 @@ def panel(
         f"{more.format(_box('outputs', rows['folded'])) if rows['folded'] else ''}"
         '<div class="explorable-buttons explorable-whole">'
         '<button type="button" data-action="reset">Reset</button>'
-        '<button type="button" data-action="link">Link to this state</button></div>'
+        '<button type="button" name="copy" data-action="link">Copy link</button></div>'
         "</fieldset></form>"
     )
 

@@ -4,8 +4,9 @@
  * all of their values after each frame. A model may correct inputs: a frame's `inputs` take their place.
  */
 import { addHandles } from "./handles.js";
-import { fromText, toText } from "./link.js";
+import { address, found, fromText, keep } from "./link.js";
 import { bindPanel } from "./panel.js";
+import { changedSince, statement } from "./speak.js";
 import { trails } from "./trails.js";
 
 // Frames are stored with six digits.
@@ -29,6 +30,7 @@ export function explore(element, live, data, models, python) {
   // The status line stands where the hint was.
   const hint = scene.querySelector(".scene-hint");
   const status = element.querySelector(".explorable-status");
+  const alt = live.canvas.getAttribute("aria-label");
   let inputs = structuredClone({ ...data.start, ...python?.values });
   if (data.frames) inputs = stored(data, inputs);
   const ways = trails();
@@ -36,15 +38,26 @@ export function explore(element, live, data, models, python) {
   let asked = null;
   let refused = "";
   let timer;
+  let spoken = null;
+  let keptAt = -Infinity;
 
-  const write = (text) => {
-    clearTimeout(timer);
-    status.textContent = text;
+  /** Show a text to all, or say it to those who do not see the figure. */
+  const write = (text, kind = "shown") => {
+    status.innerHTML = `<span class="explorable-${kind}"></span>`;
+    status.firstChild.textContent = text;
+  };
+  const store = () => {
+    if (!python) keep(data, inputs);
   };
   /** Once the hand rests, say how things stand then: a model may have corrected an input. */
-  const say = (text) => {
-    clearTimeout(timer);
-    timer = setTimeout(() => write(text()), QUIET);
+  const settle = () => {
+    if (refused) return;
+    const changed = changedSince(data.start, inputs);
+    const name = `Changed: ${statement(data.inputs, changed, inputs)}. ${panel.outcome()}`;
+    live.canvas.setAttribute("aria-label", changed.length ? name : alt);
+    if (spoken) write(spoken(), "spoken");
+    spoken = null;
+    store();
   };
   const marks = ({ trails: places = {} }) => (held ? ways.follow(places) : ways.clear());
   /** Show a frame everywhere; a refusal keeps the last picture, pale. */
@@ -61,6 +74,8 @@ export function explore(element, live, data, models, python) {
     handles.update(frame.grips);
     const { outputs = { refused } } = frame;
     element.dataset.values = JSON.stringify({ ...inputs, ...outputs });
+    clearTimeout(timer);
+    timer = setTimeout(settle, QUIET);
   };
   /** Ask Python for one frame at a time. */
   const ask = () => {
@@ -86,20 +101,26 @@ export function explore(element, live, data, models, python) {
     }
   };
   /** What the hand does, unlike what Python sets, is told to Python. */
-  const change = (changes, spoken) => {
+  const change = (changes, said) => {
     hint?.remove();
     held = true;
     set(changes);
     held = false;
     python?.tell(inputs);
-    if (!refused && spoken) say(spoken);
+    const what = said || (() => statement(data.inputs, Object.keys(changes), inputs));
+    spoken = () => `${what()}. ${panel.outcome()}`;
+    // Browsers refuse who writes too often.
+    if (Date.now() - keptAt < QUIET) return;
+    keptAt = Date.now();
+    store();
   };
   /** Go to a state as a whole, by no way. */
-  const jump = (values, spoken) => {
+  const jump = (values, said) => {
     hint?.remove();
     set({ ...data.start, ...values });
     python?.tell(inputs);
-    if (!refused) say(spoken);
+    spoken = said;
+    store();
   };
   const reset = () => {
     jump({}, () => "Reset");
@@ -109,20 +130,33 @@ export function explore(element, live, data, models, python) {
   const follow = ({ hash, textContent: words }) => {
     const wanted = fromText(hash, data);
     if (!python) history.pushState(null, "", hash);
-    jump(wanted, () => words);
+    jump(wanted, () => `${words}. ${panel.outcome()}`);
   };
-  const link = () => {
+  /** Copy the address of this state; where that is refused, the reader can. */
+  const link = async () => {
     hint?.remove();
+    spoken = null;
     // A new address that the figure does not follow: it is there already.
-    history.replaceState(null, "", `#explore-${data.name}?${toText(inputs, data.start)}`);
-    write("The address of this page now opens the figure as it is set.");
+    history.replaceState(history.state, "", address(data, inputs));
+    try {
+      await navigator.clipboard.writeText(location.href);
+      write("Link copied. It opens the figure as it is set.");
+    } catch {
+      write("Copy this link to the figure as it is set: ");
+      const field = document.createElement("input");
+      Object.assign(field, { readOnly: true, value: location.href, ariaLabel: "Link" });
+      status.append(field);
+      field.focus();
+      field.select();
+    }
   };
 
   const handles = addHandles(scene, live, data.inputs, () => inputs, change);
   const panel = bindPanel(element, data.inputs, () => inputs, { change, reset, link, follow });
   const arrive = () => {
-    const wanted = fromText(location.hash, data);
-    if (wanted) set({ ...data.start, ...wanted });
+    const wanted = { ...data.start, ...(found(data) ?? inputs) };
+    if (address(data, wanted) !== address(data, inputs)) set(wanted);
+    store();
   };
   if (JSON.stringify(inputs) === JSON.stringify(data.start)) show(data.frame);
   else set({});
@@ -130,7 +164,7 @@ export function explore(element, live, data, models, python) {
   element.addEventListener("rotedu:set", ({ detail }) => set(detail));
   if (!python) {
     arrive();
-    addEventListener("hashchange", arrive);
+    for (const kind of ["hashchange", "popstate"]) addEventListener(kind, arrive);
   }
   return { set, receive };
 }

@@ -4,6 +4,7 @@
  * picture; a path can be grabbed anywhere.
  */
 import { alongSphere, isClosed, nearest, pointOf, rolling } from "./drag.js";
+import { numberText, titleOf } from "./speak.js";
 
 const HINTS = {
   points: "Drag a ring to move its point",
@@ -172,7 +173,7 @@ function addPath({ layer, live, now, change, grips }, { name, spec }) {
   const { low, high, step } = spec;
   const handle = createHandle(layer, name, "");
   handle.setAttribute("role", "slider");
-  handle.setAttribute("aria-label", spec.label || name);
+  handle.setAttribute("aria-label", titleOf(spec, name));
   handle.setAttribute("aria-valuemin", low);
   handle.setAttribute("aria-valuemax", high);
   const svg = document.createElementNS(SVG, "svg");
@@ -186,13 +187,12 @@ function addPath({ layer, live, now, change, grips }, { name, spec }) {
 
   const path = () => grips()[name].path;
   const share = () => (now()[name] - low) / (high - low);
-  const said = () => `${spec.label || name}: ${Number(now()[name].toFixed(5))}`;
-  const put = (number, spoken) => {
+  const put = (number) => {
     const beyond = number < low || number > high;
     const lap = high - low;
     const within = beyond && isClosed(path()) ? number - lap * Math.floor((number - low) / lap) : number;
     const whole = low + step * Math.round((within - low) / step);
-    change({ [name]: Math.min(high, Math.max(low, whole)) }, spoken && said);
+    change({ [name]: Math.min(high, Math.max(low, whole)) });
   };
   /** The path in the picture, in units of its width. */
   const flat = (aspect) =>
@@ -210,9 +210,8 @@ function addPath({ layer, live, now, change, grips }, { name, spec }) {
     move(grip, place) {
       const closed = isClosed(path());
       grip.at = nearest(flat(place.aspect), spot(place), grip.at, REACH, closed).share;
-      put(low + (grip.at + grip.value) * (high - low), false);
+      put(low + (grip.at + grip.value) * (high - low));
     },
-    drop: () => put(now()[name], true),
   };
   drag(handle, layer, {
     ...hands,
@@ -221,11 +220,11 @@ function addPath({ layer, live, now, change, grips }, { name, spec }) {
   });
   drag(line, layer, { ...hands, focus: handle });
   const steps = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1 };
-  keys(handle, steps, (way, size) => put(now()[name] + way * Math.max(step, step * size), true));
+  keys(handle, steps, (way, size) => put(now()[name] + way * Math.max(step, step * size)));
   return {
     name() {
       handle.setAttribute("aria-valuenow", now()[name]);
-      handle.setAttribute("aria-valuetext", Number(now()[name].toFixed(5)));
+      handle.setAttribute("aria-valuetext", numberText(spec, now()[name]));
     },
     cover() {
       const there = path();
@@ -286,7 +285,7 @@ function keys(handle, ways, move) {
 
 /**
  * Let a pointer drag an element over the picture.
- * @param {{grab: function, move: function, drop: function, focus?: HTMLElement}} hands what to do; a
+ * @param {{grab: function, move: function, drop?: function, focus?: HTMLElement}} hands what to do; a
  *   place is given in fractions of the picture, whose aspect is its width over its height
  * @returns a function that tells whether it is held
  */
@@ -310,7 +309,7 @@ function drag(element, layer, { grab, move, drop, focus = element }) {
     element.addEventListener(kind, () => {
       const held = grip;
       grip = null;
-      if (held) drop();
+      if (held) drop?.();
     });
   }
   return () => grip !== null;

@@ -1,18 +1,39 @@
-/* The state of a figure in the address of the page: what differs from the start. */
+/* The state of a figure in the address of the page, or kept with it: what differs from the start. */
+import { changedSince } from "./speak.js";
 
 const DIGITS = 5;
 
 /** Write inputs; points are separated by blanks, their coordinates by commas. */
 export function toText(inputs, start) {
-  const changed = Object.keys(inputs).filter(
-    (name) => JSON.stringify(inputs[name]) !== JSON.stringify(start[name]),
-  );
   const text = (value) => {
     if (typeof value === "number") return Number(value.toFixed(DIGITS)).toString();
     if (!Array.isArray(value)) return String(value);
     return value.map(text).join(Array.isArray(value[0]) ? " " : ",");
   };
+  const changed = changedSince(start, inputs);
   return new URLSearchParams(changed.map((name) => [name, text(inputs[name])])).toString();
+}
+
+/** The address of a figure as it is set. */
+export function address({ name, start }, inputs) {
+  return `#explore-${name}?${toText(inputs, start)}`;
+}
+
+/**
+ * Keep the state with this page of the browser's history, for Back and for a reload. An address that
+ * speaks of another state of the figure would be wrong from now on.
+ */
+export function keep(data, inputs) {
+  const now = address(data, inputs);
+  const wanted = fromText(location.hash, data);
+  const stale = wanted && address(data, { ...data.start, ...wanted }) !== now;
+  const url = stale ? location.pathname + location.search : undefined;
+  history.replaceState({ ...history.state, [data.name]: now }, "", url);
+}
+
+/** The inputs that the address or, if it speaks of none, the history has for a figure; or null. */
+export function found(data) {
+  return fromText(location.hash, data) ?? fromText(history.state?.[data.name] ?? "", data);
 }
 
 /** Read the inputs of a figure from an address; null if it speaks of none or makes no sense. */

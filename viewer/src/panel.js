@@ -1,10 +1,13 @@
 /* The controls, numbers and charts below a figure, as `rotedu.figures.panel` writes them. */
+import { numberText, statement } from "./speak.js";
 
 const ROUNDING = 1e-9;
 // Seconds for which Play stays at the end, before it starts over.
 const REST = 2;
 // The arrow where a curve leaves its chart: half its width, and its length.
 const ARROW = [4, 7];
+// How many numbers matter where no figure says so.
+const MAIN = 2;
 const calm = matchMedia("(prefers-reduced-motion: reduce)");
 
 /**
@@ -13,8 +16,8 @@ const calm = matchMedia("(prefers-reduced-motion: reduce)");
  * @param specs its inputs
  * @param {function} now returns the present inputs
  * @param {{change: function, reset: function, link: function, follow: function}} actions
- * @returns {{show: function, withhold: function}} writes inputs and a frame into the panel; puts a dash
- *   for each number that does not hold
+ * @returns {{show: function, withhold: function, outcome: function}} writes inputs and a frame into the
+ *   panel; puts a dash for each number that does not hold; says the numbers that matter
  */
 export function bindPanel(element, specs, now, { change, reset, link, follow }) {
   const form = element.querySelector(".explorable-panel");
@@ -32,11 +35,11 @@ export function bindPanel(element, specs, now, { change, reset, link, follow }) 
   form.addEventListener("submit", (event) => event.preventDefault());
 
   const player = playing(element, specs, now, change);
-  const scrub = (name, value, spoken) => {
+  const scrub = (name, value) => {
     const { low, high, step } = specs[name];
     player.stop();
     const whole = low + step * Math.round((value - low) / step);
-    change({ [name]: Math.min(high, Math.max(low, whole)) }, spoken);
+    change({ [name]: Math.min(high, Math.max(low, whole)) });
   };
   const charts = new Map(
     all("[data-chart]").map((chart) => [chart.dataset.chart, bindChart(chart, specs, now, scrub)]),
@@ -79,6 +82,7 @@ export function bindPanel(element, specs, now, { change, reset, link, follow }) 
           if (spec.kind === "switch") input.checked = value;
           else if (spec.kind === "choice") input.checked = input.value === value;
           else input.value = value;
+          if (input.type === "range") input.setAttribute("aria-valuetext", numberText(spec, value));
         }
         if (field && field !== document.activeElement) field.value = value.toFixed(digits);
         if (spec.most) {
@@ -97,6 +101,11 @@ export function bindPanel(element, specs, now, { change, reset, link, follow }) 
     },
     withhold() {
       for (const output of all("output")) output.textContent = output.textContent.replace(/\S+/g, "–");
+    },
+    outcome() {
+      const large = all(".explorable-numbers output");
+      const told = large.length ? large : all("output").slice(0, MAIN);
+      return told.map((output) => output.parentElement.textContent).join(", ");
     },
   };
 }
@@ -117,9 +126,9 @@ function bindChart(chart, specs, now, scrub) {
   const here = chart.querySelector("[data-mark]");
   const plot = chart.querySelector("svg");
   if (specs[over]?.kind === "number") {
-    grabbed(plot, chart.dataset.chart, specs[over], () => now()[over], {
+    grabbed(plot, chart.dataset.chart, specs[over], {
       to: (share) => scrub(over, first + share * (last - first)),
-      by: (steps, spoken) => scrub(over, now()[over] + steps * specs[over].step, spoken),
+      by: (steps) => scrub(over, now()[over] + steps * specs[over].step),
     });
   }
   return {
@@ -134,13 +143,13 @@ function bindChart(chart, specs, now, scrub) {
       here.setAttribute("x1", at);
       here.setAttribute("x2", at);
       plot.setAttribute("aria-valuenow", value);
+      if (specs[over]) plot.setAttribute("aria-valuetext", statement(specs, [over], { [over]: value }));
     },
   };
 }
 
 /** Let a number be dragged along a chart, and be moved by keys. */
-function grabbed(plot, name, { low, high, label }, now, { to, by }) {
-  const said = () => `${label}: ${Number(now().toFixed(5))}`;
+function grabbed(plot, name, { low, high }, { to, by }) {
   const attributes = { role: "slider", tabindex: 0, "aria-valuemin": low, "aria-valuemax": high };
   for (const [key, value] of Object.entries(attributes)) plot.setAttribute(key, value);
   plot.dataset.handle = `chart-${name}`;
@@ -157,17 +166,14 @@ function grabbed(plot, name, { low, high, label }, now, { to, by }) {
   });
   plot.addEventListener("pointermove", (event) => held && follow(event));
   for (const kind of ["pointerup", "pointercancel"]) {
-    plot.addEventListener(kind, () => {
-      if (held) by(0, said);
-      held = false;
-    });
+    plot.addEventListener(kind, () => (held = false));
   }
   const ways = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1 };
   plot.addEventListener("keydown", (event) => {
     const way = ways[event.key];
     if (!way || event.ctrlKey || event.metaKey) return;
     event.preventDefault();
-    by(way * (event.shiftKey ? 10 : 1), said);
+    by(way * (event.shiftKey ? 10 : 1));
   });
 }
 

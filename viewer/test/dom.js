@@ -5,6 +5,7 @@ import { spun, turned } from "../src/camera.js";
 const window = new Window({ url: "http://localhost/" });
 const { document, location, history } = window;
 let ticks = [];
+let listening = [];
 
 /** Whether the reader wants no motion; to be set before a panel is bound. */
 export const calm = { matches: false };
@@ -14,7 +15,10 @@ Object.assign(globalThis, {
   history,
   innerHeight: 800,
   matchMedia: (query) => (query === "(prefers-reduced-motion: reduce)" ? calm : {}),
-  addEventListener: window.addEventListener.bind(window),
+  addEventListener(...listener) {
+    listening.push(listener);
+    window.addEventListener(...listener);
+  },
   dispatchEvent: window.dispatchEvent.bind(window),
   Event: window.Event,
   requestAnimationFrame: (callback) => ticks.push(callback),
@@ -35,8 +39,10 @@ export function tell(element, type, properties = {}) {
   return event;
 }
 
-/** Write a figure as a page has it: a scene and a panel. */
+/** Write a figure as a page has it: a scene and a panel. It is alone; no other hears of the window. */
 export function figure(panel) {
+  for (const listener of listening) window.removeEventListener(...listener);
+  listening = [];
   document.body.innerHTML =
     `<div class="explorable"><div class="scene"><p class="scene-hint"></p></div>${panel}</div>`;
   return document.querySelector(".explorable");
@@ -48,6 +54,7 @@ export function figure(panel) {
  */
 export function liveScene(scene) {
   const canvas = document.createElement("canvas");
+  canvas.setAttribute("aria-label", "A ball");
   scene.append(canvas);
   const watchers = [];
   const live = {

@@ -8,7 +8,7 @@ const PANEL = `<p class="explorable-status" role="status"></p>
   <input type="range" name="u" min="0" max="1" step="any">
   <input type="range" name="v" min="0" max="2" step="any">
   <button type="button" data-action="step" data-input="u">Step</button>
-  <output name="sum" data-digits="2" data-unit="" data-loud="no"></output>
+  <label><span>sum</span> <output name="sum" data-digits="2" data-unit="" data-loud="no"></output></label>
   <button type="button" data-action="reset">Reset</button>
   <button type="button" data-action="link">Link</button></fieldset></form>`;
 const NUMBER = { kind: "number", step: 0.01, stride: 0.1, plays: 0 };
@@ -20,7 +20,8 @@ const frame = (u, v) => ({ parts: { ball: { at: [u, v, 0] } }, labels: {}, outpu
 const START = { u: 0.25, v: 1 };
 
 /** A figure with a model, or with what is given instead. */
-function shown({ data = {}, models = { add: ({ u, v }) => frame(u, v) }, python } = {}) {
+function shown({ data = {}, models = { add: ({ u, v }) => frame(u, v) }, python, past = null } = {}) {
+  history.replaceState(past, "");
   const element = figure(PANEL);
   const scene = element.querySelector(".scene");
   const live = liveScene(scene);
@@ -179,23 +180,128 @@ test("reset brings inputs and camera back, and says so once the hand rests", ({ 
   find("[data-action=reset]").click();
   write("u", "0.5");
   mock.timers.tick(500);
-  assert.equal(status(), "");
+  assert.equal(status(), "u 0.5. sum 1.50");
 });
 
 test("the address leads to the state, and the state follows the address", () => {
-  const { write, find, status, values } = shown();
+  const { write, find } = shown();
   write("u", "0.5");
   find("[data-action=link]").click();
   assert.equal(location.hash, "#explore-some-figure?u=0.5");
-  assert.equal(status(), "The address of this page now opens the figure as it is set.");
-  assert.deepEqual(shown().values(), { u: 0.5, v: 1, sum: 1.5 });
+  const { values } = shown();
+  assert.deepEqual(values(), { u: 0.5, v: 1, sum: 1.5 });
   history.replaceState(null, "", "#explore-some-figure?v=0.5");
   dispatchEvent(new Event("hashchange"));
   assert.deepEqual(values(), { u: 0.25, v: 0.5, sum: 0.75 });
   history.replaceState(null, "", "#explore-another?v=0");
   dispatchEvent(new Event("hashchange"));
   assert.deepEqual(values(), { u: 0.25, v: 0.5, sum: 0.75 });
-  history.replaceState(null, "", "#");
+  history.replaceState(null, "", "/");
+});
+
+test("a link is copied, or else shown to be copied by hand", async () => {
+  const copied = [];
+  const clipboard = { writeText: async (text) => copied.push(text) };
+  const { write, find, status } = shown();
+  write("u", "0.5");
+  for (const [granted, words, inField] of [
+    [clipboard, "Link copied. It opens the figure as it is set.", undefined],
+    [undefined, "Copy this link to the figure as it is set: ", location.href],
+  ]) {
+    Object.defineProperty(globalThis, "navigator", { value: { clipboard: granted }, configurable: true });
+    find("[data-action=link]").click();
+    await Promise.resolve();
+    assert.equal(status(), words);
+    const field = find(".explorable-status input");
+    assert.equal(field?.value, inField && location.href);
+    assert.equal(document.activeElement === field, Boolean(field));
+  }
+  assert.deepEqual(copied, [location.href]);
+  assert.match(location.href, /#explore-some-figure\?u=0\.5$/);
+  history.replaceState(null, "", "/");
+});
+
+test("the history keeps the state for Back and for a reload, until Reset", () => {
+  const { write, find } = shown();
+  write("u", "0.5");
+  write("v", "2");
+  const reloaded = () => shown({ past: history.state }).values();
+  // The last change waits until the hand rests, the first does not.
+  assert.deepEqual(reloaded(), { u: 0.5, v: 1, sum: 1.5 });
+  find("[data-action=reset]").click();
+  assert.deepEqual(reloaded(), { ...START, sum: 1.25 });
+  assert.deepEqual(shown().values(), { ...START, sum: 1.25 });
+});
+
+test("the history keeps what the hand leaves once it rests, of each figure", ({ mock }) => {
+  mock.timers.enable({ apis: ["setTimeout"] });
+  const past = { another: "#explore-another?w=1" };
+  const { write } = shown({ past });
+  for (const u of ["0.5", "0.75", "1"]) write("u", u);
+  mock.timers.tick(500);
+  assert.deepEqual(history.state, { ...past, "some-figure": "#explore-some-figure?u=1" });
+});
+
+test("an address wins over the history, and goes when it is no longer true", () => {
+  history.replaceState(null, "", "/#explore-some-figure?u=1");
+  const past = { "some-figure": "#explore-some-figure?v=2" };
+  const { values, write } = shown({ past });
+  assert.deepEqual(values(), { u: 1, v: 1, sum: 2 });
+  assert.equal(location.hash, "#explore-some-figure?u=1");
+  write("v", "0.5");
+  assert.equal(location.hash, "");
+  assert.deepEqual(shown({ past: history.state }).values().u, 1);
+  history.replaceState(null, "", "/#explore-another?u=1");
+  const other = shown();
+  other.write("v", "0.5");
+  assert.equal(location.hash, "#explore-another?u=1");
+  history.replaceState(null, "", "/");
+});
+
+test("Back brings an earlier state back, also if the address stays", () => {
+  const { write, values } = shown();
+  write("u", "0.5");
+  const past = history.state;
+  write("u", "1");
+  history.replaceState(past, "");
+  dispatchEvent(new Event("popstate"));
+  assert.deepEqual(values(), { u: 0.5, v: 1, sum: 1.5 });
+  // A link to a section has no state: the figure stays, and so it is kept.
+  history.replaceState(null, "");
+  dispatchEvent(new Event("popstate"));
+  assert.deepEqual(values(), { u: 0.5, v: 1, sum: 1.5 });
+  assert.deepEqual(history.state, past);
+});
+
+test("a change is told in a sentence, and the picture's name with it, once the hand rests", ({ mock }) => {
+  mock.timers.enable({ apis: ["setTimeout"] });
+  const inputs = { u: { ...INPUTS.u, label: "turn, °" }, v: INPUTS.v };
+  const { write, status, live, find } = shown({ data: { inputs } });
+  live.canvas.setAttribute("aria-label", "unheard");
+  const name = () => live.canvas.getAttribute("aria-label");
+  write("u", "0.5");
+  write("u", "1");
+  mock.timers.tick(499);
+  assert.equal(status(), "");
+  mock.timers.tick(1);
+  assert.equal(status(), "turn 1°. sum 2.00");
+  assert.equal(find(".explorable-spoken").textContent, status());
+  write("v", "0.5");
+  mock.timers.tick(500);
+  assert.equal(status(), "v 0.5. sum 1.50");
+  assert.equal(name(), "Changed: turn 1°, v 0.5. sum 1.50");
+  find("[data-action=reset]").click();
+  mock.timers.tick(500);
+  assert.equal(name(), "A ball");
+});
+
+test("what Python sets is not announced, but the picture's name follows", ({ mock }) => {
+  mock.timers.enable({ apis: ["setTimeout"] });
+  const { hand, status, live } = shown();
+  hand.set({ v: 2 });
+  mock.timers.tick(500);
+  assert.equal(status(), "");
+  assert.equal(live.canvas.getAttribute("aria-label"), "Changed: v 2. sum 2.25");
 });
 
 const POINTS = {
@@ -214,7 +320,7 @@ test("a dragged point keeps its length; the status line says where it lies", ({ 
   assert.ok(Math.abs(x - 1) < 1e-6 && Math.abs(y + Math.sqrt(3)) < 1e-6);
   assert.deepEqual(q, [0, 0, 2]);
   mock.timers.tick(500);
-  assert.equal(status(), handle.getAttribute("aria-label"));
+  assert.equal(status(), `${handle.getAttribute("aria-label")}. sum 1.00`);
 });
 
 /** Python in a notebook, which keeps what it is asked and told. */

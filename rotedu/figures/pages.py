@@ -114,7 +114,7 @@ def visit_scene(writer: Any, node: scene) -> None:
 def shape(node: nodes.Element) -> str:
     """Style a box with the shape of a picture, at most as wide as it was made."""
     width, height = node["width"], node["height"]
-    return f"aspect-ratio: {width} / {height}; --scene-width: {width / 16:g}rem"
+    return f"--aspect: {width} / {height}; --scene-width: {width / 16:g}rem"
 
 
 def depart_scene(writer: Any, node: scene) -> None:
@@ -166,6 +166,8 @@ def visit_scene_label(writer: Any, node: scene_label) -> None:
         raise nodes.SkipNode
     else:
         attributes = {"style": f"left: {node['left']:.2%}; top: {node['top']:.2%}"}
+    # The description of the picture says what is where.
+    attributes["aria-hidden"] = "true"
     writer.body.append(writer.starttag(node, "span", "", CLASS="scene-label", **attributes))
     # The colour has an element of its own, because the viewer rewrites the style of the outer one.
     writer.body.append(f'<span style="color: {node["color"]}">')

@@ -1,21 +1,28 @@
 /*
- * Makes the scenes of a page live when they come near the screen, after the first sign of a reader.
- * For a reader who saves data, a click does so. Until then, and where it fails, the posters stay.
- * The data-state of a scene is poster, loading, live or failed.
+ * Makes the scenes of a page live when they come near the screen, once the page has loaded and the
+ * browser has nothing better to do. For a reader who saves data, a click does so. Until then, and where
+ * it fails, the posters stay. The data-state of a scene is poster, loading, live or failed.
  */
 /* global VIEWER, BY_HAND */
-import { SERVE, onClickOnly, openWebGL, reason, status } from "./startup.js";
+import { goTo, isInSight, isNew, keepDrags, spokenOf } from "./arrival.js";
+import { SERVE, fail, loading, onClickOnly, openWebGL, reason } from "./startup.js";
 
 const home = document.currentScript.src;
 const scenes = [...document.querySelectorAll(".scene[data-scene]")];
-const SIGNS_OF_A_READER = ["pointermove", "pointerdown", "touchstart", "scroll", "keydown"];
 const NEAR = "50% 0%";
+// Milliseconds after which a busy browser begins, too.
+const BUSY = 2000;
+const goOn = keepDrags(scenes);
+// Sphinx empties it as soon as the page is there.
+const past = history.state;
 let context;
 
 /** Fetch the viewer and the scene at the same time, and put the first frame over the poster. */
 async function goLive(scene) {
   if (scene.dataset.state !== "poster") return;
   scene.dataset.state = "loading";
+  scene.querySelector(".scene-start")?.remove();
+  const loaded = loading(scene);
   try {
     const figure = scene.closest(".explorable");
     const needed = [loadModule(VIEWER), load(scene.dataset.scene)];
@@ -29,8 +36,11 @@ async function goLive(scene) {
     const live = await viewer.show(scene, file, context, { width, height, alt });
     scene.dataset.state = "live";
     if (figure) byHand.answer(figure, live, JSON.parse(new TextDecoder().decode(data)));
+    goOn(scene);
   } catch (error) {
     fail(scene, reason(error));
+  } finally {
+    loaded();
   }
 }
 
@@ -48,13 +58,6 @@ async function load(url) {
   return answer.arrayBuffer();
 }
 
-function fail(scene, text) {
-  scene.dataset.state = "failed";
-  const line = status();
-  scene.after(line);
-  line.textContent = text;
-}
-
 /** Call back when a scene is near the screen. */
 function watch(callback) {
   const observer = new IntersectionObserver(
@@ -70,20 +73,21 @@ function watch(callback) {
   scenes.forEach((scene) => observer.observe(scene));
 }
 
-/** Go at once to the figure that the address speaks of. */
+/** Wait for the page, and until the browser has nothing better to do. */
+function whenIdle(callback) {
+  const wait = globalThis.requestIdleCallback ?? setTimeout;
+  addEventListener("load", () => wait(callback, { timeout: BUSY }));
+}
+
 function followLink() {
-  const [whose, state] = location.hash.slice(1).split("?");
-  const figure = state === undefined ? null : document.getElementById(whose);
-  if (!figure?.matches(".explorable")) return;
-  figure.scrollIntoView();
-  begin();
+  const figure = spokenOf(location.hash);
+  if (!figure) return;
+  const scene = figure.querySelector(".scene");
+  if (!isInSight(scene)) goTo(figure);
+  goLive(scene);
 }
 
-function begin() {
-  SIGNS_OF_A_READER.forEach((sign) => removeEventListener(sign, begin));
-  watch(goLive);
-}
-
+addEventListener("load", () => history.replaceState({ ...past, ...history.state }, ""));
 for (const scene of scenes) {
   scene.dataset.state = "poster";
   // Python in the page sets a figure that nobody has seen yet.
@@ -92,9 +96,10 @@ for (const scene of scenes) {
 if (location.protocol === "file:") {
   // Browsers fetch nothing for a page opened from a file.
   watch((scene) => fail(scene, SERVE));
-} else if (navigator.connection?.saveData) {
-  scenes.forEach((scene) => onClickOnly(scene, goLive));
 } else {
-  SIGNS_OF_A_READER.forEach((sign) => addEventListener(sign, begin, { passive: true }));
-  followLink();
+  if (navigator.connection?.saveData) scenes.forEach((scene) => onClickOnly(scene, goLive));
+  else whenIdle(() => watch(goLive));
+  const aim = spokenOf(location.hash);
+  if (aim && isNew()) goTo(aim);
+  addEventListener("hashchange", followLink);
 }

@@ -2,10 +2,16 @@
 
 // Nobody sees more pixels than this per CSS pixel.
 const DENSITY = 2;
+// In milliseconds: when a wait needs a word, and how long the browser may keep the graphics.
+const SOON = 1000;
+const PATIENCE = 3000;
 
 export const SERVE =
   "To turn or move this figure, run “python -m http.server” in the folder of the book" +
   " and open http://localhost:8000.";
+const LOADING = "Loading the figure…";
+const LOST =
+  "The browser has taken the graphics of this page back, so this figure stays a picture until they return.";
 
 /** Say why a figure stays a picture. */
 export function reason(error) {
@@ -13,11 +19,38 @@ export function reason(error) {
 }
 
 /** Make an empty line whose text a screen reader will announce. */
-export function status() {
+export function status(kind = "scene-message") {
   const line = document.createElement("p");
-  line.className = "scene-message";
+  line.className = kind;
   line.setAttribute("role", "status");
   return line;
+}
+
+/** Put a line with a text below a scene. */
+function say(scene, text, kind) {
+  const line = status(kind);
+  scene.after(line);
+  line.textContent = text;
+  return line;
+}
+
+/** Say that a scene is a picture for good. */
+export function fail(scene, text) {
+  scene.dataset.state = "failed";
+  say(scene, text);
+}
+
+/**
+ * Say that a scene is loading, unless it is there soon.
+ * @returns a function that ends this
+ */
+export function loading(scene) {
+  let line;
+  const timer = setTimeout(() => (line = say(scene, LOADING, "scene-loading")), SOON);
+  return () => {
+    clearTimeout(timer);
+    line?.remove();
+  };
 }
 
 /** Let the reader decide whether to fetch a scene. */
@@ -26,10 +59,7 @@ export function onClickOnly(scene, goLive) {
   button.type = "button";
   button.className = "scene-start";
   button.textContent = "Turn this figure";
-  button.addEventListener("click", () => {
-    button.remove();
-    goLive(scene);
-  });
+  button.addEventListener("click", () => goLive(scene));
   scene.append(button);
 }
 
@@ -45,5 +75,38 @@ export function openWebGL(scene) {
   Object.assign(canvas, pixels(scene));
   const opened = canvas.getContext("webgl2", { alpha: true, antialias: true });
   if (!opened) throw new Error("this browser cannot draw with WebGL");
+  standIn(canvas);
   return opened;
+}
+
+/** Put the posters back while graphics that the browser has taken do not return. */
+function standIn(canvas) {
+  const lines = new Map();
+  let timer;
+  const rest = () => {
+    for (const scene of document.querySelectorAll(".scene[data-state=live]")) {
+      scene.dataset.state = "failed";
+      lines.set(scene, say(scene, LOST));
+      switchControls(scene, false);
+    }
+  };
+  canvas.addEventListener("webglcontextlost", (event) => {
+    // Else the browser would never give it back.
+    event.preventDefault();
+    timer = setInterval(rest, PATIENCE);
+  });
+  canvas.addEventListener("webglcontextrestored", () => {
+    clearInterval(timer);
+    for (const [scene, line] of lines) {
+      scene.dataset.state = "live";
+      line.remove();
+      switchControls(scene, true);
+    }
+    lines.clear();
+  });
+}
+
+function switchControls(scene, on) {
+  const controls = scene.closest(".explorable")?.querySelector("fieldset");
+  if (controls) controls.disabled = !on;
 }

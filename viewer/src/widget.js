@@ -39,7 +39,7 @@ export function render({ model, el }, models) {
     {
       class: "scene",
       "data-state": "loading",
-      style: `aspect-ratio: ${made.width} / ${made.height}; --scene-width: ${made.width / 16}rem`,
+      style: `--aspect: ${made.width} / ${made.height}; --scene-width: ${made.width / 16}rem`,
     },
     ...labels.map(createLabel),
   );
@@ -141,7 +141,7 @@ function createLabel({ name, text, color, position }) {
     ink.textContent = text;
   }
   const data = { "data-position": (position ?? []).join(" "), "data-label": name };
-  return element("span", { class: "scene-label", ...data }, ink);
+  return element("span", { class: "scene-label", "aria-hidden": "true", ...data }, ink);
 }
 
 function arrayBuffer({ buffer, byteOffset, byteLength }) {

@@ -10,6 +10,7 @@ from PIL import Image
 
 from rotedu.figures.backend import take_poster
 from rotedu.figures.ball import ball_looks
+from rotedu.figures.pages import light_poster
 from rotedu.scenes.parts import add_line, add_point, add_sphere, new_scene
 
 EYE = np.array([5.0, 0, 0])
@@ -24,8 +25,12 @@ def scene() -> pyvista.Plotter:
     return new_scene(EYE, (0, 0, 0), VIEW_ANGLE)
 
 
+def pixels(file: bytes) -> np.ndarray:
+    return np.asarray(Image.open(io.BytesIO(file)), float) / 255
+
+
 def picture(plotter: pyvista.Plotter) -> np.ndarray:
-    return np.asarray(Image.open(io.BytesIO(take_poster(plotter))), float) / 255
+    return pixels(take_poster(plotter))
 
 
 def pixel(point: ArrayLike) -> tuple[int, int]:
@@ -48,10 +53,15 @@ def place(azimuth: float, height: float, radius: float = 1) -> np.ndarray:
 
 
 @pytest.fixture(scope="module")
-def ball() -> np.ndarray:
+def poster() -> bytes:
     plotter = scene()
     add_sphere(plotter)
-    return picture(plotter)
+    return take_poster(plotter)
+
+
+@pytest.fixture(scope="module")
+def ball(poster: bytes) -> np.ndarray:
+    return pixels(poster)
 
 
 def test_its_outline_is_a_circle_whatever_the_mesh(ball: np.ndarray) -> None:
@@ -89,6 +99,15 @@ def test_the_back_is_fainter_than_the_front(ball: np.ndarray) -> None:
 def test_its_light_comes_from_above(ball: np.ndarray) -> None:
     up, down = (ball[pixel(place(15, height))] for height in (45, -45))
     assert up[:3].mean() > down[:3].mean() + 0.05
+
+
+def test_on_a_page_it_has_fewer_levels_than_anyone_can_see(poster: bytes) -> None:
+    """Its opacity is off by no more than a sixteenth."""
+    light = light_poster(poster)
+    assert len(light) < 60_000
+    before, after = pixels(poster)[..., 3], pixels(light)[..., 3]
+    assert (np.abs(after - before) <= np.maximum(0.06 * before, 1.01 / 255)).all()
+    assert len(np.unique(after)) < len(np.unique(before)) / 3
 
 
 def test_what_stands_behind_it_is_pale() -> None:

@@ -203,6 +203,12 @@ def test_the_root_leads_to_the_front_page(browser: Any, site: str) -> None:
     page.close()
 
 
+def test_posters_are_light(book: Path) -> None:
+    weights = [file.stat().st_size for file in (book / "_images").glob("scene-*.webp")]
+    assert len(weights) > 20
+    assert max(weights) <= 80_000
+
+
 def test_pages_can_be_read_from_the_file_system(browser: Any, book: Path) -> None:
     """Without a server, text and formulas have their fonts, and posters are visible."""
     page = browser.new_page()

@@ -6,8 +6,8 @@ names then differ by a *frame*, which the viewer applies to the first without dr
 - a ball is ``at`` a point, an arrow goes ``from`` one point ``to`` another, lines follow ``paths``,
   and any other part has a ``matrix`` or ``points``;
 - a part may have another ``color`` and may be ``hidden``; a label has a position, or none;
-- a grip says where an input can be grabbed: a number along a ``path``, or none for now, bodies of
-  a ``size`` ``at`` points;
+- a grip says where an input can be grabbed: a number along a ``path``, or none for now, perhaps by
+  a ``body`` that turns with it, and bodies of a ``size`` ``at`` points;
 - an output is a number, a text or rows of numbers; a chart has a curve, or none for now,
   for each of its names.
 """
@@ -129,7 +129,9 @@ def place_grip(plotter: pyvista.Plotter, name: str, **place: Any) -> None:
     **place
         For a number its ``path``, shape (n, 3), along which it goes evenly from its lower to its
         upper bound, or None while it cannot be grabbed. A path that ends where it begins has no
-        end. For bodies their ``size`` and where they are, ``at``, one point or several.
+        end. If it is a circle about whose axis something turns with the number, a line on this
+        thing, ``body``, of shape (m, 3), is grabbed in its place. For poses the ``size`` of their
+        bodies and where they are, ``at``, one point or several.
     """
     shown(plotter).grips[name] = {
         key: None if value is None else np.asarray(value, float) for key, value in place.items()

@@ -5,6 +5,15 @@
 
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 
+const cross = (a, b) => [
+  a[1] * b[2] - a[2] * b[1],
+  a[2] * b[0] - a[0] * b[2],
+  a[0] * b[1] - a[1] * b[0],
+];
+
+// A point of a body this close to its axis, in radii of its path, does not say how far the body turns.
+const CLOSE = 0.2;
+
 /** The point that lies so far from another in a direction. */
 const along = (point, distance, direction) => point.map((x, i) => x + distance * direction[i]);
 
@@ -42,6 +51,33 @@ export function pointOf(path, share) {
 }
 
 /**
+ * The circle on which a point of a body goes while the body turns with a number along a closed circle.
+ * @param {number[][]} path the circle along which the number goes, once or several times
+ * @param {number[]} point of the body
+ * @param {number} share where the body is now, as a share of the path
+ * @returns {number[][]} as many points; the path itself if the point is too close to the axis to be led
+ */
+export function carried(path, point, share) {
+  const steps = path.length - 1;
+  const middle = [0, 1, 2].map((i) => path.slice(1).reduce((sum, p) => sum + p[i], 0) / steps);
+  const [first, second] = path.map((p) => along(p, -1, middle));
+  const normal = cross(first, second);
+  const size = Math.hypot(...normal);
+  const axis = normal.map((x) => x / size);
+  const step = Math.atan2(size, dot(first, second));
+  const offset = along(point, -1, middle);
+  const height = dot(offset, axis);
+  const spoke = along(offset, -height, axis);
+  if (Math.hypot(...spoke) < CLOSE * Math.hypot(...first)) return path;
+  const ahead = cross(axis, spoke);
+  const centre = along(middle, height, axis);
+  return path.map((_, k) => {
+    const angle = (k - share * steps) * step;
+    return along(along(centre, Math.cos(angle), spoke), Math.sin(angle), ahead);
+  });
+}
+
+/**
  * Where a path in the picture comes nearest to a place, as a share of its steps.
  * @param {number[][]} path of pixels
  * @param {number[]} place
@@ -73,7 +109,7 @@ export function nearest(path, [x, y], about = 0.5, reach = 0.5, closed = false) 
  */
 export function rolling(from, to) {
   const [a, b] = [from, to].map(onBall);
-  const axis = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+  const axis = cross(a, b);
   const sine = Math.hypot(...axis);
   const angle = Math.atan2(sine, dot(a, b));
   return axis.map((x) => (sine ? (x * angle) / sine : 0));

@@ -1,9 +1,9 @@
 /*
  * What can be grabbed in a picture, by mouse, finger and keys alike: points that are dragged over a
  * sphere about the origin, numbers along paths, and bodies that are turned. Each has a button over the
- * picture; a path can be grabbed anywhere.
+ * picture; a path can be grabbed anywhere, or in its place a body that turns with the number.
  */
-import { alongSphere, isClosed, nearest, pointOf, rolling } from "./drag.js";
+import { alongSphere, carried, isClosed, nearest, pointOf, rolling } from "./drag.js";
 import { numberText, titleOf } from "./speak.js";
 
 const HINTS = {
@@ -194,29 +194,35 @@ function addPath({ layer, live, now, change, grips }, { name, spec }) {
     const whole = low + step * Math.round((within - low) / step);
     change({ [name]: Math.min(high, Math.max(low, whole)) });
   };
-  /** The path in the picture, in units of its width. */
-  const flat = (aspect) =>
-    path().map((point) => {
+  /** A path in the picture, in units of its width. */
+  const flat = (points, aspect) =>
+    points.map((point) => {
       const { left, top } = live.project(point);
       return [left, top / aspect];
     });
   const spot = ({ share, aspect }) => [share[0], share[1] / aspect];
   const hands = {
     grab(place) {
-      const found = nearest(flat(place.aspect), spot(place)).share;
+      const { body } = grips()[name];
+      const find = (points, ...near) => nearest(flat(points, place.aspect), spot(place), ...near).share;
+      const way = body && carried(path(), pointOf(body, find(body)), share());
+      const found = way ? find(way, share(), REACH, true) : find(path());
       // The value keeps its distance from the finger along the path.
-      return { at: found, value: share() - found };
+      return { way, at: found, value: share() - found };
     },
     move(grip, place) {
-      const closed = isClosed(path());
-      grip.at = nearest(flat(place.aspect), spot(place), grip.at, REACH, closed).share;
+      const way = grip.way ?? path();
+      grip.at = nearest(flat(way, place.aspect), spot(place), grip.at, REACH, isClosed(way)).share;
       put(low + (grip.at + grip.value) * (high - low));
     },
   };
   drag(handle, layer, {
     ...hands,
     // The path may cross itself, but the ring is in one place.
-    grab: (place) => ({ at: nearest(flat(place.aspect), spot(place), share(), 0.05).share ?? share(), value: 0 }),
+    grab: (place) => ({
+      at: nearest(flat(path(), place.aspect), spot(place), share(), 0.05).share ?? share(),
+      value: 0,
+    }),
   });
   drag(line, layer, { ...hands, focus: handle });
   const steps = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1 };
@@ -234,7 +240,7 @@ function addPath({ layer, live, now, change, grips }, { name, spec }) {
       if (!there) return;
       const { left, top } = live.project(pointOf(there, share()));
       put2d(handle, left, top);
-      const places = there.map((point) => live.project(point));
+      const places = (grips()[name].body ?? there).map((point) => live.project(point));
       line.setAttribute("d", `M${places.map((p) => `${round(100 * p.left)} ${round(100 * p.top)}`).join(" ")}`);
     },
     remove() {

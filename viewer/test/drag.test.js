@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { alongSphere, isClosed, nearest, pointOf, rolling } from "../src/drag.js";
+import { alongSphere, carried, isClosed, nearest, pointOf, rolling } from "../src/drag.js";
 
 const near = (mine, wanted, within = 1e-12) =>
   mine.forEach((x, i) => assert.ok(Math.abs(x - wanted[i]) < within, `${mine} is not ${wanted}`));
@@ -56,4 +56,19 @@ test("a ball rolls under a finger: what is under it stays there, and the rim tur
   // Far out the slope is almost level, so a quarter round turns by almost a quarter about the line of sight.
   const [x, y, z] = rolling([1e3, 0], [0, 1e3]);
   near([x, y, z], [0, 0, Math.PI / 2], 1e-2);
+});
+
+test("a point of a body goes on a circle about the axis of the body's path", () => {
+  const round = Array.from({ length: 25 }, (_, k) => {
+    const angle = (k * Math.PI) / 12;
+    return [1 + 2 * Math.cos(angle), 3, 5 - 2 * Math.sin(angle)];
+  });
+  // At a quarter of the path the body points down; the point sticks out from it.
+  const way = carried(round, [1, 3.5, 3.8], 0.25);
+  assert.equal(way.length, 25);
+  near(way[6], [1, 3.5, 3.8]);
+  near(way[0], [2.2, 3.5, 5]);
+  near(way[12], [-0.2, 3.5, 5]);
+  near(pointOf(way, 0.75), [1, 3.5, 6.2]);
+  assert.equal(carried(round, [1.1, 9, 5], 0.25), round);
 });

@@ -281,6 +281,20 @@ test("a path is grabbed anywhere, and the number moves by as much as the finger"
   assert.equal(state.inputs.angle, 70);
 });
 
+test("a body that turns with a number is grabbed in place of the path, wherever it is seen", () => {
+  const { handles, path, state, on } = circled();
+  const spoke = on(30).map((x, i) => (i ? -1 : 1) * x / 25);
+  handles.update({ angle: { path: ROUND, body: [[0, 0, 0], [spoke[0], 0, spoke[1]]] } });
+  assert.equal(path.getAttribute("d"), `M50 50 ${on(30).map((x) => Math.round(100 * (50 + x)) / 100).join(" ")}`);
+  path.parentElement.parentElement.getBoundingClientRect = () => ({ left: 0, top: 0, width: 100, height: 100 });
+  path.setPointerCapture = () => {};
+  const [from, to] = [[30, 15], [70, 15]].map(([angle, radius]) => on(angle, radius).map((x) => 50 + x));
+  tell(path, "pointerdown", { button: 0, pointerId: 1, clientX: from[0], clientY: from[1] });
+  tell(path, "pointermove", { clientX: to[0], clientY: to[1] });
+  tell(path, "pointerup");
+  assert.equal(state.inputs.angle, 70);
+});
+
 test("keys move a number by its steps, within its bounds or round", () => {
   const { ring, state } = circled();
   tell(ring, "keydown", { key: "ArrowRight" });

@@ -114,8 +114,11 @@ SPECIAL = {
         {"what": "orientations", "flip": True},
         {"p": [1, 0, 0], "q": [1, 0, 0]},
     ],
-    # Without arrows and with the first of them; at home, almost and quite.
-    "two_mirrors_by_hand": [{"second": angle} for angle in (1.0, 4.0, 180.0)],
+    # Without arrows and with the first of them; at home, almost and quite; the shorter way.
+    "two_mirrors_by_hand": [
+        *({"second": angle} for angle in (1.0, 4.0, 180.0)),
+        *({"first": 355.0, "second": angle} for angle in (10.0, 170.0, 180.0)),
+    ],
 }
 
 

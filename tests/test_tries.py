@@ -70,6 +70,17 @@ SHOWN: list[tuple[str, str, dict[str, str]]] = [
             (4, "4 turns", "yes"),
         )
     ),
+    ("two_mirrors_by_hand", "both mirrors, 60° on", {"between": "60°", "turned": "120°"}),
+    (
+        "two_mirrors_by_hand",
+        "mirrors at right angles",
+        {"turned": "180°", "q": "0.00 0.00 0.00 1.00"},
+    ),
+    (
+        "two_mirrors_by_hand",
+        "mirrors in one plane",
+        {"turned": "360°", "home": "yes", "q": "−1.00 0.00 0.00 0.00"},
+    ),
 ]
 
 
@@ -128,3 +139,18 @@ def test_the_area_is_what_the_angles_exceed_half_a_turn_by(words: str) -> None:
     angles = np.pi - angle_between(np.roll(planes, 1, axis=0), planes)
     area = figure.draw(**inputs).shown.outputs["area"].value
     assert abs(area) == pytest.approx(np.degrees(angles.sum() - np.pi))
+
+
+@pytest.mark.parametrize("words", BY_HAND["two_mirrors_by_hand"].tries)
+def test_two_reflections_turn_as_far_as_the_mirrors_say(words: str) -> None:
+    figure, inputs = tried("two_mirrors_by_hand", words)
+
+    def reflection(angle: float) -> Any:
+        twice = 2 * np.radians(angle + inputs["both"])
+        return np.array([[np.cos(twice), np.sin(twice)], [np.sin(twice), -np.cos(twice)]])
+
+    (cosine, _), (sine, _) = reflection(inputs["second"]) @ reflection(inputs["first"])
+    turned = figure.draw(**inputs).shown.outputs["turned"].value
+    np.testing.assert_allclose(
+        [cosine, sine], [np.cos(np.radians(turned)), np.sin(np.radians(turned))], atol=1e-12
+    )

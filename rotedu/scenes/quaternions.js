@@ -22,13 +22,18 @@ const HOME = ACROSS.map((x) => -2.35 * x);
 const [NO_AXIS, JUMP] = [1e-6, 0.35];
 const ON_SKIN = 0.97;
 const TINY = 1e-12;
+const [INNER, OUTER] = [0.55, 1.05];
 
 /** A point off the axis. */
 const out = (angle, radius = 1) => rotate([radius, 0, 0], W, angle / DEGREES);
 
+const round = (point) => turning(point, W, 2 * Math.PI, 48);
+
 /** `two_mirrors_by_hand` */
 export function twoMirrors({ first, second, both, letter }, { lamp }) {
-  const between = second - first;
+  // As in Python, the remainder is not negative.
+  const behind = (180 - second + first) % 360;
+  const between = 180 - (behind < 0 ? behind + 360 : behind);
   const angles = [first + both, second + both];
   const m = angles.map((angle) => [0, ...out(angle + 90)]);
   const mirrored = (images, k) =>
@@ -43,6 +48,13 @@ export function twoMirrors({ first, second, both, letter }, { lamp }) {
     "image of the image": { matrix: columns(twice) },
   };
   const labels = {};
+  const grips = {
+    letter: {
+      path: round(out(-180, OUTER)),
+      body: [-0.24, 0.24].map((far) => out(letter, OUTER + far)),
+    },
+    both: { path: round(out(first + between / 2 + 180, INNER)) },
+  };
   angles.forEach((angle, k) => {
     const name = k + 1;
     const size = [1.4, 1.65][k];
@@ -50,6 +62,11 @@ export function twoMirrors({ first, second, both, letter }, { lamp }) {
     const top = [0, 0, 0.3];
     const corner = combine(1, foot, 1, top);
     const edge = [ORIGIN, foot, corner, top];
+    const [inside, outside] = [ORIGIN, foot].map((p) => combine(1, p, 0.5, top));
+    grips[["first", "second"][k]] = {
+      path: round(combine(1, out(both, size), 0.5, top)),
+      body: [inside, outside],
+    };
     const [, ...normal] = m[k];
     parts[`mirror ${name}`] = { points: edge };
     parts[`edge ${name}`] = { paths: [[out(angle, -size), ...edge]] };
@@ -57,7 +74,7 @@ export function twoMirrors({ first, second, both, letter }, { lamp }) {
     labels[`m ${name}`] = combine(1, corner, 0.42, normal);
   });
   for (const [name, begin, angle, radius] of [
-    ["half", angles[0], between, 0.45],
+    ["half", angles[0], between, INNER],
     ["whole", letter, 2 * between, 1.5],
   ]) {
     const drawn = Math.abs(angle) >= SMALLEST_ARC;
@@ -77,7 +94,7 @@ export function twoMirrors({ first, second, both, letter }, { lamp }) {
   return {
     parts,
     labels,
-    grips: { letter: { path: turning(out(-180, 1.05), W, 2 * Math.PI, 48) } },
+    grips,
     outputs: {
       between,
       turned: 2 * between,

@@ -49,6 +49,8 @@ NO_AXIS, JUMP = 1e-6, 0.35
 # From this share of a whole turn on, a quaternion is on the skin.
 ON_SKIN = 0.97
 TINY = 1e-12
+# Radii of the circles of the angle between the mirrors and of the letters.
+INNER, OUTER = 0.55, 1.05
 
 
 def letter_f(size: float = 0.5, thickness: float = 0.07, border: float = 0.0) -> pyvista.PolyData:
@@ -80,11 +82,16 @@ def letter_f(size: float = 0.5, thickness: float = 0.07, border: float = 0.0) ->
 @explorable(
     model="twoMirrors",
     constants={"lamp": LAMP},
-    first=Slider(0, 180, "mirror 1, °", step=1),
-    second=Slider(0, 180, "mirror 2, °", step=1),
-    # At these strides no letter lies on another, nor in a mirror.
-    both=Slider(0, 360, "turn both by, °", step=1, stride=60, plays=12),
-    letter=Slider(-180, 180, "blue letter, °", step=1),
+    tries={
+        "both mirrors, 60° on": {"both": 60},
+        "mirrors at right angles": {"second": 90},
+        "mirrors in one plane": {"second": 180},
+    },
+    # What comes later lies on top, where a hand could mean either.
+    both=Slider(0, 360, "both mirrors, °", step=1, row=False),
+    first=Slider(0, 360, "mirror 1, °", step=1, row=False),
+    second=Slider(0, 360, "mirror 2, °", step=1, row=False),
+    letter=Slider(-180, 180, "blue letter, °", step=1, row=False),
 )
 def two_mirrors_by_hand(
     first: float = 0, second: float = 60, both: float = 0, letter: float = -30
@@ -110,28 +117,38 @@ def two_mirrors_by_hand(
         """Return a point off the axis."""
         return rotate([radius, 0, 0], W, np.deg2rad(angle))
 
-    between = second - first
+    # The shorter way, as mirrors are grabbed and led round.
+    between = 180 - (180 - second + first) % 360
     angles = (first + both, second + both)
     m1, m2 = (Quaternion(0, out(angle + 90)) for angle in angles)
     start = rotation_matrix(W, np.deg2rad(letter))
     once = m1 * Quaternion(0, start.T) * m1
     twice = m2 * once * m2
 
-    plotter = new_scene(eye=(-3.6, -2.1, 6.1), target=(0, 0, 0.05), view_angle=25)
-    add_arrow(plotter, -0.15 * W, 0.5 * W, AXIS)
+    plotter = new_scene(eye=(-4.55, -2.65, 5.8), target=(-0.06, -0.04, 0), view_angle=21.5)
+    add_arrow(plotter, -0.15 * W, 0.3 * W, AXIS)
     add_label(plotter, -0.42 * W, r"$\hat n$", AXIS)
-    circle = turning(out(-180, 1.05), W, 2 * np.pi)
-    ring = add_line(plotter, circle, NEUTRAL, 0.004, name="ring")
-    ring.prop.opacity = 0.4
-    place_grip(plotter, "letter", path=circle)
+    for radius in (INNER, OUTER):
+        ring = add_line(plotter, turning(out(0, radius), W, 2 * np.pi), NEUTRAL, 0.004, name="ring")
+        ring.prop.opacity = 0.4
+    stem = np.stack([out(letter, OUTER + far) for far in (-0.24, 0.24)])
+    place_grip(plotter, "letter", path=turning(out(-180, OUTER), W, 2 * np.pi), body=stem)
+    opposite = out(first + between / 2 + 180, INNER)
+    place_grip(plotter, "both", path=turning(opposite, W, 2 * np.pi))
     # The second mirror is longer: both show where they coincide.
-    for angle, m, k, size in zip(angles, (m1, m2), (1, 2), (1.4, 1.65), strict=True):
+    for name, angle, m, k, size in zip(
+        ("first", "second"), angles, (m1, m2), (1, 2), (1.4, 1.65), strict=True
+    ):
         foot, top = out(angle, size), 0.3 * W
         edge = np.stack([ORIGIN, foot, foot + top, top])
         sheet = triangle_mesh(edge, [[0, 1, 2], [0, 2, 3]])
-        name = place_part(plotter, f"mirror {k}", points=edge)
+        part = place_part(plotter, f"mirror {k}", points=edge)
         plotter.add_mesh(
-            sheet, color=NEUTRAL, opacity=0.45, lighting=False, pickable=False, name=name
+            sheet, color=NEUTRAL, opacity=0.45, lighting=False, pickable=False, name=part
+        )
+        middle = out(both, size) + top / 2
+        place_grip(
+            plotter, name, path=turning(middle, W, 2 * np.pi), body=[top / 2, foot + top / 2]
         )
         # A mirror acts as if it went on beyond the axis.
         add_line(plotter, [-foot, *edge], NEUTRAL, radius=0.004, name=f"edge {k}")
@@ -145,14 +162,14 @@ def two_mirrors_by_hand(
         ("image of the image", twice.v, RESULT, 0.02, 0.0, 1.0),
     ):
         mesh = letter_f(0.48, thickness, border)
-        mesh.points = rotate(mesh.points, W, -np.pi / 2) + out(0, 1.05)
+        mesh.points = rotate(mesh.points, W, -np.pi / 2) + out(0, OUTER)
         matrix = homogeneous(images.T)
         name = place_part(plotter, name, matrix=matrix.T.ravel())
         actor = plotter.add_mesh(mesh, color=color, opacity=opacity, lighting=False, name=name)
         actor.user_matrix = matrix
 
     for begin, angle, radius, text, color, name in (
-        (angles[0], between, 0.45, r"$\theta/2$", NEUTRAL, "half"),
+        (angles[0], between, INNER, r"$\theta/2$", NEUTRAL, "half"),
         (letter, 2 * between, 1.5, r"$\theta$", RESULT, "whole"),
     ):
         drawn = abs(angle) >= SMALLEST_ARC
@@ -165,10 +182,13 @@ def two_mirrors_by_hand(
         place = out(begin + angle / 2, radius + 0.16) if drawn else None
         add_label(plotter, place, text, name=name)
 
-    read_out(plotter, "between", between, "from mirror 1 to mirror 2", 0, "°")
-    read_out(plotter, "turned", 2 * between, "from blue to green letter", 0, "°")
-    read_out(plotter, "home", is_back(2 * between, 360), "green letter on blue letter", loud="yes")
+    for name, angle, label in (
+        ("between", between, "from mirror 1 to mirror 2"),
+        ("turned", 2 * between, "from blue to green letter"),
+    ):
+        read_out(plotter, name, angle, label, 0, "°", where="picture")
     read_out(plotter, "q", -(m2 * m1).components, "q = −m₂m₁ (w x y z)", 2)
+    read_out(plotter, "home", is_back(2 * between, 360), "green letter on blue letter", loud="yes")
     describe(
         plotter,
         f"Two upright mirrors meet at an axis n, {abs(between):.0f} degrees apart. A blue letter F"

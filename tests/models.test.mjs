@@ -94,3 +94,17 @@ test("a ring stays on the point that it holds", () => {
   assert.equal(difference(corrected(true).points, there, allowed), "");
   assert.deepEqual(corrected(false), {});
 });
+
+test("while one number of Figure 1 moves, what it leaves alone shines", () => {
+  const { spec } = figures.find(({ spec }) => spec.model === "figure1");
+  const halo = (changed, inputs = {}) =>
+    models.figure1({ ...spec.start, ...inputs }, spec.constants, changed).parts.halo;
+  for (const changed of [[], ["vector"], ["around", "theta"], Object.keys(spec.start)]) {
+    assert.deepEqual(halo(changed), { hidden: true });
+  }
+  const { parts } = models.figure1(spec.start, spec.constants, []);
+  const arrows = ["term 2", "other term 2"].map((name) => [parts[name].from, parts[name].to]);
+  assert.deepEqual(halo(["around"]), { paths: arrows, hidden: false });
+  assert.deepEqual(halo(["theta"]), { paths: parts.height.paths, hidden: false });
+  assert.deepEqual(halo(["around"], { theta: 0 }), { hidden: true });
+});

@@ -5,7 +5,7 @@ import { combine, cross, dot, length, rotate, rotationMatrix, unit } from "./sph
 const HAIR = 1e-6;
 
 /** `figure_1_by_hand` */
-export function figure1({ vector: r, axis, theta, around }) {
+export function figure1({ vector: r, axis, theta, around }, _, changed) {
   const n = unit(axis);
   const angle = theta / DEGREES;
   const cos = Math.cos(angle);
@@ -19,10 +19,11 @@ export function figure1({ vector: r, axis, theta, around }) {
   const rim = turning(spoke.map((x) => 0.42 * x), n, angle, 48);
   const otherEnd = rotate(other, n, angle);
   const beside = (tip, up) => combine(1, combine(1.17, tip, -0.17, center), up, n);
+  const circle = turning(r, n, 2 * Math.PI, 80);
   const apart = here.map((term, i) => length(combine(1, there[i], -1, term)));
   return {
     parts: {
-      circle: { paths: [turning(r, n, 2 * Math.PI, 80)] },
+      circle: { paths: [circle] },
       sector: { points: [center, ...rim.map((x) => combine(1, center, 1, x))] },
       spokes: { paths: [[center, r], [center, turned]] },
       centre: { at: center },
@@ -35,6 +36,11 @@ export function figure1({ vector: r, axis, theta, around }) {
       "other end": { at: otherEnd },
       ...headToTail(here, "term"),
       ...headToTail(there, "other term"),
+      halo: halo(unchanged(changed, center, here, there)),
+    },
+    grips: {
+      theta: { path: circle, body: [ORIGIN, turned] },
+      around: { path: circle, body: [ORIGIN, other] },
     },
     labels: {
       "\\theta": combine(1, center, 0.58, rotate(spoke, n, 0.6 * angle)),
@@ -66,6 +72,19 @@ function terms(r, n, angle) {
     n.map((x) => (1 - cos) * dot(r, n) * x),
     cross(n, r).map((x) => Math.sin(angle) * x),
   ];
+}
+
+/** What stays as it is while one number changes, as lines. */
+function unchanged(changed, center, here, there) {
+  if (changed.length !== 1) return [];
+  const second = ([first, along]) => [first, combine(1, first, 1, along)];
+  return { theta: [[ORIGIN, center]], around: [second(here), second(there)] }[changed[0]] ?? [];
+}
+
+/** Lines that shine, without those that vanish. */
+function halo(lines) {
+  const paths = lines.filter(([from, to]) => length(combine(1, to, -1, from)) > HAIR);
+  return paths.length ? { paths, hidden: false } : { hidden: true };
 }
 
 /** Arrows for terms, without those that vanish: `add_terms`. */

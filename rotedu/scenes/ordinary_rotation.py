@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from rotedu.colors import AXIS, CROSS, NEUTRAL, RESULT, VECTOR
 from rotedu.figures import Handles, Slider, describe, explorable, read_out
-from rotedu.figures.frames import place_part
+from rotedu.figures.frames import place_grip, place_part
 from rotedu.ordinary_rotation import rotate, rotation_matrix, transform
 from rotedu.scenes.parts import (
     ORIGIN,
@@ -125,10 +125,15 @@ def add_terms(
 
 @explorable(
     model="figure1",
+    tries={
+        "θ = 90°": {"theta": 90},
+        "θ = 180°": {"theta": 180},
+        "r₂ opposite r": {"around": 180},
+    },
     vector=Handles("r", length=0),
     axis=Handles("n", reach=1.1),
     theta=Slider(0, 360, "angle θ, °", step=1, plays=8),
-    around=Slider(0, 360, "r₂ ahead of r by, °", step=1, plays=8),
+    around=Slider(0, 360, "r₂ ahead of r by, °", step=1, row=False),
 )
 def figure_1_by_hand(
     vector: ArrayLike = VECTOR_1,
@@ -161,6 +166,12 @@ def figure_1_by_hand(
     here, there = (terms(start, n, angle) for start in (r, other))
 
     plotter = turned_vector(r, n, angle)
+    circle = turning(r, n, 2 * np.pi, 80)
+    place_grip(plotter, "theta", path=circle, body=[ORIGIN, rotate(r, n, angle)])
+    place_grip(plotter, "around", path=circle, body=[ORIGIN, other])
+    # What stays as it is shines, but only while the hand moves.
+    halo = add_lines(plotter, [[ORIGIN, n]], AXIS, radius=0.06, name="halo")
+    halo.prop.opacity, halo.visibility = 0.45, False
     add_line(plotter, [ORIGIN, other], VECTOR, radius=0.003, name="other")
     add_point(plotter, other, VECTOR, radius=0.024, name="other start")
     end = rotate(other, n, angle)
@@ -171,17 +182,17 @@ def figure_1_by_hand(
     cos, sin = np.cos(angle), np.sin(angle)
     factors = (cos, (1 - cos) * (r @ n), sin)
     apart = np.linalg.norm(there - here, axis=1)
-    for name, term, vector, factor, length in zip(
+    for name, vector, color, factor, length in zip(
         ("first", "along", "across"),
-        ("first term", "along n̂", "across"),
         ("r", "n̂", "n̂ × r"),
+        ("blue", "orange", "purple"),
         factors,
         apart,
         strict=True,
     ):
-        read_out(plotter, name, factor, f"{term}: {vector} times")
-        read_out(plotter, f"{name}_apart", length, f"{term}: length of difference")
-    read_out(plotter, "matrix", rotation_matrix(n, angle), "matrix (3-3)")
+        read_out(plotter, name, factor, f"{vector} times", where="picture")
+        read_out(plotter, f"{name}_apart", length, f"{color} arrows differ by")
+    read_out(plotter, "matrix", rotation_matrix(n, angle), "matrix (3-3)", where="folded")
     describe(
         plotter,
         "A vector r turned about the axis n becomes r', and its tip stays on a circle around the"

@@ -35,6 +35,7 @@ export function explore(element, live, data, models, python) {
   if (data.frames) inputs = stored(data, inputs);
   const ways = trails();
   let held = false;
+  let moved = false;
   let asked = null;
   let refused = "";
   let timer;
@@ -52,6 +53,9 @@ export function explore(element, live, data, models, python) {
   /** Once the hand rests, say how things stand then: a model may have corrected an input. */
   const settle = () => {
     if (refused) return;
+    // What showed only while the hand moved goes.
+    if (moved && model) live.apply(model(inputs, data.constants, []));
+    moved = false;
     const changed = changedSince(data.start, inputs);
     const name = `Changed: ${statement(data.inputs, changed, inputs)}. ${panel.outcome()}`;
     live.canvas.setAttribute("aria-label", changed.length ? name : alt);
@@ -103,7 +107,7 @@ export function explore(element, live, data, models, python) {
   /** What the hand does, unlike what Python sets, is told to Python. */
   const change = (changes, said) => {
     hint?.remove();
-    held = true;
+    held = moved = true;
     set(changes);
     held = false;
     python?.tell(inputs);

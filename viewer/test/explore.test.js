@@ -295,6 +295,19 @@ test("a change is told in a sentence, and the picture's name with it, once the h
   assert.equal(name(), "A ball");
 });
 
+test("what a model shows only while the hand moves goes once it rests", ({ mock }) => {
+  mock.timers.enable({ apis: ["setTimeout"] });
+  const model = ({ u, v }, constants, changed) => ({ ...frame(u, v), labels: { P: changed } });
+  const data = { frame: { ...frame(START.u, START.v), labels: { P: ["u", "v"] } } };
+  const { live, write, hand } = shown({ data, models: { add: model } });
+  hand.set({ v: 2 });
+  mock.timers.tick(500);
+  write("v", "1.5");
+  mock.timers.tick(500);
+  mock.timers.tick(500);
+  assert.deepEqual(live.applied.map(({ labels }) => labels.P), [["v"], ["v"], []]);
+});
+
 test("what Python sets is not announced, but the picture's name follows", ({ mock }) => {
   mock.timers.enable({ apis: ["setTimeout"] });
   const { hand, status, live } = shown();

@@ -4,6 +4,7 @@ import numpy as np
 import pyvista
 
 from rotedu.figures import describe
+from rotedu.figures.ball import draw_as_ball, fade_behind_ball
 
 SIZE = (720, 540)
 EYE, TARGET, UP = (4.0, -2.0, 2.2), (0.0, 0.0, 0.1), (0.0, 0.0, 1.0)
@@ -43,8 +44,8 @@ def ball(center: np.ndarray, radius: float = 0.035) -> pyvista.PolyData:
 def demanding_scene() -> pyvista.Plotter:
     """Draw six points on a glass ball, the arcs between them and the arcs between their ends."""
     plotter = new_plotter()
-    glass = pyvista.Sphere(radius=1, theta_resolution=60, phi_resolution=60)
-    plotter.add_mesh(glass, color="#7d858d", opacity=0.2, smooth_shading=True, name="glass")
+    glass = pyvista.Sphere(radius=1.003, theta_resolution=60, phi_resolution=60)
+    draw_as_ball(plotter.add_mesh(glass, opacity=0.2, name="glass"), (0, 0, 0), 1)
     turn = np.linspace(0, 2 * np.pi, 6, endpoint=False)
     tilt = 0.5 * np.cos(2 * turn)
     points = np.column_stack(
@@ -57,8 +58,8 @@ def demanding_scene() -> pyvista.Plotter:
         other = great_circle(arc[16], points[(i + 1) % 6], 25)
         looks = ((arc, "#0072b2", 0.012), (inner, "#d55e00", 0.017), (other, "#009e73", 0.014))
         for line, color, radius in looks:
-            tube = pyvista.lines_from_points(line).tube(radius=radius, n_sides=8)
-            plotter.add_mesh(tube, color=color, **thin)
+            tube = pyvista.MultipleLines(line).tube(radius=radius, n_sides=8)
+            fade_behind_ball(plotter.add_mesh(tube, color=color, **thin), (0, 0, 0), 1)
         plotter.add_mesh(ball(p), color="#0072b2", name=f"P{i}", **thin)
         plotter.add_mesh(ball(arc[16]), color="#d55e00", **thin)
         add_label(plotter, 1.12 * p, f"$P_{i}$", "#0072b2")

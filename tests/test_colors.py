@@ -74,6 +74,23 @@ def test_charts_use_the_same_colours() -> None:
         assert set(re.findall(r"#[0-9a-f]{6}\b", cell.source)) <= known
 
 
+def test_charts_tell_quaternion_and_matrix_apart() -> None:
+    charts = {
+        f"{page.name}, {cell.id}": cell.source
+        for page in notebooks()
+        for cell in page.code
+        if "plt.subplots" in cell.source and {"quaternion", "matrix"} <= labels(cell.source)
+    }
+    assert len(charts) >= 2
+    for where, source in charts.items():
+        assert {colors.QUATERNION, colors.MATRIX} <= set(re.findall(r"#\w{6}", source)), where
+
+
+def labels(source: str) -> set[str]:
+    """The words with which the texts of a chart begin."""
+    return set(re.findall(r"""["'](\w+)""", source))
+
+
 def test_the_page_of_conventions_lists_them() -> None:
     table = re.findall(r"\| `(\w+)` \| `(#\w+)` \|", pages()["conventions.md"].text)
     assert dict(table) == CODES

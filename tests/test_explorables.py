@@ -81,7 +81,8 @@ def drawn(figure: Exploration, inputs: dict[str, Any]) -> pyvista.Plotter | dict
 
 ON_ONE_CIRCLE = {"points": [[1, 0, 0], [0, 1, 0], [0.2, -0.5, 0.8]], "one_circle": True, "step": 4}
 HALF_A_TURN = [{"v": -90.0, "t": 0.25}, {"u": 180.0, "v": 90.0, "w": 0.0, "t": 0.25}]
-OPPOSITE = [{"what": "orientations", "turn": turn, "flip": turn == 0} for turn in (360.0, 0.0)]
+P = [0.6, 0, 0.8]
+OPPOSITE = [{"p": P, "q": [-0.6, 0, -0.8]}, {"p": P, "q": P, "flip": True}]
 
 
 def round_about(count: int) -> list[list[float]]:
@@ -111,8 +112,9 @@ SPECIAL = {
     "figure_1_by_hand": [{"theta": 0.0}],
     "slerp_by_hand": [
         *OPPOSITE,
-        {"what": "orientations", "flip": True},
-        {"p": [1, 0, 0], "q": [1, 0, 0]},
+        {"flip": True},
+        {"p": P, "q": P},
+        {"p": P, "q": [-0.6, 0, -0.8], "flip": True},
     ],
     # Without arrows and with the first of them; at home, almost and quite; the shorter way.
     "two_mirrors_by_hand": [
@@ -150,9 +152,9 @@ def test_models_and_panels_show_what_python_does() -> None:
 
 
 @pytest.mark.parametrize("change", OPPOSITE)
-def test_opposite_quaternions_have_a_refusal_of_their_own(change: dict[str, Any]) -> None:
+def test_opposite_ends_have_a_refusal_of_their_own(change: dict[str, Any]) -> None:
     figure = explore(scenes.slerp_by_hand)
-    message = "the quaternions 1 and −1 are antipodal: no unique arc joins them"
+    message = "the ends are antipodal: no unique arc joins them"
     refusal = {"error": "DegenerateError", "message": message}
     assert drawn(figure, figure.values | change) == refusal
 

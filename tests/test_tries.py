@@ -13,10 +13,31 @@ from test_explorables import BY_HAND
 from rotedu.arcs import angle_between
 from rotedu.figures import explore
 from rotedu.figures.explorable import Exploration
+from rotedu.figures.frames import frame_of
 from rotedu.figures.panel import text_of
 
 # Figure, words on the chip, outputs.
 SHOWN: list[tuple[str, str, dict[str, str]]] = [
+    (
+        "slerp_by_hand",
+        "nlerp hurries in the middle",
+        {"angle": "150.0°", "way": "300.0°", "speed": "2.85"},
+    ),
+    (
+        "slerp_by_hand",
+        "flip the sign of the end",
+        {"angle": "30.0°", "way": "60.0°", "speed": "1.02"},
+    ),
+    (
+        "slerp_by_hand",
+        "just before the opposite point",
+        {"angle": "178.6°", "way": "357.2°", "speed": "53.18"},
+    ),
+    (
+        "slerp_by_hand",
+        "just past it",
+        {"angle": "178.6°", "way": "357.2°", "speed": "53.03"},
+    ),
     (
         "carried_around_by_hand",
         "there and back",
@@ -157,3 +178,20 @@ def test_two_reflections_turn_as_far_as_the_mirrors_say(words: str) -> None:
     np.testing.assert_allclose(
         [cosine, sine], [np.cos(np.radians(turned)), np.sin(np.radians(turned))], atol=1e-12
     )
+
+
+def test_past_the_opposite_point_the_arc_swings_to_the_other_side() -> None:
+    middles = []
+    for words in ("just before the opposite point", "just past it"):
+        _, inputs = tried("slerp_by_hand", words)
+        middles.append(np.add(inputs["p"], inputs["q"]))
+    assert angle_between(*middles) > np.radians(90)
+
+
+def test_a_spoon_at_the_end_does_not_tell_the_sign() -> None:
+    figure, flipped = tried("slerp_by_hand", "flip the sign of the end")
+    frames = [frame_of(figure.draw(**inputs))["parts"] for inputs in (figure.start, flipped)]
+    there, opposite = (parts["end"]["at"] for parts in frames)
+    assert np.allclose(there, -np.array(opposite))
+    spoons = [parts["spoon at the end"]["matrix"] for parts in frames]
+    assert np.allclose(*spoons, atol=1e-5)

@@ -1,18 +1,17 @@
 /* Models of `rotedu.scenes.arcs`. */
-import { DEGREES, ORIGIN, placing, spread } from "./parts.js";
+import { DEGREES, ORIGIN, columns, spread } from "./parts.js";
 import {
   DegenerateError,
   angleBetween,
   arcAxis,
   combine,
   cross,
+  dot,
   length,
   nlerp,
   product,
-  quaternionFromAxisAngle,
   quaternionMatrix,
   rotate,
-  rotateByQuaternion,
   slerp as alongArc,
   transpose,
   unit,
@@ -22,7 +21,8 @@ const TINY = 1e-9;
 const SAME = 1e-6;
 const SAMPLES = 61;
 const AROUND = 97;
-const UP = [0, 0, 1];
+const CLOSE = 25 / DEGREES;
+const BESIDE = [2.3, 0, 0];
 
 /** The factors of both ends in (5-2); where the ends coincide, their limits. */
 function weights(theta, t) {
@@ -37,75 +37,68 @@ function speedOfNlerp(theta, t) {
 }
 
 /** `slerp_by_hand` */
-export function slerp({ p, q, what, turn, flip, t }, { antipodal }) {
+export function slerp({ p, q, flip, t }, { antipodal }) {
   [p, q] = [p, q].map(unit);
-  const spoons = what === "orientations";
-  const axis = spoons || length(cross(p, q)) > SAME ? arcAxis(p, q) : UP;
-  const first = spoons ? [1, 0, 0, 0] : p;
-  const unflipped = spoons ? quaternionFromAxisAngle(axis, turn / DEGREES) : q;
-  const last = flip ? unflipped.map((x) => -x) : unflipped;
-  const theta = angleBetween(first, last);
-  if (spoons && theta > Math.PI - SAME) {
-    throw new DegenerateError(antipodal);
-  }
+  const end = flip ? q.map((x) => -x) : q;
+  const theta = angleBetween(p, end);
+  if (theta > Math.PI - SAME) throw new DegenerateError(antipodal);
+  const axis = axisAcross(p, q);
+  const held = transpose([p, cross(axis, p), axis]);
   const times = spread(SAMPLES);
+  const arc = times.map((x) => alongArc(p, end, x));
+  const [here, there] = [alongArc(p, end, t), nlerp(p, end, t)];
+  const tenths = spread(11).slice(1, -1).map((x) => nlerp(p, end, x));
 
-  const tip = (end) => (spoons ? rotateByQuaternion(end, p) : end);
-  const now = alongArc(first, last, t);
-  const [end, here, there] = [last, now, nlerp(first, last, t)].map(tip);
-  const tenths = spread(11).slice(1, -1).map((x) => tip(nlerp(first, last, x)));
-  const parts = {
-    arc: { paths: [times.map((x) => tip(alongArc(first, last, x)))] },
-    tenths: { paths: tenths.map((point) => [ORIGIN, point]) },
-    chord: spoons ? { hidden: true } : { paths: [[p, end]], hidden: false },
-    p: { at: p },
-    q: { at: q },
-    end: { at: end },
-    slerp: { at: here },
-    nlerp: { at: there },
+  /** Where the quaternion of a point takes the spoon: its tip, its side, its bowl. */
+  const turned = (point) => {
+    const by = quaternionMatrix([dot(point, p), ...cross(p, point)]);
+    return transpose(product(by, held));
   };
-  if (spoons) {
-    const held = transpose([p, cross(axis, p), axis]);
-    const spoon = (turned) => ({
-      matrix: placing(product(quaternionMatrix(turned), held)),
-      hidden: false,
-    });
-    const circle = spread(AROUND).map((x) => rotate(p, axis, 2 * Math.PI * x));
-    Object.assign(parts, {
-      circle: { paths: [circle], hidden: false },
-      axis: { from: ORIGIN, to: axis.map((x) => 1.1 * x), hidden: false },
-      "spoon at the start": spoon(first),
-      "spoon at the end": spoon(last),
-      spoon: spoon(now),
-    });
-  } else {
-    for (const name of ["circle", "axis", "spoon at the start", "spoon at the end", "spoon"]) {
-      parts[name] = { hidden: true };
-    }
-  }
+  const spoon = (point) => ({ matrix: columns(turned(point), BESIDE) });
+  const aside = (point, reach = 1) => combine(1, BESIDE, reach, point);
+  const tips = arc.map((point) => turned(point)[0]);
+  const circle = spread(AROUND).map((x) => aside(rotate(p, axis, 2 * Math.PI * x)));
 
   const beside = (point, reach, across) => combine(reach, point, across, axis);
-  const beyond = (point) => beside(point, 1.1, 0.14);
+  const beyond = (point, distance) =>
+    combine(1.06, point, flip ? -distance : distance, cross(axis, point));
+  const last = tips.at(-1);
   const [startWeight, endWeight] = weights(theta, t);
   return {
-    parts,
+    parts: {
+      arc: { paths: [arc] },
+      tenths: { paths: tenths.map((point) => [ORIGIN, point]) },
+      chord: { paths: [[p, end]] },
+      p: { at: p },
+      q: { at: q },
+      end: { at: end },
+      slerp: { at: here },
+      nlerp: { at: there },
+      circle: { paths: [circle] },
+      sweep: { paths: [tips.map((tip) => aside(tip))] },
+      axis: { from: BESIDE, to: aside(axis, 0.5) },
+      "spoon at the start": spoon(p),
+      "spoon at the end": spoon(end),
+      "spoon by slerp": spoon(here),
+      "spoon by nlerp": spoon(there),
+    },
     labels: {
-      p: spoons ? null : beyond(p),
-      1: spoons ? beside(p, 1.1, 0.26) : null,
-      q: spoons && flip ? null : beyond(spoons ? end : q),
-      "-q": flip ? beyond(end) : null,
-      axis: spoons ? axis.map((x) => 1.2 * x) : null,
-      held: spoons ? beside(q, 1.1, -0.14) : null,
+      p: beyond(p, -0.17),
+      q: beyond(q, 0.17),
+      "-q": flip ? beyond(end, 0.17) : null,
       slerp: beside(here, 0.8, 0.1),
       nlerp: beside(there, 1.15, -0.15),
+      start: aside(p, 1.2),
+      "end of turn": angleBetween(p, last) > CLOSE ? aside(last, 1.2) : null,
     },
+    grips: { t: { path: arc } },
     outputs: {
       angle: DEGREES * theta,
-      way: DEGREES * theta * (spoons ? 2 : 1),
+      way: 2 * DEGREES * theta,
+      speed: speedOfNlerp(theta, t),
       start_weight: startWeight,
       end_weight: endWeight,
       weights_sum: startWeight + endWeight,
-      speed: speedOfNlerp(theta, t),
     },
     charts: {
       weights: {
@@ -115,4 +108,12 @@ export function slerp({ p, q, what, turn, flip, t }, { antipodal }) {
       speeds: { slerp: times.map(() => 1), nlerp: times.map((x) => speedOfNlerp(theta, x)) },
     },
   };
+}
+
+/** The axis of the arc or, for points on one line, some axis across it: `axis_across`. */
+function axisAcross(p, q) {
+  if (length(cross(p, q)) > SAME) return arcAxis(p, q);
+  const sizes = p.map(Math.abs);
+  const least = sizes.indexOf(Math.min(...sizes));
+  return arcAxis(p, sizes.map((_, i) => (i === least ? 1 : 0)));
 }

@@ -10,13 +10,14 @@ from rotedu.arcs import angle_between, arc_axis, nlerp, slerp
 from rotedu.colors import AXIS, CROSS, NEUTRAL, RESULT, VECTOR
 from rotedu.errors import DegenerateError
 from rotedu.figures import (
-    Choice,
     Handles,
     Slider,
     Switch,
     describe,
     draw_chart,
     explorable,
+    limit_turning,
+    place_grip,
     place_part,
     read_out,
 )
@@ -192,42 +193,48 @@ def speed_of_nlerp(theta: float, t: NDArray[np.float64]) -> NDArray[np.float64]:
     return speed
 
 
-ANTIPODAL = "the quaternions 1 and −1 are antipodal: no unique arc joins them"
+ANTIPODAL = "the ends are antipodal: no unique arc joins them"
+# From the middle of the sphere to that of the spoons, to the right of the picture.
+BESIDE = np.array([2.3, 0, 0])
+LOOK_AT = np.array([1.02, 0, 0])
+EYE = LOOK_AT + 9.8 * np.array([0, -np.cos(np.radians(20)), np.sin(np.radians(20))])
+# Spoons closer than this, in radians, share one name.
+CLOSE = np.radians(25)
 
 
 @explorable(
     model="slerp",
     constants={"antipodal": ANTIPODAL},
+    tries={
+        "nlerp hurries in the middle": {"t": 0.5},
+        "flip the sign of the end": {"flip": True, "t": 0.5},
+        "just before the opposite point": {"q": (0.951, 0.122, -0.29), "t": 0.5},
+        "just past it": {"q": (0.951, 0.16, -0.26), "t": 0.5},
+    },
     p=Handles("p"),
-    q=Handles("q (orientations: sets the axis)"),
+    q=Handles("q"),
     t=Slider(0, 1, "fraction t", plays=5),
-    what=Choice("between", ["directions", "orientations"]),
-    turn=Slider(0, 360, "turn (orientations only)", step=1),
     flip=Switch("flip the sign of the end"),
 )
 def slerp_by_hand(
-    p: ArrayLike = (0.72, -0.65, -0.12),
-    q: ArrayLike = (-0.30, 0.94, 0.12),
+    p: ArrayLike = (-0.951, -0.141, 0.275),
+    q: ArrayLike = (0.789, -0.263, -0.555),
     t: float = 0.2,
-    what: str = "directions",
-    turn: float = 150.0,
     flip: bool = False,
 ) -> pyvista.Plotter:
-    """Draw slerp and nlerp between two directions, or between two orientations of a spoon.
+    """Draw slerp and nlerp between two points, and what both do to a spoon.
+
+    To the points of the arc belong quaternions as far apart: that of a point v is v p*, with both
+    read as [0, v]. So the spoon turns by twice the arc's angle, about the arc's axis.
 
     Parameters
     ----------
     p, q : array_like, shape (3,)
-        The directions; they are normalised. The spoon's tip starts at p, and the axis of its turn
-        is that of the arc from p to q (5-1).
+        The points; they are normalised. At the start, the spoon points to p.
     t : float
         Fraction of the way, from 0 to 1.
-    what : str
-        ``"directions"`` or ``"orientations"``.
-    turn : float
-        Angle of the spoon's turn in degrees. Directions do not use it.
     flip : bool
-        Whether the end is -q instead of q: the opposite direction, but the same orientation.
+        Whether the end is -q instead of q: the opposite point, but the same orientation.
 
     Returns
     -------
@@ -237,84 +244,88 @@ def slerp_by_hand(
     Raises
     ------
     rotedu.errors.DegenerateError
-        If no unique arc joins the ends.
+        If the ends are opposite.
     """
     start, other = (np.asarray(v, float) / np.linalg.norm(v) for v in (p, q))
-    spoons = what == "orientations"
-    up = np.eye(3)[2]
-    joined = spoons or np.linalg.norm(np.cross(start, other)) > SAME
-    axis = arc_axis(start, other) if joined else up
-    turns = Quaternion.from_axis_angle(axis, np.radians([0, turn])).components
-    first, last = turns if spoons else (start, other)
-    last = -last if flip else last
-    theta = float(angle_between(first, last))
-    if spoons and theta > np.pi - SAME:
+    end = -other if flip else other
+    theta = float(angle_between(start, end))
+    if theta > np.pi - SAME:
         raise DegenerateError(ANTIPODAL)
+    axis = axis_across(start, other)
+    held = np.column_stack([start, np.cross(axis, start), axis])
     times = np.linspace(0, 1, 61)
+    arc = slerp(start, end, times)
+    here, there = slerp(start, end, t), nlerp(start, end, t)
+    tenths = nlerp(start, end, np.arange(1, 10) / 10)
 
-    def tip(end: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Return where an end takes the tip of the spoon; a direction is its own tip."""
-        return Quaternion(end[..., 0], end[..., 1:]).rotate(start) if spoons else end
+    def turned(point: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return where the quaternion of a point takes the spoon."""
+        by = Quaternion(point @ start, np.cross(start, point)).matrix()
+        return np.asarray(by @ held)
 
-    def beyond(point: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Return the place of an end's label."""
-        return 1.1 * point + 0.14 * axis
-
-    end, here, there = tip(last), tip(slerp(first, last, t)), tip(nlerp(first, last, t))
-    tenths = tip(nlerp(first, last, np.arange(1, 10) / 10))
-
-    plotter = new_scene(eye=(4.3, 2.3, 2.6), target=(0, 0, 0.08))
+    plotter = new_scene(eye=EYE, target=LOOK_AT, view_angle=16, size=(720, 400))
+    limit_turning(plotter, 30)
     add_sphere(plotter)
-    add_line(plotter, tip(slerp(first, last, times)), RESULT, radius=0.012, name="arc")
+    add_line(plotter, arc, RESULT, radius=0.014, name="arc")
+    place_grip(plotter, "t", path=arc)
     add_lines(plotter, [[ORIGIN, x] for x in tenths], CROSS, radius=0.003, name="tenths")
-    add_line(plotter, [start, end], CROSS, radius=0.006, name="chord").visibility = not spoons
-    circle = turning(start, axis, 2 * np.pi, 96)
-    add_line(plotter, circle, NEUTRAL, radius=0.004, name="circle").visibility = spoons
-    arrow = add_arrow(plotter, ORIGIN, 1.1 * axis, AXIS, name="axis")
-    arrow.visibility = spoons
+    add_line(plotter, [start, end], CROSS, radius=0.006, name="chord")
     for name, point, color, radius in (
-        ("p", start, VECTOR, 0.034),
-        ("q", other, NEUTRAL, 0.026),
-        ("end", end, VECTOR, 0.034),
-        ("slerp", here, RESULT, 0.04),
-        ("nlerp", there, CROSS, 0.04),
+        ("p", start, VECTOR, 0.036),
+        ("q", other, NEUTRAL, 0.028),
+        ("end", end, VECTOR, 0.036),
+        ("slerp", here, RESULT, 0.044),
+        ("nlerp", there, CROSS, 0.044),
     ):
         add_point(plotter, point, color, radius, name=name)
-    held = np.column_stack([start, np.cross(axis, start), axis])
-    for name, turned, color in (
-        ("spoon at the start", first, VECTOR),
-        ("spoon at the end", last, VECTOR),
-        ("spoon", slerp(first, last, t), RESULT),
-    ):
-        matrix = np.eye(4)
-        if spoons:
-            matrix[:3, :3] = Quaternion(turned[0], turned[1:]).matrix() @ held
-        name = place_part(plotter, name, matrix=matrix.T.ravel())
-        mesh = teaspoon(stations=41, around=12)
-        spoon = plotter.add_mesh(mesh, color=color, smooth_shading=True, name=name)
-        spoon.user_matrix, spoon.visibility = matrix, spoons
 
+    circle = turning(start, axis, 2 * np.pi, 96)
+    add_line(plotter, BESIDE + circle, NEUTRAL, radius=0.004, name="circle")
+    tips = np.array([turned(x)[:, 0] for x in arc])
+    add_line(plotter, BESIDE + tips, RESULT, radius=0.014, name="sweep")
+    add_arrow(plotter, BESIDE, BESIDE + 0.5 * axis, AXIS, name="axis")
+    for name, point, color, size in (
+        ("spoon at the start", start, VECTOR, 1),
+        ("spoon at the end", end, VECTOR, 1),
+        ("spoon by slerp", here, RESULT, 1),
+        # Smaller, to be seen in front of the one by slerp.
+        ("spoon by nlerp", there, CROSS, 0.75),
+    ):
+        add_hand(plotter, turned(point), color, name, size)
+
+    def beyond(point: NDArray[np.float64], distance: float) -> NDArray[np.float64]:
+        """Return the place of an end's label, on the great circle where the arc is not."""
+        ahead = np.cross(axis, point)
+        return 1.06 * point + distance * (-ahead if flip else ahead)
+
+    last = tips[-1]
     for name, text, place, color in (
-        ("p", "$p$", None if spoons else beyond(start), VECTOR),
-        ("1", "$1$", beyond(start) + 0.12 * axis if spoons else None, VECTOR),
-        ("q", "$q$", beyond(end if spoons else other) if not (spoons and flip) else None, VECTOR),
-        ("-q", "$-q$", beyond(end) if flip else None, VECTOR),
-        ("axis", "axis", 1.2 * axis if spoons else None, AXIS),
-        ("held", "sets the axis", 1.1 * other - 0.14 * axis if spoons else None, "black"),
+        ("p", "$p$", beyond(start, -0.17), VECTOR),
+        ("q", "$q$", beyond(other, 0.17), VECTOR),
+        ("-q", "$-q$", beyond(end, 0.17) if flip else None, VECTOR),
         ("slerp", "slerp", 0.8 * here + 0.1 * axis, RESULT),
         ("nlerp", "nlerp", 1.15 * there - 0.15 * axis, CROSS),
+        ("start", "start", BESIDE + 1.2 * start, VECTOR),
+        (
+            "end of turn",
+            "end",
+            BESIDE + 1.2 * last if angle_between(start, last) > CLOSE else None,
+            VECTOR,
+        ),
     ):
         add_label(plotter, place, text, color, name=name)
 
     angle = np.degrees(theta)
-    way = 2 * angle if spoons else angle
     start_weight, end_weight = weights(theta, np.array(t))
-    read_out(plotter, "angle", angle, "θ between the ends (quaternions: half the turn)", 1, "°")
-    read_out(plotter, "way", way, "slerp turns by", 1, "°")
-    read_out(plotter, "start_weight", start_weight, "weight of the start", 2)
-    read_out(plotter, "end_weight", end_weight, "weight of the end", 2)
-    read_out(plotter, "weights_sum", start_weight + end_weight, "sum of the weights", 2)
-    read_out(plotter, "speed", speed_of_nlerp(theta, np.array(t)), "speed of nlerp (slerp: 1)", 2)
+    for name, value, text, digits, unit, where in (
+        ("angle", angle, "arc", 1, "°", "picture"),
+        ("way", 2 * angle, "spoon turns by", 1, "°", "picture"),
+        ("speed", speed_of_nlerp(theta, np.array(t)), "nlerp's speed (slerp: 1)", 2, "", "picture"),
+        ("start_weight", start_weight, "weight of the start", 2, "", "folded"),
+        ("end_weight", end_weight, "weight of the end", 2, "", "folded"),
+        ("weights_sum", start_weight + end_weight, "sum of the weights", 2, "", "folded"),
+    ):
+        read_out(plotter, name, value, text, digits, unit, where=where)
     draw_chart(
         plotter,
         "weights",
@@ -335,12 +346,32 @@ def slerp_by_hand(
         label="speed (cut off at 4)",
         colors={"slerp": RESULT, "nlerp": CROSS},
     )
-    spoons_say = " Blue spoons show the start and the end, a green one slerp." if spoons else ""
     describe(
         plotter,
-        f"A see-through sphere with an arc of {way:.0f} degrees that starts at a blue point p; p"
-        " and a second point q can be dragged. A green point, slerp, and a purple point, nlerp,"
-        f" travel along it, here at {t:.0%} of the time. Thin rays show that equal steps of"
-        f" nlerp are short near the ends of the arc and long in its middle.{spoons_say}",
+        f"Left, a see-through sphere with an arc of {angle:.0f} degrees from a point p to a point"
+        f" {'minus q' if flip else 'q'}. A green point, slerp, and a purple point, nlerp, travel"
+        f" along it, here at {t:.0%} of the time. Thin rays show that equal steps of nlerp are"
+        " short near the ends of the arc and long in its middle. Right, spoons point outwards from"
+        f" one place like the hands of a clock: blue ones at the start and, {2 * angle:.0f} degrees"
+        " on, at the end; a green one that slerp turns, and a purple one that nlerp turns.",
     )
     return plotter
+
+
+def axis_across(p: NDArray[np.float64], q: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the axis of the arc from p to q or, if they lie on one line, some axis across it."""
+    if np.linalg.norm(np.cross(p, q)) > SAME:
+        return arc_axis(p, q)
+    return arc_axis(p, np.eye(3)[np.argmin(abs(p))])
+
+
+def add_hand(
+    plotter: pyvista.Plotter, rotation: NDArray[np.float64], color: str, name: str, size: float
+) -> None:
+    """Add a spoon that points outwards like the hand of a clock."""
+    spoon = teaspoon(stations=41, around=12)
+    spoon.points = 0.44 * size * spoon.points + np.array([0.56, 0, 0], spoon.points.dtype)
+    matrix = np.eye(4)
+    matrix[:3, :3], matrix[:3, 3] = rotation, BESIDE
+    name = place_part(plotter, name, matrix=matrix.T.ravel())
+    plotter.add_mesh(spoon, color=color, smooth_shading=True, name=name).user_matrix = matrix

@@ -42,7 +42,7 @@ TRIES = 5
 BY_HAND = {name: f for name, f in vars(scenes).items() if hasattr(f, "inputs")}
 WITH_MODEL = {name: f for name, f in BY_HAND.items() if f.model}
 
-pytestmark = pytest.mark.filterwarnings("ignore:.*almost antipodal")
+pytestmark = pytest.mark.filterwarnings("ignore:.* are almost ")
 
 
 def moved_input(rng: np.random.Generator, kind: Any, start: Any) -> Any:
@@ -91,7 +91,14 @@ def round_about(count: int) -> list[list[float]]:
     return [[np.cos(x), np.sin(x), 0.5 + np.sin(2 * x + 1) / 3] for x in angles]
 
 
+# As many orientations as there may be, with a half turn from the third to the fourth, and fewer.
+SIX = [*np.eye(4)[:3].tolist(), [0, 0.1, 1, 0], [0.5, 0.5, 0.5, 0.5], [1, 0.5, 0, 0]]
 SPECIAL = {
+    "animate": [
+        {"poses": SIX[2:], "t": 1.0},
+        {"poses": SIX},
+        {"poses": [[1, 0.2, 0, 0], *SIX[1:]]},
+    ],
     "camera_by_hand": [{"ride": True}, {"ride": True, "roll": "carried along", "u": 0.9}],
     "carried_around_by_hand": [{"t": 0.0}],
     "closed_curve_by_hand": [

@@ -4,20 +4,31 @@ A new chip gets a row here: the words on it, and the numbers on which its discov
 reader sees them. Where they are not obvious, a test below computes them in another way.
 """
 
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
 import pytest
+from scipy.interpolate import CubicSpline
+from scipy.linalg import polar
+from scipy.spatial.transform import Rotation
 from test_explorables import BY_HAND
 
 from rotedu.arcs import angle_between
+from rotedu.control_points import control_points
 from rotedu.figures import explore
 from rotedu.figures.explorable import Exploration
 from rotedu.figures.frames import frame_of
 from rotedu.figures.panel import text_of
+from rotedu.scenes.orientations import FILMS
 
 # Figure, words on the chip, outputs.
 SHOWN: list[tuple[str, str, dict[str, str]]] = [
+    # In the order of the films: slerp, squad, spline of q, the paper's, spline of M.
+    ("animate", "small turns", {"fastest": "39 53 51 50 53°/s", "corner": "62°/s"}),
+    ("animate", "one sign changed", {"fastest": "250 749 494 188 1720°/s"}),
+    ("animate", "two poses alike", {"speed": "6 56 79 82 36°/s"}),
+    ("animate", "handles of one third", {"jumps": "478 438°/s²"}),
     (
         "slerp_by_hand",
         "nlerp hurries in the middle",
@@ -195,3 +206,85 @@ def test_a_spoon_at_the_end_does_not_tell_the_sign() -> None:
     assert np.allclose(there, -np.array(opposite))
     spoons = [parts["spoon at the end"]["matrix"] for parts in frames]
     assert np.allclose(*spoons, atol=1e-5)
+
+
+# The films of `animate` by textbook formulas and SciPy, as rotations at times from 0 to n.
+
+
+def arc(p: Any, q: Any, t: Any) -> Any:
+    theta = np.arccos(np.sum(p * q, axis=-1, keepdims=True))
+    return (np.sin((1 - t) * theta) * p + np.sin(t * theta) * q) / np.sin(theta)
+
+
+def tangent(p: Any, q: Any) -> Any:
+    theta = np.arccos(np.sum(p * q, axis=-1, keepdims=True))
+    return theta / np.sin(theta) * (q - np.cos(theta) * p)
+
+
+def cubic(values: Any, t: Any) -> Any:
+    spline = CubicSpline(
+        np.arange(len(values) + 1), np.concatenate([values, values[:1]]), bc_type="periodic"
+    )
+    return spline(t)
+
+
+def film(name: str, q: Any, fraction: float, t: Any) -> Rotation:
+    if name == "spline of M":
+        found = [
+            polar(m)[0] for m in cubic(Rotation.from_quat(q, scalar_first=True).as_matrix(), t)
+        ]
+        assert np.linalg.det(found).min() > 0
+        return Rotation.from_matrix(found)
+    if name == "spline of q":
+        return Rotation.from_quat(cubic(q, t), scalar_first=True)
+    if name == "the paper's":
+        for i in range(1, len(q)):
+            q[i] *= np.sign(q[i] @ q[i - 1])
+    i, u = np.divmod(t, 1)
+    here, after = i.astype(int) % len(q), (i.astype(int) + 1) % len(q)
+    u = u[:, np.newaxis]
+    if name == "the paper's":
+        a, b = control_points(q, fraction)
+        row = [q[here], a[here], b[after], q[after]]
+        while len(row) > 1:
+            row = [arc(p, r, u) for p, r in pairwise(row)]
+        return Rotation.from_quat(row[0], scalar_first=True)
+    points = arc(q[here], q[after], u)
+    if name == "squad":
+        bend = -(tangent(q, np.roll(q, 1, axis=0)) + tangent(q, np.roll(q, -1, axis=0))) / 4
+        size = np.linalg.norm(bend, axis=-1, keepdims=True)
+        s = np.cos(size) * q + np.sin(size) * bend / size
+        points = arc(points, arc(s[here], s[after], u), 2 * u * (1 - u))
+    return Rotation.from_quat(points, scalar_first=True)
+
+
+@pytest.mark.parametrize("words", ["", *BY_HAND["animate"].tries])
+def test_films_are_as_fast_as_told(words: str) -> None:
+    figure, inputs = tried("animate", words) if words else (explore(BY_HAND["animate"]), {})
+    inputs = figure.start | inputs
+    told = figure.draw(**inputs).shown.outputs["fastest"].value
+    for name, fastest in zip(FILMS, told, strict=True):
+        q = np.array(inputs["poses"])
+        # No picture stands at a pose, where there is no arc, but close by.
+        turned = film(name, q, inputs["fraction"], np.arange(24 * len(q) + 1) / 24 + 1e-9)
+        steps = (turned[:-1].inv() * turned[1:]).magnitude()
+        assert 24 * np.degrees(steps.max()) == pytest.approx(fastest, rel=1e-6), name
+
+
+def test_acceleration_jumps_as_told() -> None:
+    figure = explore(BY_HAND["animate"])
+    told = figure.draw().shown.outputs["jumps"].value
+    q, h = np.array(figure.start["poses"]), 1e-3
+    for name, jump in zip(("squad", "the paper's"), told, strict=True):
+        before, after = (
+            [second_rate(film(name, q, 0.5, k + way * (1e-9 + h * np.arange(5))), h) for k in times]
+            for way, times in ((-1, np.arange(5) + 5), (1, np.arange(5)))
+        )
+        jumps = np.linalg.norm(np.subtract(before, after), axis=-1)
+        assert np.degrees(jumps.max()) == pytest.approx(jump, rel=0.02), name
+
+
+def second_rate(turned: Rotation, h: float) -> Any:
+    """The second derivative of a turn at the first of five times, by differences."""
+    weights = np.array([35, -104, 114, -56, 11]) / (12 * h**2)
+    return weights @ (turned[0].inv() * turned).as_rotvec()

@@ -37,6 +37,7 @@ from rotedu.scenes.introduction import four_descriptions, turning_spoon
 from rotedu.scenes.ordinary_rotation import figure_1, figure_1_by_hand, rotated_mesh
 from rotedu.scenes.orientations import (
     TWO_ORIENTATIONS,
+    animate,
     carried_around_by_hand,
     carried_mesh,
     four_orientations,
@@ -53,6 +54,7 @@ __all__ = [
     "LOOP",
     "NEIGHBOURS",
     "TWO_ORIENTATIONS",
+    "animate",
     "arcs_of_arcs",
     "camera_arcs",
     "camera_by_hand",

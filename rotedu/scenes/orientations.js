@@ -1,14 +1,23 @@
 /* Models of `rotedu.scenes.orientations`. */
-import { DEGREES, spread, turning } from "./parts.js";
+import { DEGREES, columns, spread, turning } from "./parts.js";
 import {
   angleBetween,
   arcAxis,
+  axisAngle,
+  closedRotationCurve,
   combine,
   cross,
   dot,
+  length,
+  nearestRotation,
+  periodicSpline,
+  product,
+  quaternionMatrix,
   rotationMatrix,
   slerp,
+  squad,
   transform,
+  transpose,
   unit,
 } from "./sphere.js";
 
@@ -84,4 +93,121 @@ function triangle([p, q, r]) {
     const opposite = slerp(q, r, u);
     return s.map((v) => slerp(p, opposite, v).map((x) => JUST_INSIDE * x));
   });
+}
+
+const FILMS = ["slerp", "squad", "spline of q", "the paper's", "spline of M"];
+const JUMPY = ["squad", "the paper's"];
+const MOST_POSES = 6;
+const PICTURES = 24;
+const [ROW, RAIL, SHELF] = [1.55, 0.72, -0.9];
+const FILMED = 0.63;
+
+/** `animate` */
+export function animate({ poses, t, fraction }) {
+  const q = poses.map(unit);
+  const films = filmsThrough(q, fraction);
+  const count = PICTURES * q.length;
+  const picture = Math.floor(count * t + 1 / 2) % count;
+  const { parts, labels, grips } = timeline(q);
+  FILMS.forEach((name, i) => {
+    const middle = [-2.64 + (5.28 * i) / (FILMS.length - 1), 0, SHELF];
+    const tips = films[i].map(([[x], [y], [z]]) => [x, y, z]);
+    const line = [...tips, tips[0]].map((tip) => combine(1, middle, FILMED, tip));
+    parts[`${name}, tip`] = { paths: [line] };
+    parts[name] = { matrix: spoon(films[i][picture], middle, FILMED) };
+  });
+  const steps = films.map(filmSteps);
+  const motions = steps.map(filmMotion);
+  const sizes = (kind) => motions.map((motion) => motion[kind].map((piece) => piece.map(length)));
+  const [speeds, accelerations] = [sizes("velocity"), sizes("acceleration")];
+  const named = (values) => Object.fromEntries(FILMS.map((name, i) => [name, values[i]]));
+  const [segment, within] = [Math.floor(picture / PICTURES), picture % PICTURES];
+  return {
+    parts,
+    labels,
+    grips,
+    charts: { speeds: named(speeds), accelerations: named(accelerations) },
+    outputs: {
+      fastest: steps.map((pieces) => Math.max(...pieces.flat().map(length))),
+      corner: jump(motions[0].velocity),
+      speed: speeds.map((speed) => speed[segment][within]),
+      jumps: JUMPY.map((name) => jump(motions[FILMS.indexOf(name)].acceleration)),
+    },
+  };
+}
+
+/** A line of time, and spoons above it: `add_timeline`. */
+function timeline(q) {
+  const n = q.length;
+  const size = 2.2 / n;
+  const stop = (k, height) => [-2.75 + (5.5 * k) / n, 0, height];
+  const given = q.map(quaternionMatrix);
+  const every = Array.from({ length: n + 1 }, (_, k) => k);
+  const ticks = every.map((k) => [stop(k, 0.9 * RAIL), stop(k, 1.1 * RAIL)]);
+  const parts = {
+    ticks: { paths: ticks },
+    again: { matrix: spoon(given[0], stop(n, ROW), size) },
+  };
+  const labels = {};
+  for (let k = 0; k < MOST_POSES; k++) {
+    const used = k < n;
+    const i = Math.min(k, n - 1);
+    parts[`R_${k}`] = { matrix: spoon(given[i], stop(i, ROW), size), hidden: !used };
+    labels[`R_${k}`] = used ? stop(k, 0.6 * RAIL) : null;
+  }
+  return { parts, labels, grips: { poses: { at: given.map((_, k) => stop(k, ROW)), size } } };
+}
+
+/** The sixteen numbers, by columns, that turn and shrink a spoon about its new place. */
+function spoon(rotation, middle, size) {
+  const matrix = columns(transpose(rotation).map((axis) => axis.map((x) => size * x)));
+  return [...matrix.slice(0, 12), ...middle, 1];
+}
+
+/** Films of rotation matrices, from quaternions: `films_through`. */
+function filmsThrough(q, fraction) {
+  const given = q.map(quaternionMatrix);
+  const entries = periodicSpline(given.map((matrix) => matrix.flat()), PICTURES);
+  return [
+    q.flatMap((p, i) => {
+      const next = q[(i + 1) % q.length];
+      return Array.from({ length: PICTURES }, (_, k) => quaternionMatrix(slerp(p, next, k / PICTURES)));
+    }),
+    squad(q, PICTURES).map(quaternionMatrix),
+    periodicSpline(q, PICTURES).map(quaternionMatrix),
+    closedRotationCurve(given, PICTURES, fraction),
+    entries.map((m) => nearestRotation([m.slice(0, 3), m.slice(3, 6), m.slice(6)])),
+  ];
+}
+
+/** The turns from picture to picture, in degrees a second: `film_steps`. */
+function filmSteps(film) {
+  const turns = film.map((rotation, k) => {
+    const { axis, angle } = axisAngle(product(transpose(rotation), film[(k + 1) % film.length]));
+    return axis.map((x) => PICTURES * DEGREES * angle * x);
+  });
+  const starts = turns.map((_, k) => k).filter((k) => k % PICTURES === 0);
+  return starts.map((start) => turns.slice(start, start + PICTURES));
+}
+
+/** Velocity and acceleration at the pictures from pose to pose: `film_motion`. */
+function filmMotion(steps) {
+  const extended = steps.map((own) => [beyond(own), ...own, beyond(own.toReversed())]);
+  const between = (combined) =>
+    extended.map((all) => all.slice(1).map((after, k) => combined(after, all[k])));
+  return {
+    velocity: between((after, before) => combine(1 / 2, after, 1 / 2, before)),
+    acceleration: between((after, before) => combine(PICTURES, after, -PICTURES, before)),
+  };
+}
+
+/** The value before four others on the cubic through them. */
+function beyond([first, second, third, fourth]) {
+  return combine(1, combine(4, first, -6, second), 1, combine(4, third, -1, fourth));
+}
+
+/** The largest jump of a motion from one segment to the next. */
+function jump(motion) {
+  const changes = motion.map((piece, i) => combine(1, piece[0], -1, motion.at(i - 1).at(-1)));
+  return Math.max(...changes.map(length));
 }

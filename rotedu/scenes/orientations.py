@@ -6,13 +6,34 @@ from numpy.typing import ArrayLike, NDArray
 
 from rotedu.arcs import angle_between, arc_axis, nlerp, slerp
 from rotedu.closed_curve import closed_curve
-from rotedu.colors import AXIS, CROSS, NEUTRAL, RESULT, VECTOR
+from rotedu.colors import AXIS, CROSS, MATRIX, NEUTRAL, QUATERNION, RESULT, VECTOR
 from rotedu.control_points import control_points
-from rotedu.figures import Handles, Slider, describe, explorable, place_grip, read_out
-from rotedu.figures.frames import place_part
-from rotedu.general_rotation import matrix_from_euler_angles
-from rotedu.ordinary_rotation import rotation_matrix, transform
-from rotedu.orientations import closed_rotation_curve, slerp_rotations
+from rotedu.figures import (
+    Handles,
+    Poses,
+    Slider,
+    describe,
+    draw_chart,
+    explorable,
+    limit_turning,
+    place_grip,
+    place_part,
+    read_out,
+)
+from rotedu.general_rotation import (
+    homogeneous,
+    matrix_from_euler_angles,
+    scaling,
+    translation,
+)
+from rotedu.ordinary_rotation import axis_angle, rotation_matrix, transform
+from rotedu.orientations import (
+    closed_rotation_curve,
+    nearest_rotation,
+    periodic_spline,
+    slerp_rotations,
+    squad,
+)
 from rotedu.quaternions import Quaternion
 from rotedu.scenes.parts import (
     JUST_INSIDE,
@@ -303,3 +324,231 @@ def four_orientations() -> NDArray[np.float64]:
     side /= np.linalg.norm(side, axis=1, keepdims=True)
     frames = np.stack([np.cross(side, p), side, p], axis=-1)
     return frames @ rotation_matrix([0, 0, 1], np.radians([0, 90, 30, -60]))
+
+
+POSES = (
+    (0.6, 0.71, -0.19, -0.32),
+    (0.67, 0.2, -0.58, -0.41),
+    (0.17, 0.9, -0.3, -0.24),
+    (0.96, 0.17, -0.06, -0.22),
+    (0.86, -0.45, -0.13, -0.2),
+)
+"""Quaternions whose signs agree. From the last to the first is the widest turn, 140 degrees."""
+SMALL = tuple((w + 2, x + 1, y - 1, z - 1) for w, x, y, z in POSES)
+FLIPPED = (*POSES[:2], (-0.17, -0.9, 0.3, 0.24), *POSES[3:])
+ALIKE = (*POSES[:4], (0.96, 0.12, -0.08, -0.22))
+MOST_POSES = 6
+PICTURES = 24
+"""Pictures of a film a second. Each second leads from one pose to the next."""
+FILMS = {
+    "slerp": NEUTRAL,
+    "squad": QUATERNION,
+    "spline of q": QUATERNION,
+    "the paper's": MATRIX,
+    "spline of M": MATRIX,
+}
+"""The curves of `animate`, and their colours."""
+JUMPY = ("squad", "the paper's")
+"""Those whose velocity does not jump, but whose acceleration does."""
+U, V, W = np.eye(3)
+ROW, RAIL, SHELF = 1.55 * W, 0.72 * W, -0.9 * W
+"""Where the given poses, the line of time and the films are."""
+FILMED = 0.63
+"""The radius of a ball around a film; on its line, a spoon has as much room as there is."""
+
+
+@explorable(
+    model="animate",
+    tries={
+        "small turns": {"poses": SMALL},
+        "one sign changed": {"poses": FLIPPED},
+        "two poses alike": {"poses": ALIKE, "t": 0.62},
+        "handles of one third": {"fraction": 1 / 3},
+    },
+    poses=Poses([f"spoon {k}" for k in range(MOST_POSES)], least=4, most=MOST_POSES),
+    t=Slider(0, 1, "time, once round", plays=6),
+    fraction=Slider(0.2, 0.5, "handles of the paper's curve", step=0.005, row=False),
+)
+def animate(poses: ArrayLike = POSES, t: float = 0.885, fraction: float = 1 / 2) -> pyvista.Plotter:
+    """Draw five films of a spoon that go through the same poses at the same times.
+
+    Parameters
+    ----------
+    poses : array_like, shape (n, 4)
+        From 4 to 6 poses as quaternions; they are normalised. The last leads to the first.
+    t : float
+        The time, from 0 to 1. A film shows the picture next to it.
+    fraction : float
+        As for `rotedu.control_points.control_points`, for the paper's curve.
+
+    Returns
+    -------
+    pyvista.Plotter
+        The scene.
+    """
+    q = np.asarray(poses, float)
+    q = q / np.linalg.norm(q, axis=1, keepdims=True)
+    n = len(q)
+    films = films_through(q, fraction)
+
+    # From far away, so that spoons in the same pose look the same wherever they are.
+    plotter = new_scene(eye=-32 * V + 0.1 * W, target=0.1 * W, view_angle=8)
+    limit_turning(plotter, 25)
+    add_timeline(plotter, q)
+    picture = int(np.floor(n * PICTURES * t + 1 / 2)) % (n * PICTURES)
+    for x, (name, film) in zip(np.linspace(-2.64, 2.64, len(films)), films.items(), strict=True):
+        middle = SHELF + x * U
+        add_sphere(plotter, middle, FILMED, around=24)
+        tips = middle + FILMED * film[:, :, 0]
+        add_line(plotter, [*tips, tips[0]], FILMS[name], 0.013, name=f"{name}, tip")
+        add_spoon(plotter, film[picture], middle, FILMED, FILMS[name], name)
+        add_label(plotter, middle - 0.84 * W, name, FILMS[name])
+
+    steps = {name: film_steps(film) for name, film in films.items()}
+    motions = {name: film_motion(step) for name, step in steps.items()}
+    sizes = [
+        {name: np.linalg.norm(motion[k], axis=-1) for name, motion in motions.items()}
+        for k in range(2)
+    ]
+    for chart, heights, top, text in zip(
+        ("speeds", "accelerations"),
+        sizes,
+        (400.0, 2000.0),
+        ("speed, °/s", "acceleration, °/s²"),
+        strict=True,
+    ):
+        draw_chart(
+            plotter,
+            chart,
+            heights,
+            over="t",
+            x=(0, 1),
+            y=(0, top),
+            label=text,
+            colors=FILMS | {"marks": VECTOR},
+            marks=[f"R{chr(ord('₀') + k)}" for k in range(MOST_POSES)],
+            dashed=JUMPY,
+        )
+    fastest = [np.linalg.norm(step, axis=-1).max() for step in steps.values()]
+    now = [speed[divmod(picture, PICTURES)] for speed in sizes[0].values()]
+    corner = jump(motions["slerp"][0])
+    jumps = [jump(motions[name][1]) for name in JUMPY]
+    for where, name, value, text, unit in (
+        ("picture", "speed", now, "speed, left to right", "°/s"),
+        ("picture", "fastest", fastest, "fastest", "°/s"),
+        ("folded", "corner", corner, "velocity of slerp jumps by", "°/s"),
+        ("folded", "jumps", jumps, f"acceleration of {' and '.join(JUMPY)} jumps by", "°/s²"),
+    ):
+        read_out(plotter, name, value, text, digits=0, unit=unit, where=where)
+    describe(
+        plotter,
+        f"{n} blue teaspoons, R0 to R{n - 1}, stand in a row above a line of time, which ends with"
+        " the first again. Below, five glass balls in a row hold a spoon each, at the same moment"
+        " of five films. A line on each ball is the way of the spoon's tip: it has corners for"
+        " slerp, in grey; it is smooth for squad and for the spline of quaternions, in violet, and"
+        " for the paper's curve, in ochre; for the spline of matrices, in ochre, too, it swings"
+        " round where the others go straight.",
+    )
+    return plotter
+
+
+def add_timeline(plotter: pyvista.Plotter, q: NDArray[np.float64]) -> None:
+    """Add a line of time, and above it a spoon for each pose and, at its end, the first again."""
+    n = len(q)
+    size = 2.2 / n
+    stops = np.linspace(-2.75 * U, 2.75 * U, n + 1)
+    rail = stops[[0, -1]] + RAIL
+    add_line(plotter, rail, NEUTRAL, 0.012, name="rail")
+    place_grip(plotter, "t", path=rail)
+    ticks = [[stop + 0.9 * RAIL, stop + 1.1 * RAIL] for stop in stops]
+    add_lines(plotter, ticks, NEUTRAL, 0.012, name="ticks")
+    place_grip(plotter, "poses", at=stops[:-1] + ROW, size=size)
+    given = matrices(q)
+    for k in range(MOST_POSES):
+        used, i = k < n, min(k, n - 1)
+        actor = add_spoon(plotter, given[i], stops[i] + ROW, size, VECTOR, f"R_{k}")
+        actor.visibility = used
+        place = stops[i] + 0.6 * RAIL if used else None
+        add_label(plotter, place, f"$R_{k}$", VECTOR, name=f"R_{k}")
+    add_spoon(plotter, given[0], stops[-1] + ROW, size, VECTOR, "again").prop.opacity = 0.3
+    add_label(plotter, stops[-1] + 0.6 * RAIL, "$R_0$", VECTOR, name="again")
+
+
+def add_spoon(
+    plotter: pyvista.Plotter,
+    rotation: NDArray[np.float64],
+    middle: NDArray[np.float64],
+    size: float,
+    color: str,
+    name: str,
+) -> pyvista.Actor:
+    """Add a turned spoon about a point, so many times half as long as a `teaspoon`."""
+    matrix = translation(middle) @ scaling(size) @ homogeneous(rotation)
+    name = place_part(plotter, name, matrix=matrix.T.ravel())
+    mesh = teaspoon(stations=27, around=10)
+    actor = plotter.add_mesh(mesh, color=color, smooth_shading=True, pickable=False, name=name)
+    actor.user_matrix = matrix
+    return actor
+
+
+def films_through(q: NDArray[np.float64], fraction: float) -> dict[str, NDArray[np.float64]]:
+    """Make the films of `FILMS`, shape (n * PICTURES, 3, 3), from quaternions, shape (n, 4)."""
+    given = matrices(q)
+    arcs = slerp(
+        q[:, np.newaxis], np.roll(q, -1, axis=0)[:, np.newaxis], np.arange(PICTURES) / PICTURES
+    )
+    entries = periodic_spline(given.reshape(-1, 9), PICTURES).reshape(-1, 3, 3)
+    films = (
+        matrices(arcs.reshape(-1, 4)),
+        matrices(squad(q, PICTURES)),
+        matrices(periodic_spline(q, PICTURES)),
+        closed_rotation_curve(given, PICTURES, fraction),
+        nearest_rotation(entries),
+    )
+    return dict(zip(FILMS, films, strict=True))
+
+
+def matrices(q: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the rotation matrices of quaternions, shape (n, 4)."""
+    return Quaternion(q[:, 0], q[:, 1:]).matrix()
+
+
+def film_steps(film: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the turns from picture to picture, in degrees a second, shape (n, PICTURES, 3)."""
+    axis, angle = axis_angle(film.swapaxes(-1, -2) @ np.roll(film, -1, axis=0))
+    turns = PICTURES * np.degrees(angle[:, np.newaxis] * axis)
+    return np.asarray(turns.reshape(-1, PICTURES, 3))
+
+
+def film_motion(steps: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return velocity and acceleration at the pictures from pose to pose, both ends included.
+
+    Parameters
+    ----------
+    steps : ndarray, shape (n, PICTURES, 3)
+        Turns from picture to picture, in degrees a second.
+
+    Returns
+    -------
+    velocity, acceleration : ndarray, shape (n, PICTURES + 1, 3)
+        As the body sees them. At a pose, the segments before and after it have their own.
+    """
+    steps = np.moveaxis(steps, 1, 0)
+    steps = np.stack([beyond(*steps[:4]), *steps, beyond(*steps[:-5:-1])], axis=1)
+    return (steps[:, :-1] + steps[:, 1:]) / 2, PICTURES * np.diff(steps, axis=1)
+
+
+def beyond(
+    first: NDArray[np.float64],
+    second: NDArray[np.float64],
+    third: NDArray[np.float64],
+    fourth: NDArray[np.float64],
+) -> NDArray[np.float64]:
+    """Return the value before four others on the cubic through them."""
+    return 4 * first - 6 * second + 4 * third - fourth
+
+
+def jump(motion: NDArray[np.float64]) -> float:
+    """Return the largest jump of a motion, shape (n, m, 3), from one segment to the next."""
+    change = motion[:, 0] - np.roll(motion[:, -1], 1, axis=0)
+    return float(np.linalg.norm(change, axis=-1).max())

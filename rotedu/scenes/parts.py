@@ -170,10 +170,10 @@ def add_axis(plotter: pyvista.Plotter, axis: ArrayLike, text: str, length: float
 
 
 def add_sphere(
-    plotter: pyvista.Plotter, center: ArrayLike = ORIGIN, radius: float = 1.0
+    plotter: pyvista.Plotter, center: ArrayLike = ORIGIN, radius: float = 1.0, around: int = 60
 ) -> pyvista.Actor:
-    """Add a sphere of glass, which hides the labels behind it; thin parts come after it."""
-    around, down = 60, 31
+    """Add a sphere of glass, which hides the labels behind it; its thin parts come after it."""
+    down = around // 2 + 1
     # The mesh contains the sphere: the middles of its faces touch it.
     within = np.cos(np.pi / around) * np.cos(np.pi / (2 * (down - 1)))
     mesh = pyvista.Sphere(
@@ -185,7 +185,7 @@ def add_sphere(
     mesh.clear_data()
     actor = plotter.add_mesh(mesh, color=NEUTRAL, opacity=0.3, smooth_shading=False)
     draw_as_ball(actor, center, radius)
-    pyvista.set_new_attribute(plotter, "ball", (center, radius))
+    vars(plotter)["ball"] = (center, radius)
     return actor
 
 

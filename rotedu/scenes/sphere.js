@@ -186,7 +186,7 @@ export function axisAngle(matrix) {
   const products = sixteenProducts(rotation(matrix), 1);
   const squares = products.map((row, i) => row[i]);
   const [w, ...v] = products[squares.indexOf(Math.max(...squares))];
-  const sine = Math.hypot(...v);
+  const sine = length(v);
   const axis = sine ? v.map((x) => x / sine) : [1, 0, 0];
 
   // Of q and -q the one with w > 0; at a half turn, the one whose axis begins above zero.
@@ -411,10 +411,16 @@ const sixteenProducts = ([[uu, uv, uw], [vu, vv, vw], [wu, wv, ww]], one) => [
 function eigen(matrix) {
   const a = matrix.map((row) => [...row]);
   const vectors = a.map((row, i) => row.map((_, j) => Number(i === j)));
+  const negligible = 4 * Number.EPSILON * Math.max(...matrix.flat().map(Math.abs));
   // Each sweep squares what is left beside the diagonal.
-  for (let sweep = 0; sweep < 10; sweep++) {
+  for (let sweep = 0, left = true; left && sweep < 10; sweep++) {
+    left = false;
     for (let i = 0; i < a.length; i++) {
-      for (let j = i + 1; j < a.length; j++) if (a[i][j]) annul(a, vectors, i, j);
+      for (let j = i + 1; j < a.length; j++) {
+        if (Math.abs(a[i][j]) <= negligible) continue;
+        annul(a, vectors, i, j);
+        left = true;
+      }
     }
   }
   return { values: a.map((row, i) => row[i]), vectors };
@@ -423,14 +429,19 @@ function eigen(matrix) {
 /** Turn the i-th and j-th axis until the entry a_ij of a symmetric matrix is zero. */
 function annul(a, vectors, i, j) {
   const cot = (a[j][j] - a[i][i]) / (2 * a[i][j]);
-  const tan = (cot < 0 ? -1 : 1) / (Math.abs(cot) + Math.hypot(1, cot));
-  const cos = 1 / Math.hypot(1, tan);
-  const turn = (row, other) => {
-    return [combine(cos, row, -tan * cos, other), combine(tan * cos, row, cos, other)];
-  };
-  [vectors[i], vectors[j]] = turn(vectors[i], vectors[j]);
-  [a[i], a[j]] = turn(a[i], a[j]);
-  for (const row of a) [[row[i]], [row[j]]] = turn([row[i]], [row[j]]);
+  const tan = (cot < 0 ? -1 : 1) / (Math.abs(cot) + Math.sqrt(1 + cot * cot));
+  const cos = 1 / Math.sqrt(1 + tan * tan);
+  const sin = tan * cos;
+  for (const rows of [vectors, a]) {
+    const [row, other] = [rows[i], rows[j]];
+    rows[i] = combine(cos, row, -sin, other);
+    rows[j] = combine(sin, row, cos, other);
+  }
+  for (const row of a) {
+    const [x, y] = [row[i], row[j]];
+    row[i] = cos * x - sin * y;
+    row[j] = sin * x + cos * y;
+  }
 }
 
 function refuseAntipodal(angle, pair) {
@@ -481,9 +492,12 @@ function units(points) {
 function rotation(matrix) {
   const square = product(transpose(matrix), matrix);
   const identity = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
-  const off = square.flatMap((row, i) => row.map((x, j) => Math.abs(x - identity[i][j])));
+  let off = 0;
+  square.forEach((row, i) => {
+    row.forEach((x, j) => (off = Math.max(off, Math.abs(x - identity[i][j]))));
+  });
   const [u, v, w] = matrix;
-  if (!(Math.max(...off) <= 2 * ANTIPODAL && dot(cross(u, v), w) > 0)) {
+  if (!(off <= 2 * ANTIPODAL && dot(cross(u, v), w) > 0)) {
     throw new RangeError("the matrix is not a rotation");
   }
   // One step of Newton's method for the polar decomposition: half of the digits become all.

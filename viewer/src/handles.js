@@ -52,7 +52,10 @@ export function addHandles(scene, live, specs, now, change) {
   const context = { layer, live, now, change, grips: () => grips };
   const count = ({ name, spec }) => {
     if (spec.kind === "points") return listed(now()[name]).length;
-    if (spec.kind === "poses") return grips[name] ? listed(now()[name]).length : 0;
+    if (spec.kind === "poses") {
+      // What is refused may have more bodies than the picture that stays.
+      return grips[name] ? Math.min(...[now()[name], grips[name].at].map((all) => listed(all).length)) : 0;
+    }
     return spec.kind === "number" && grips[name] ? 1 : 0;
   };
   const update = (changed = {}) => {

@@ -330,3 +330,14 @@ test("a body turns under the finger, and a whole turn leads to the opposite quat
   for (let i = 0; i < 72; i++) tell(body, "keydown", { key: "ArrowRight" });
   near(state.inputs.spoon, [-1, 0, 0, 0]);
 });
+
+test("a body that the picture does not show cannot be grabbed", () => {
+  const { element, handles, state } = scene({ spoons: { kind: "poses", names: ["A", "B", "C"] } });
+  const grabbed = () => element.querySelectorAll("[data-handle]").length;
+  state.inputs.spoons = Array(3).fill([1, 0, 0, 0]);
+  handles.update({ spoons: { at: [[0, 0, 0], [1, 0, 0]], size: 0.5 } });
+  assert.equal(grabbed(), 2);
+  state.inputs.spoons = [[1, 0, 0, 0]];
+  handles.update();
+  assert.equal(grabbed(), 1);
+});

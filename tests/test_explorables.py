@@ -99,7 +99,7 @@ SPECIAL = {
         {"poses": SIX},
         {"poses": [[1, 0.2, 0, 0], *SIX[1:]]},
     ],
-    "camera_by_hand": [{"ride": True}, {"ride": True, "roll": "carried along", "u": 0.9}],
+    "camera_by_hand": [{"path": "curve", "roll": "kept upright", "u": 0.54}, {"u": 0.0}],
     "carried_around_by_hand": [{"t": 0.0}],
     "closed_curve_by_hand": [
         {"points": round_about(3), "u": 1.0},

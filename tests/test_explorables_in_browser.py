@@ -115,9 +115,20 @@ def address(name: str, inputs: dict[str, Any]) -> str:
 
 
 def check_picture(figure: Any, plotter: pyvista.Plotter, where: str = "") -> None:
-    """Compare a figure, at rest and as large as a poster, with the scene that Python has made."""
-    labels = {label["name"]: label for label in backend.scene_labels(plotter)}
-    for mine in figure.locator(".scene").evaluate(LABELS):
+    """Compare a figure, at rest and as large as posters, with the scene that Python has made."""
+    plotter.render()
+    for name in plotter.shown.views:
+        with backend.seen_from(plotter, name):
+            box = figure.locator(f".scene-view[data-view={name}]")
+            compare(box, plotter, backend.scene_labels(plotter, name), where)
+    compare(figure.locator(".scene"), plotter, backend.scene_labels(plotter), where)
+    plotter.close()
+
+
+def compare(box: Any, plotter: pyvista.Plotter, named: list[dict[str, Any]], where: str) -> None:
+    """Compare one picture of a figure and its labels with those of a scene."""
+    labels = {label["name"]: label for label in named}
+    for mine in box.evaluate(LABELS):
         label = labels.pop(mine["name"])
         there = [label["left"], label["top"]]
         # Beyond the border of the picture the viewer shows no label.
@@ -126,10 +137,8 @@ def check_picture(figure: Any, plotter: pyvista.Plotter, where: str = "") -> Non
         if mine["seen"]:
             np.testing.assert_allclose([mine["left"], mine["top"]], there, atol=3e-4, err_msg=where)
     assert not labels, where
-    plotter.render()
     python = np.asarray(Image.open(io.BytesIO(backend.take_poster(plotter))), float)
-    plotter.close()
-    mine = live_picture(figure)
+    mine = live_picture(box)
     assert difference(mine, python) < TOLERANCE, where
     assert largest_difference(mine, python) < TOLERANCE_IN_A_SQUARE, where
 
@@ -269,6 +278,7 @@ def changed(name: str, before: dict[str, Any], after: dict[str, Any]) -> set[str
     ("name", "inputs"),
     [
         ("closed_curve_by_hand", {"u": 0.7, "fraction": 0.3}),
+        ("camera_by_hand", {"u": 0.6, "path": "curve"}),
         ("control_points_by_hand", {"printed_axis": True}),
         ("two_mirrors_by_hand", {"first": 20.0, "second": 75.0, "letter": -30.0}),
         ("double_cover_by_hand", {"turns": 1.0, "passed": 0.3}),
@@ -295,8 +305,6 @@ def test_a_figure_looks_as_python_draws_it_for_any_inputs(
     rng = np.random.default_rng(SEED)
     for _ in range(TRIES):
         inputs = moved(rng, here)
-        # The view of who rides along is drawn by the viewer alone.
-        inputs |= {"ride": False} if "ride" in inputs else {}
         figure.page.evaluate("hash => { location.hash = hash; }", address(name, inputs))
         told = check(name, figure)
         if "refused" in told:

@@ -26,7 +26,10 @@ TOLERANCE, TOLERANCE_INSIDE = 1.0, 4.0
 MANY = 18
 Open = Callable[..., Any]
 # The size of a poster, if the device has two pixels for each of the page.
-LIKE_A_POSTER = ".scene { width: 45rem !important; max-width: none !important; }"
+LIKE_A_POSTER = """
+.scene, .scene-view { width: var(--scene-width) !important; max-width: none !important; }
+.explorable { display: block !important; }
+"""
 # A theme without styles of its own, so everything visible comes with the scenes.
 CONFIGURATION = """
 extensions = ["browser_libraries", "myst_nb", "rotedu.figures.pages", "sphinxcontrib.katex"]

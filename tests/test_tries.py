@@ -89,6 +89,21 @@ SHOWN: list[tuple[str, str, dict[str, str]]] = [
         "the same, a third of the way",
         {"curvature_jump": "0.00", "speed": "90°/s"},
     ),
+    (
+        "camera_by_hand",
+        "the corner at the clock",
+        {"rolled": "0°", "bends": "door 36°, clock 82°, window 30°, desk 89°"},
+    ),
+    (
+        "camera_by_hand",
+        "along the curve",
+        {"rolled": "166°", "bends": "door 0°, clock 0°, window 0°, desk 0°"},
+    ),
+    (
+        "camera_by_hand",
+        "who turns it past the window?",
+        {"rolled": "0°", "spin": "−523°/s"},
+    ),
     ("control_points_by_hand", "the three points alone", {"now": "0 three given points"}),
     ("control_points_by_hand", "the next point straight ahead", {"tests": "all say yes"}),
     ("control_points_by_hand", "before the jump", {"to_jump": "5°", "tests": "all say yes"}),

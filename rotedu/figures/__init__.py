@@ -42,7 +42,14 @@ if it has textures, several views or lights that stay in place, for example.
 from rotedu.figures.announce import announce_backend
 from rotedu.figures.backend import describe
 from rotedu.figures.explorable import explorable, explore
-from rotedu.figures.frames import draw_chart, limit_turning, place_grip, place_part, read_out
+from rotedu.figures.frames import (
+    add_view,
+    draw_chart,
+    limit_turning,
+    place_grip,
+    place_part,
+    read_out,
+)
 from rotedu.figures.inputs import Choice, Handles, Poses, Slider, Switch
 
 __all__ = [
@@ -51,6 +58,7 @@ __all__ = [
     "Poses",
     "Slider",
     "Switch",
+    "add_view",
     "describe",
     "draw_chart",
     "explorable",

@@ -6,10 +6,12 @@ page, and the scene itself as binary glTF. ``still`` makes a picture.
 """
 
 import base64
+import contextlib
 import ctypes
 import io
 import os
 import sys
+from collections.abc import Iterator
 from typing import Any, cast
 
 import numpy as np
@@ -28,6 +30,8 @@ POSTER_SCALE = 2
 POSTER_SAMPLES = 2
 # Libraries that draw without a display, and the window of VTK for each. OSMesa needs no device.
 WINDOWS = {"libOSMesa.so.8": "vtkOSOpenGLRenderWindow", "libEGL.so.1": "vtkEGLRenderWindow"}
+# What a view that may be within the scene sees.
+NEAR, FAR = 0.01, 100.0
 NO_OPENGL = (
     "a picture needs an OpenGL library, and this machine has none. Install one, then restart the"
     " kernel: the package libosmesa6 or libegl1 on Debian and Ubuntu,"
@@ -148,11 +152,55 @@ def book_figure(plotter: pyvista.Plotter, **_: object) -> BookFigure:
             "plotter: expected a scene with an alternative text, got one without;"
             " call rotedu.figures.describe(plotter, ...) before show()"
         )
-    width, height = plotter.window_size
-    labels = scene_labels(plotter)
-    scene = {"alt": alt, "width": width, "height": height, "labels": labels}
     close_after_cell(plotter)
+    scene = described(plotter) | {"alt": alt, "views": views_of(plotter, with_poster=True)}
     return BookFigure(scene, take_poster(plotter), scene_gltf(plotter))
+
+
+def described(plotter: pyvista.Plotter, view: str = "") -> dict[str, Any]:
+    """Return the size of a picture and its labels."""
+    width, height = plotter.window_size
+    return {"width": width, "height": height, "labels": scene_labels(plotter, view)}
+
+
+def views_of(plotter: pyvista.Plotter, *, with_poster: bool = False) -> list[dict[str, Any]]:
+    """Describe the other pictures of a scene, each with its poster if wanted."""
+    views = []
+    for name, view in shown(plotter).views.items():
+        with seen_from(plotter, name):
+            poster = base64.b64encode(take_poster(plotter)).decode() if with_poster else ""
+            about = {"name": name, "alt": view.alt, "without": list(view.without)}
+            views.append(about | described(plotter, name) | {"poster": poster})
+    return views
+
+
+@contextlib.contextmanager
+def seen_from(plotter: pyvista.Plotter, name: str) -> Iterator[None]:
+    """Look at a scene as one of its views does, for a while."""
+    recorded = shown(plotter)
+    view = recorded.views[name]
+    actors = dict(plotter.actors)
+    labels = {f"{label}-labels" for label in recorded.labels}
+    own = {f"{label}-labels" for label, where in recorded.seen_in.items() if where == name}
+    absent = {f"{label}-labels" for label, place in recorded.labels.items() if place is None}
+    before = {key: actor.GetVisibility() for key, actor in actors.items()}
+    camera, size = plotter.camera, plotter.window_size
+    plotter.camera = pyvista.Camera()  # type: ignore[no-untyped-call]
+    plotter.camera.position, plotter.camera.focal_point, plotter.camera.up = (
+        tuple(np.asarray(view.place[key], float)) for key in ("eye", "target", "up")
+    )
+    plotter.camera.view_angle = view.place["angle"]
+    plotter.camera.clipping_range = NEAR, FAR
+    plotter.window_size = list(view.size)
+    for key, actor in actors.items():
+        hidden = key in view.without or key in labels - own or key in absent
+        actor.SetVisibility((before[key] or key in own) and not hidden)
+    try:
+        yield
+    finally:
+        for key, actor in actors.items():
+            actor.SetVisibility(before[key])
+        plotter.camera, plotter.window_size = camera, size
 
 
 def still_picture(plotter: pyvista.Plotter, **_: object) -> Image.Image:
@@ -177,9 +225,28 @@ def still_picture(plotter: pyvista.Plotter, **_: object) -> Image.Image:
         If there is no OpenGL library.
     """
     require_opengl()
-    plotter.render()
     close_after_cell(plotter)
-    return Image.fromarray(np.asarray(plotter.screenshot(return_img=True)))
+
+    def taken() -> Image.Image:
+        plotter.render()
+        return Image.fromarray(np.asarray(plotter.screenshot(return_img=True)))
+
+    pictures = [taken()]
+    for name in shown(plotter).views:
+        with seen_from(plotter, name):
+            pictures.append(taken())
+    return side_by_side(pictures)
+
+
+def side_by_side(pictures: list[Image.Image]) -> Image.Image:
+    """Join pictures, all in the middle of one line."""
+    size = sum(picture.width for picture in pictures), max(picture.height for picture in pictures)
+    joined = Image.new("RGB", size, "white")
+    left = 0
+    for picture in pictures:
+        joined.paste(picture, (left, (joined.height - picture.height) // 2))
+        left += picture.width
+    return joined
 
 
 def close_after_cell(plotter: pyvista.Plotter) -> None:
@@ -260,13 +327,15 @@ def enlarged(plotter: pyvista.Plotter, scale: int) -> pyvista.Plotter:
     return copy
 
 
-def scene_labels(plotter: pyvista.Plotter) -> list[dict[str, Any]]:
+def scene_labels(plotter: pyvista.Plotter, view: str = "") -> list[dict[str, Any]]:
     """Find the labels of a scene and their places in the picture.
 
     Parameters
     ----------
     plotter : pyvista.Plotter
         The scene, with labels added by ``add_point_labels``.
+    view : str
+        The view through which the scene is seen, if it is not its own.
 
     Returns
     -------
@@ -277,19 +346,21 @@ def scene_labels(plotter: pyvista.Plotter) -> list[dict[str, Any]]:
     """
     width, height = plotter.window_size
     camera = plotter.camera
-    view = pyvista.array_from_vtkmatrix(
+    lens = pyvista.array_from_vtkmatrix(
         camera.GetCompositeProjectionTransformMatrix(width / height, -1, 1)
     )
-    recorded = shown(plotter).labels
+    recorded, seen_in = shown(plotter).labels, shown(plotter).seen_in
     labels = []
     for title, actor in _label_actors(plotter):
         name = title.removesuffix("-labels")
+        if seen_in.get(name, "") != view:
+            continue
         hierarchy = cast(vtkPointSetToLabelHierarchy, actor.GetMapper().GetInputAlgorithm())
         points = pyvista.wrap(hierarchy.GetInputDataObject(0, 0))
         texts = points.point_data[hierarchy.GetLabelArrayName()]
         color = pyvista.Color(hierarchy.GetTextProperty().GetColor()).hex_rgb
         for position, text in zip(np.asarray(points.points, float), texts, strict=True):
-            x, y, _, w = view @ [*position, 1.0]
+            x, y, _, w = lens @ [*position, 1.0]
             absent = recorded.get(name, position) is None
             labels.append(
                 {

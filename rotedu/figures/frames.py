@@ -8,6 +8,7 @@ names then differ by a *frame*, which the viewer applies to the first without dr
 - a part may have another ``color`` and may be ``hidden``; a label has a position, or none;
 - a grip says where an input can be grabbed: a number along a ``path``, or none for now, perhaps by
   a ``body`` that turns with it, and bodies of a ``size`` ``at`` points;
+- a view says from where a second picture beside the scene sees it;
 - an output is a number, a text or rows of numbers; a chart has a curve, or none for now,
   for each of its names.
 """
@@ -25,7 +26,7 @@ from rotedu.figures.gltf import part_names, surface_of
 # Digits after the point in frames: a thousandth of a pixel of the poster.
 DIGITS = 6
 # What a frame holds as a whole, not by property.
-WHOLE = ("labels", "grips", "charts")
+WHOLE = ("labels", "grips", "charts", "views")
 # What an output says that is false or true.
 LAMP = ("no", "yes")
 
@@ -56,15 +57,27 @@ class Chart:
     dashed: Sequence[str] = ()
 
 
+@dataclass(frozen=True)
+class View:
+    """A second picture of a scene: from where it is seen, and what is not in it."""
+
+    place: Mapping[str, Any]
+    size: tuple[int, int]
+    alt: str
+    without: Sequence[str]
+
+
 @dataclass
 class Shown:
-    """What has been recorded about a scene."""
+    """What has been recorded about a scene; ``seen_in`` names the view of some labels."""
 
     parts: dict[str, dict[str, Any]] = field(default_factory=dict)
     labels: dict[str, list[float] | None] = field(default_factory=dict)
     grips: dict[str, dict[str, Any]] = field(default_factory=dict)
     outputs: dict[str, Output] = field(default_factory=dict)
     charts: dict[str, Chart] = field(default_factory=dict)
+    views: dict[str, View] = field(default_factory=dict)
+    seen_in: dict[str, str] = field(default_factory=dict)
     swing: float = 0
 
 
@@ -109,12 +122,57 @@ def place_part(plotter: pyvista.Plotter, name: str, **place: Any) -> str:
     return name
 
 
-def place_label(plotter: pyvista.Plotter, name: str, position: ArrayLike | None) -> str:
-    """Record where a label is, or that it is absent; return the name for its actor."""
-    labels = shown(plotter).labels
-    name = new_name(labels, name)
-    labels[name] = None if position is None else np.asarray(position, float).tolist()
+def place_label(
+    plotter: pyvista.Plotter, name: str, position: ArrayLike | None, view: str = ""
+) -> str:
+    """Record where a label is, or that it is absent, and the only view that shows it.
+
+    Returns
+    -------
+    str
+        The name for its actor.
+    """
+    recorded = shown(plotter)
+    name = new_name(recorded.labels, name)
+    recorded.labels[name] = None if position is None else np.asarray(position, float).tolist()
+    if view:
+        recorded.seen_in[name] = view
     return name
+
+
+def add_view(
+    plotter: pyvista.Plotter,
+    name: str,
+    *,
+    eye: ArrayLike,
+    target: ArrayLike,
+    up: ArrayLike,
+    angle: float,
+    size: tuple[int, int],
+    alt: str,
+    without: Sequence[str] = (),
+) -> None:
+    """Show a second picture beside a scene.
+
+    Parameters
+    ----------
+    plotter : pyvista.Plotter
+        The scene.
+    name : str
+        Name of the view.
+    eye, target, up : array_like, shape (3,)
+        Where the picture is taken, the point in its middle, and the direction of its upper side.
+    angle : float
+        Height of the field of view in degrees.
+    size : tuple of int
+        Width and height of the picture in pixels.
+    alt : str
+        What the picture shows.
+    without : sequence of str
+        Parts that are not in the picture.
+    """
+    place = {"eye": eye, "target": target, "up": up, "angle": angle}
+    shown(plotter).views[name] = View(place, size, alt, without)
 
 
 def place_grip(plotter: pyvista.Plotter, name: str, **place: Any) -> None:
@@ -235,7 +293,7 @@ def frame_of(plotter: pyvista.Plotter) -> dict[str, Any]:
     Returns
     -------
     dict
-        ``parts``, ``labels``, ``grips``, ``outputs`` and ``charts``, each by name.
+        ``parts``, ``labels``, ``grips``, ``outputs``, ``charts`` and ``views``, each by name.
     """
     recorded = shown(plotter)
     parts = {name: _part(plotter, name, actor) for name, actor in part_names(plotter)}
@@ -248,6 +306,10 @@ def frame_of(plotter: pyvista.Plotter) -> dict[str, Any]:
         },
         "outputs": {name: output.value for name, output in recorded.outputs.items()},
         "charts": {name: chart.curves for name, chart in recorded.charts.items()},
+        "views": {
+            name: {key: rounded(value) for key, value in view.place.items()}
+            for name, view in recorded.views.items()
+        },
     }
 
 
@@ -284,8 +346,7 @@ def differences(base: dict[str, Any], frame: dict[str, Any]) -> set[tuple[str, .
     Returns
     -------
     set of tuple of str
-        ``("parts", name, property)``, ``("labels", name)``, ``("grips", name)`` or
-        ``("charts", name)``.
+        ``("parts", name, property)``, or ``("labels", name)`` and so for each kind in `WHOLE`.
 
     Raises
     ------

@@ -14,7 +14,7 @@ import io
 import json
 import os
 import posixpath
-from typing import Any, ClassVar
+from typing import Any, ClassVar, TypeVar
 
 import numpy as np
 from docutils import nodes
@@ -31,11 +31,16 @@ ON_PAPER = "Online, the points and sliders of this figure can be moved."
 # Chromium 156 reads its opacity as if it went from 16 to 235.
 OPACITIES = np.rint([*range(10), *np.geomspace(10, 255, 35)]).astype(int)
 NEAREST = OPACITIES[np.abs(np.arange(256)[:, np.newaxis] - OPACITIES).argmin(axis=1)]
+Filled = TypeVar("Filled", bound=nodes.Element)
 BUILDERS = ("html", "singlehtml", "epub")
 
 
 class scene(addnodes.download_reference):  # noqa: N801 (docutils names nodes so)
     """A figure drawn by pyvista: a poster, its labels, and a file with the scene to turn."""
+
+
+class scene_view(nodes.Element):  # noqa: N801
+    """A second picture of a scene, from elsewhere: a poster and its labels."""
 
 
 class scene_poster(nodes.image):  # noqa: N801
@@ -64,22 +69,38 @@ class SceneRenderer:
             return None
         content = json.loads(data.content) if isinstance(data.content, str) else data.content
         node = scene_node(renderer, content)
-        return [scene_by_hand_node(renderer, content["spec"], node) if "spec" in content else node]
+        if "spec" not in content:
+            return [node]
+        views = [view_node(renderer, view) for view in content["views"]]
+        return [scene_by_hand_node(renderer, content["spec"], [node, *views])]
 
 
-def scene_by_hand_node(renderer: Any, content: dict[str, Any], node: scene) -> scene_by_hand:
-    """Write the file of a figure that answers the hand, and build its node."""
+def scene_by_hand_node(
+    renderer: Any, content: dict[str, Any], pictures: list[nodes.Element]
+) -> scene_by_hand:
+    """Write the file of a figure that answers the hand, and build its node around its pictures."""
     html = content.pop("panel")
     file = json.dumps(content, separators=(",", ":")).encode()
     target = write_file(renderer, file, "json")
-    return scene_by_hand("", "", node, reftarget=target, panel=html, title=content["name"])
+    return scene_by_hand("", "", *pictures, reftarget=target, panel=html, title=content["name"])
 
 
 def scene_node(renderer: Any, content: dict[str, Any]) -> scene:
     """Write the files of a scene and build its node."""
-    size = {key: content[key] for key in ("width", "height")}
     gltf = write_file(renderer, base64.b64decode(content["gltf"]), "glb")
-    node: scene = scene(reftarget=gltf, **size)
+    return filled(renderer, scene(reftarget=gltf), content)
+
+
+def view_node(renderer: Any, content: dict[str, Any]) -> scene_view:
+    """Write the poster of a view and build its node."""
+    without = json.dumps(content["without"])
+    return filled(renderer, scene_view(title=content["name"], without=without), content)
+
+
+def filled(renderer: Any, node: Filled, content: dict[str, Any]) -> Filled:
+    """Put a poster and its labels into a node."""
+    size = {key: content[key] for key in ("width", "height")}
+    node.attributes |= size
     uri = write_file(renderer, light_poster(base64.b64decode(content["poster"])), "webp")
     node += scene_poster(uri=uri, alt=content["alt"], **size)
     for label in content["labels"]:
@@ -122,6 +143,20 @@ def visit_scene(writer: Any, node: scene) -> None:
         "data-scene": posixpath.join(writer.builder.dlpath, node["filename"]),
     }
     writer.body.append(writer.starttag(node, "div", CLASS="scene", **attributes))
+
+
+def visit_scene_view(writer: Any, node: scene_view) -> None:
+    """Open the box of a second picture."""
+    if not is_live(writer):
+        writer.body.append('<div class="scene">')
+        return
+    names = {"data-view": node["title"], "data-without": node["without"], "style": shape(node)}
+    writer.body.append(writer.starttag(node, "div", CLASS="scene-view", **names))
+
+
+def depart_scene_view(writer: Any, node: scene_view) -> None:
+    """Close the box of a second picture."""
+    writer.body.append("</div>\n")
 
 
 def shape(node: nodes.Element) -> str:
@@ -209,6 +244,7 @@ def setup(app: Sphinx) -> dict[str, Any]:
     os.environ["PYVISTA_JUPYTER_BACKEND"] = "book"
     app.add_node(scene, html=(visit_scene, depart_scene))
     app.add_node(scene_by_hand, html=(visit_scene_by_hand, depart_scene_by_hand))
+    app.add_node(scene_view, html=(visit_scene_view, depart_scene_view))
     app.add_node(scene_poster, html=(visit_scene_poster, None))
     app.add_node(scene_label, html=(visit_scene_label, depart_scene_label))
     app.connect("html-page-context", add_viewer)

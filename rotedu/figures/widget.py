@@ -23,7 +23,7 @@ import traitlets
 from IPython.display import display, update_display
 from PIL import Image
 
-from rotedu.figures.backend import close_after_cell, scene_labels
+from rotedu.figures.backend import close_after_cell, described, views_of
 from rotedu.figures.gltf import scene_gltf
 
 VIEW = "application/vnd.jupyter.widget-view+json"
@@ -42,7 +42,7 @@ class Figure(anywidget.AnyWidget):
     ----------
     scene : dict
         The text for those who cannot see it (``alt``), its size in pixels (``width``, ``height``)
-        and its ``labels`` as `rotedu.figures.backend.scene_labels` finds them.
+        its ``labels`` and its other ``views``, as `rotedu.figures.backend` finds them.
     gltf : bytes
         What to draw, as ``rotedu.figures.gltf.scene_gltf`` writes it.
     spec : dict, optional
@@ -149,13 +149,8 @@ def figure(
     ValueError
         If the scene contains something that the viewer cannot show.
     """
-    width, height = plotter.window_size
-    scene = {
-        "alt": getattr(plotter, "alt_text", "A scene without a description."),
-        "width": width,
-        "height": height,
-        "labels": scene_labels(plotter),
-    }
+    alt = getattr(plotter, "alt_text", "A scene without a description.")
+    scene = described(plotter) | {"alt": alt, "views": views_of(plotter)}
     made = Figure(scene, scene_gltf(plotter), spec, values)
     # Otherwise show() would go on to draw a picture that nobody sees.
     plotter.suppress_rendering = True

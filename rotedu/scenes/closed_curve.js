@@ -23,9 +23,8 @@ const SAMPLES = 25;
 // Of `camera_by_hand`.
 const LEG = 24;
 const TIMES = Array.from({ length: LEG }, (_, i) => i / LEG);
-const HORIZONS = 6;
 const [WIDTH, HEIGHT] = [0.21, 0.14];
-const ANGLE = 60;
+const ANGLE = 56;
 
 /** Velocity and geodesic curvature: `motion`. */
 function motion(control, u) {
@@ -106,7 +105,7 @@ function beside(polygon, i, middle) {
 }
 
 /** `camera_by_hand` */
-export function camera({ targets, path, roll, ride, u }, { seen }) {
+export function camera({ targets, path, roll, u }, { seen }) {
   const p = targets.map(unit);
   const legs = legsBetween(p);
   const ways = {
@@ -123,20 +122,23 @@ export function camera({ targets, path, roll, ride, u }, { seen }) {
   }
   const top = combine(1, ahead, HEIGHT, up);
   const middle = p.reduce((sum, q) => combine(1, sum, 1 / p.length, q), ORIGIN);
-  const named = (place) => Object.fromEntries(seen.map((name, i) => [name, place(p[i])]));
+  const named = (place, after = "") =>
+    Object.fromEntries(seen.map((name, i) => [name + after, place(p[i])]));
   const { velocity } = motion(taken, within);
   const { bends, charts } = motions(legs, path);
   return {
     parts: {
-      ...paths(ways, path, ride),
+      ...paths(ways, path),
       ...named((at) => ({ at })),
-      ...cameraAndFrames(ahead, up, vertical, ride),
+      ...cameraAndFrames(ahead, up, vertical),
     },
     labels: {
-      ...horizon(ride),
-      ...named((point) => outside(point, middle, ride)),
-      up: ride ? null : combine(1, top, 0.36, up),
+      ...named((point) => outside(point, middle)),
+      ...named((point) => combine(1, point, 0.08, away(point, middle)), " seen"),
+      up: combine(1, top, 0.36, up),
     },
+    grips: { u: { path: [...ways[path], ways[path][0]] } },
+    views: { ride: { eye: ORIGIN, target: ahead, up, angle: ANGLE } },
     outputs: {
       rolled: DEGREES * Math.atan2(dot(cross(vertical, up), ahead), dot(vertical, up)),
       spin: roll === "kept upright" ? DEGREES * spinOfUpright(ahead, velocity) : 0,
@@ -144,7 +146,6 @@ export function camera({ targets, path, roll, ride, u }, { seen }) {
       bends: seen.map((name, i) => `${name} ${(DEGREES * bends[i]).toFixed(0)}°`).join(", "),
     },
     charts,
-    view: ride ? { eye: ORIGIN, target: ahead, up, angle: ANGLE } : null,
   };
 }
 
@@ -161,39 +162,28 @@ function legsBetween(p) {
 /** How many samples of the way round lie before a place on it: `samples_until`. */
 const samplesUntil = (u) => Math.min(Math.floor(4 * LEG * u), 4 * LEG - 1) + 1;
 
-/** Labels for a rider: `add_horizon`. */
-function horizon(ride) {
-  const labels = { "straight up": ride ? [0.06, 0, 0.98] : null };
-  for (let k = 0; k < HORIZONS; k++) {
-    const azimuth = (2 * Math.PI * (k + 1 / 4)) / HORIZONS;
-    const place = [Math.cos(azimuth), Math.sin(azimuth), 0.06].map((x) => 0.98 * x);
-    labels[`horizon ${k}`] = ride ? place : null;
-  }
-  return labels;
-}
-
 /** Both paths, each thick and thin: `add_paths`. */
-function paths(ways, path, ride) {
+function paths(ways, path) {
   const parts = {};
   for (const [name, way] of Object.entries(ways)) {
     const paths = [[...way, way[0]]];
     parts[name] = { paths, hidden: name !== path };
-    parts[`other ${name}`] = { paths, hidden: ride || name === path };
+    parts[`other ${name}`] = { paths, hidden: name === path };
   }
   return parts;
 }
 
-/** A camera and the frame of its picture, upright and as it is: `add_camera`. */
-function cameraAndFrames(ahead, up, vertical, hidden) {
+/** A camera and the middle of its picture, upright and as it is: `add_camera`. */
+function cameraAndFrames(ahead, up, vertical) {
   const [level, corners] = [vertical, up].map((side) => picture(ahead, side));
   const [levelTop, top] = [vertical, up].map((side) => combine(1, ahead, HEIGHT, side));
   return {
-    camera: { matrix: columns([ahead, cross(up, ahead), up]), hidden },
-    upright: { paths: [[...level, level[0]]], hidden },
-    "upright up": { from: levelTop, to: combine(1, levelTop, 0.16, vertical), hidden },
-    picture: { paths: [[...corners, corners[0]]], hidden },
-    edges: { paths: corners.map((corner) => [ORIGIN, corner]), hidden },
-    up: { from: top, to: combine(1, top, 0.28, up), hidden },
+    camera: { matrix: columns([ahead, cross(up, ahead), up]) },
+    upright: { paths: [[...level, level[0]]] },
+    "upright up": { from: levelTop, to: combine(1, levelTop, 0.16, vertical) },
+    picture: { paths: [[...corners, corners[0]]] },
+    edges: { paths: corners.map((corner) => [ORIGIN, corner]) },
+    up: { from: top, to: combine(1, top, 0.28, up) },
   };
 }
 
@@ -240,11 +230,15 @@ function picture(ahead, up) {
 /** The angle between two velocities; one that is zero makes none. */
 const angle = (v, w) => Math.atan2(length(cross(v, w)), dot(v, w));
 
-/** The place of a label: away from the middle of the targets, for a rider close by. */
-function outside(point, middle, ride) {
+/** The direction away from the middle of the targets, along the sphere. */
+function away(point, middle) {
   const chord = combine(1, point, -1, middle);
   const tangent = combine(1, chord, -dot(chord, point), point);
-  const away = tangent.map((x) => x / Math.max(length(tangent), STEP));
-  if (ride) return combine(1, point, 0.08, away);
-  return combine(1.12, point, 0.19, combine(1, away, 1, cross(point, away)));
+  return tangent.map((x) => x / Math.max(length(tangent), STEP));
+}
+
+/** The place of a label: away from the middle, and from the path. */
+function outside(point, middle) {
+  const aside = away(point, middle);
+  return combine(1.1, point, 0.15, combine(1, aside, 1, cross(point, aside)));
 }

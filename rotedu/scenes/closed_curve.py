@@ -15,7 +15,7 @@ from rotedu.figures import (
     Choice,
     Handles,
     Slider,
-    Switch,
+    add_view,
     describe,
     draw_chart,
     explorable,
@@ -309,28 +309,37 @@ def arcs_of_arcs(control: ArrayLike = ARCS, u: float = 0.4) -> pyvista.Plotter:
 LEG = 24
 HORIZONS = 6
 WIDTH, HEIGHT = 0.21, 0.14
+# The view of who rides on the camera.
+RIDE = "ride"
+ANGLE = 56.0
 
 
 @explorable(
     model="camera",
     constants={"seen": CAMERA_SEES},
+    tries={
+        "the corner at the clock": {"u": 0.25},
+        "along the curve": {"path": "curve"},
+        "who turns it past the window?": {"path": "curve", "roll": "kept upright", "u": 0.54},
+    },
+    # The ring of a target lies on that of the camera.
+    u=Slider(0, 1, "once round, u", plays=12),
     targets=Handles(CAMERA_SEES),
     path=Choice("path", ["arcs", "curve"]),
     roll=Choice("camera", ["kept upright", "carried along"]),
-    u=Slider(0, 1, "once round, u", plays=12),
-    ride=Switch("ride along: see what the camera sees"),
 )
 def camera_by_hand(
+    u: float = 1.0,
     targets: ArrayLike = CAMERA_TARGETS,
     path: str = "arcs",
     roll: str = "carried along",
-    u: float = 1.0,
-    ride: bool = False,
 ) -> pyvista.Plotter:
-    """Draw a camera that looks from target to target and back to the first, on either path.
+    """Draw a camera that looks from target to target and back to the first, and what it sees.
 
     Parameters
     ----------
+    u : float
+        Place on the way round, from 0 to 1.
     targets : array_like, shape (4, 3)
         The directions to door, clock, window and desk; they are normalised.
     path : str
@@ -338,10 +347,6 @@ def camera_by_hand(
     roll : str
         ``kept upright`` keeps the sides of the picture vertical. ``carried along`` starts upright
         at the door; from there on, nothing turns the camera about its line of sight.
-    u : float
-        Place on the way round, from 0 to 1.
-    ride : bool
-        See what the camera sees. Here, this only takes the camera away.
 
     Returns
     -------
@@ -362,20 +367,35 @@ def camera_by_hand(
     if roll == "carried along":
         up = carried(upright(p[0]), [*ways[path][: samples_until(u)], ahead])
 
-    plotter = new_scene(eye=(5.1, -0.3, 2.3), target=(0, 0, 0.02))
+    plotter = new_scene((5.1, -0.3, 2.3), (0, 0, 0.02), view_angle=26.5, size=(480, 480))
     add_sphere(plotter)
-    add_horizon(plotter, ride)
-    add_paths(plotter, ways, path, ride)
-    add_targets(plotter, p, ride)
-    add_camera(plotter, ahead, up, vertical, ride)
+    add_horizon(plotter)
+    add_paths(plotter, ways, path)
+    add_targets(plotter, p)
+    add_camera(plotter, ahead, up, vertical)
+    place_grip(plotter, "u", path=[*ways[path], ways[path][0]])
+    add_view(
+        plotter,
+        RIDE,
+        eye=ORIGIN,
+        target=ahead,
+        up=up,
+        angle=ANGLE,
+        size=(480, 320),
+        alt="What the camera sees: the path ahead, the targets, and the horizon, which tilts.",
+        without=("camera", "edges", "other arcs", "other curve"),
+    )
 
     velocity = motion(taken, within)[0]
     rolled = np.arctan2(np.cross(vertical, up) @ ahead, vertical @ up)
     spin = spin_of_upright(ahead, velocity) if roll == "kept upright" else 0
     speed = np.linalg.norm(velocity)
-    read_out(plotter, "rolled", np.degrees(rolled), "turned against upright", 0, "°")
-    read_out(plotter, "spin", np.degrees(spin), "spin about line of sight", 0, "°/s")
-    read_out(plotter, "speed", np.degrees(speed), "speed", 0, "°/s")
+    for where, name, value, text, unit in (
+        ("picture", "rolled", rolled, "turned against upright", "°"),
+        ("picture", "spin", spin, "spin about line of sight", "°/s"),
+        ("folded", "speed", speed, "speed", "°/s"),
+    ):
+        read_out(plotter, name, np.degrees(value), text, 0, unit, where=where)
     show_motion(plotter, legs, path)
     describe(
         plotter,
@@ -406,7 +426,7 @@ def samples_until(u: float) -> int:
     return min(int(samples * u), samples - 1) + 1
 
 
-def add_horizon(plotter: pyvista.Plotter, ride: bool) -> None:
+def add_horizon(plotter: pyvista.Plotter) -> None:
     """Add a darker lower half and a horizon, with names for a rider."""
     ground = pyvista.Sphere(start_phi=90, theta_resolution=48, phi_resolution=16)
     ground.points *= JUST_INSIDE / np.linalg.norm(ground.points, axis=1, keepdims=True)
@@ -417,29 +437,30 @@ def add_horizon(plotter: pyvista.Plotter, ride: bool) -> None:
         # Halfway between two meridians.
         azimuth = 2 * np.pi * (k + 1 / 4) / HORIZONS
         place = 0.98 * np.array([np.cos(azimuth), np.sin(azimuth), 0.06])
-        add_label(plotter, place if ride else None, "horizon", name=f"horizon {k}")
-    add_label(plotter, (0.06, 0, 0.98) if ride else None, "straight up")
+        add_label(plotter, place, "horizon", name=f"horizon {k}", view=RIDE)
+    add_label(plotter, (0.06, 0, 0.98), "straight up", view=RIDE)
 
 
-def add_paths(plotter: pyvista.Plotter, ways: Paths, path: str, ride: bool) -> None:
-    """Add the path that the camera takes, and the other one, thin, unless it rides along."""
+def add_paths(plotter: pyvista.Plotter, ways: Paths, path: str) -> None:
+    """Add the path that the camera takes, and the other one, thin."""
     for name, color in (("arcs", CROSS), ("curve", RESULT)):
         way = [*ways[name], ways[name][0]]
         add_line(plotter, way, color, 0.014, name=name).visibility = name == path
         other = add_line(plotter, way, color, 0.004, name=f"other {name}")
-        other.visibility = not ride and name != path
+        other.visibility = name != path
 
 
-def add_targets(plotter: pyvista.Plotter, p: NDArray[np.float64], ride: bool) -> None:
+def add_targets(plotter: pyvista.Plotter, p: NDArray[np.float64]) -> None:
     """Add the targets; their names stay clear of the path and of the upper side of the picture."""
     away = p - p.mean(axis=0)
     away -= np.sum(away * p, axis=1, keepdims=True) * p
     away /= np.maximum(np.linalg.norm(away, axis=1, keepdims=True), STEP)
+    places = 1.1 * p + 0.15 * (away + np.cross(p, away))
     # Seen from the centre, they are close by.
-    places = p + 0.08 * away if ride else 1.12 * p + 0.19 * (away + np.cross(p, away))
-    for name, target, place in zip(CAMERA_SEES, p, places, strict=True):
+    for name, target, place, near in zip(CAMERA_SEES, p, places, p + 0.08 * away, strict=True):
         add_point(plotter, target, VECTOR, 0.036, name=name)
         add_label(plotter, place, name, VECTOR)
+        add_label(plotter, near, name, VECTOR, f"{name} seen", RIDE)
 
 
 def add_camera(
@@ -447,9 +468,8 @@ def add_camera(
     ahead: NDArray[np.float64],
     up: NDArray[np.float64],
     vertical: NDArray[np.float64],
-    ride: bool,
 ) -> None:
-    """Add a camera and the frame of its picture, upright and as it is; a rider sees none of it."""
+    """Add a camera and the middle of its picture, upright and as it is."""
     pose = np.eye(4)
     pose[:3, :3] = np.column_stack([ahead, np.cross(up, ahead), up])
     name = place_part(plotter, "camera", matrix=pose.T.ravel())
@@ -457,16 +477,13 @@ def add_camera(
     level, corners = picture(ahead, vertical), picture(ahead, up)
     level_top, top = (ahead + HEIGHT * side for side in (vertical, up))
     edges = [[ORIGIN, corner] for corner in corners]
-    for part in (
-        plotter.add_mesh(body, color=NEUTRAL, pickable=False, user_matrix=pose, name=name),
-        add_line(plotter, [*level, level[0]], NEUTRAL, 0.008, "upright"),
-        add_arrow(plotter, level_top, level_top + 0.16 * vertical, NEUTRAL, 0.011, "upright up"),
-        add_line(plotter, [*corners, corners[0]], AXIS, 0.01, "picture"),
-        add_lines(plotter, edges, AXIS, 0.004, "edges"),
-        add_arrow(plotter, top, top + 0.28 * up, AXIS, name="up"),
-    ):
-        part.visibility = not ride
-    add_label(plotter, None if ride else top + 0.36 * up, "up", AXIS)
+    plotter.add_mesh(body, color=NEUTRAL, pickable=False, user_matrix=pose, name=name)
+    add_line(plotter, [*level, level[0]], NEUTRAL, 0.008, "upright")
+    add_arrow(plotter, level_top, level_top + 0.16 * vertical, NEUTRAL, 0.011, "upright up")
+    add_line(plotter, [*corners, corners[0]], AXIS, 0.01, "picture")
+    add_lines(plotter, edges, AXIS, 0.004, "edges")
+    add_arrow(plotter, top, top + 0.28 * up, AXIS, name="up")
+    add_label(plotter, top + 0.36 * up, "up", AXIS)
 
 
 def show_motion(plotter: pyvista.Plotter, legs: Paths, path: str) -> None:
@@ -476,7 +493,8 @@ def show_motion(plotter: pyvista.Plotter, legs: Paths, path: str) -> None:
     velocity = velocities[path]
     spins = spin_of_upright(de_casteljau(legs[path][:, np.newaxis], t), velocity)
     bends = zip(CAMERA_SEES, np.degrees(bends_between(velocity)), strict=True)
-    read_out(plotter, "bends", ", ".join(f"{name} {bend:.0f}°" for name, bend in bends), "bends")
+    told = ", ".join(f"{name} {bend:.0f}°" for name, bend in bends)
+    read_out(plotter, "bends", told, "bends", where="folded")
     draw_chart(
         plotter,
         "speeds",

@@ -137,9 +137,10 @@ def add_label(
     text: str,
     color: str = "black",
     name: str | None = None,
+    view: str = "",
 ) -> None:
     """Write a text, or a formula between dollar signs, centred at a point, or nowhere for now."""
-    place = place_label(plotter, name or text.strip("$"), point)
+    place = place_label(plotter, name or text.strip("$"), point, view)
     actor = plotter.add_point_labels(
         np.reshape(np.asarray(ORIGIN if point is None else point, float), (1, 3)),
         [text],
@@ -152,7 +153,7 @@ def add_label(
         justification_horizontal="center",
         justification_vertical="center",
     )
-    actor.SetVisibility(point is not None)
+    actor.SetVisibility(point is not None and not view)
 
 
 def add_coordinate_axes(plotter: pyvista.Plotter, length: float) -> None:

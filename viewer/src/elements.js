@@ -46,6 +46,11 @@ export function createCanvas(alt) {
   });
 }
 
+/** Make the canvas of a picture that is only looked at. */
+export function createPicture(alt) {
+  return element("canvas", { class: "scene-canvas", role: "img", "aria-label": alt });
+}
+
 /** Make the buttons and the hint. */
 export function createTools({ reset, full }) {
   const tools = element("div", { class: "scene-tools" });

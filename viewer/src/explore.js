@@ -73,6 +73,7 @@ export function explore(element, live, data, models, python) {
     if (refused) hint?.remove();
     // The scene has come as it is at the start.
     else if (frame !== data.frame) live.apply({ ...frame, parts: { ...frame.parts, ...marks(frame) } });
+    else live.look(frame.views);
     panel.show(inputs, frame);
     if (refused) panel.withhold();
     handles.update(frame.grips);
@@ -181,7 +182,7 @@ function reproduces(model, { name, model: called, constants, start, frame }) {
   };
   if (!model) return complain("is missing");
   const mine = model(structuredClone(start), constants, Object.keys(start));
-  for (const kind of ["parts", "labels", "grips", "outputs", "charts"]) {
+  for (const kind of ["parts", "labels", "grips", "outputs", "charts", "views"]) {
     for (const [key, value] of Object.entries(mine[kind] ?? {})) {
       if (!agree(value, frame[kind][key])) return complain(`differs from Python in ${key}`);
     }

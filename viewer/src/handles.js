@@ -113,13 +113,12 @@ function addPoint({ layer, live, now, change }, { name, spec }, i) {
   return {
     name: () => handle.setAttribute("aria-label", said()),
     cover() {
-      const { left, top, riding } = live.project(point());
+      const { left, top } = live.project(point());
       put2d(handle, left, top);
       const eye = live.eye();
       const facing = point().reduce((sum, x, k) => sum + x * (eye[k] - x), 0);
       // A point on the far side cannot be caught, but the one that is held stays in hand.
       handle.toggleAttribute("data-behind", facing < RIM && !grabbed());
-      handle.hidden = riding;
     },
     remove: () => handle.remove(),
   };
@@ -139,9 +138,9 @@ function addBody({ layer, live, now, change, grips }, { name, spec }, i) {
     const { at, size } = grips()[name];
     const middle = listed(at)[i];
     const [right] = live.axes();
-    const { left, top, riding } = live.project(middle);
+    const { left, top } = live.project(middle);
     const rim = live.project(middle.map((x, k) => x + size * right[k]));
-    return { left, top, riding, width: Math.hypot(rim.left - left, 0) };
+    return { left, top, width: Math.hypot(rim.left - left, 0) };
   };
   /** A place in radii from the middle of the body. */
   const within = ({ share, aspect }) => {
@@ -162,10 +161,9 @@ function addBody({ layer, live, now, change, grips }, { name, spec }, i) {
   return {
     name: () => handle.setAttribute("aria-label", said()),
     cover() {
-      const { left, top, riding, width } = disc();
+      const { left, top, width } = disc();
       put2d(handle, left, top);
       handle.style.width = `${200 * width}%`;
-      handle.hidden = riding;
     },
     remove: () => handle.remove(),
   };
@@ -237,9 +235,8 @@ function addPath({ layer, live, now, change, grips }, { name, spec }) {
     },
     cover() {
       const there = path();
-      const { riding } = live.project([0, 0, 0]);
-      handle.hidden = riding || !there;
-      svg.toggleAttribute("hidden", riding || !there);
+      handle.hidden = !there;
+      svg.toggleAttribute("hidden", !there);
       if (!there) return;
       const { left, top } = live.project(pointOf(there, share()));
       put2d(handle, left, top);

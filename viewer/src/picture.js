@@ -7,23 +7,35 @@ const DENSITY = 1.5;
 const LOOKS = "--scene-ink: #000; --scene-paper: #fff; content-visibility: visible";
 
 /**
- * Paint a live scene.
+ * Paint a live scene, and the pictures beside it.
  * @param {HTMLElement} scene
  * @param {string} styles of its labels, fonts included
  * @returns {Promise<{size: {width: number, height: number}, file: Blob}>} a PNG file, and the size at
  *   which the page shows it
  */
 export async function takePicture(scene, styles) {
-  const { clientWidth: width, clientHeight: height } = scene;
+  const boxes = [scene, ...scene.parentElement.querySelectorAll(":scope > .scene-view")];
+  const sides = boxes.map((box) => box.getBoundingClientRect());
+  const left = Math.min(...sides.map((side) => side.left));
+  const top = Math.min(...sides.map((side) => side.top));
+  const width = Math.max(...sides.map((side) => side.right)) - left;
+  const height = Math.max(...sides.map((side) => side.bottom)) - top;
   const density = Math.min(devicePixelRatio, DENSITY);
   const paper = element("canvas", { width: width * density, height: height * density });
   const brush = paper.getContext("2d");
   brush.fillStyle = "#fff";
   brush.fillRect(0, 0, paper.width, paper.height);
-  brush.drawImage(scene.querySelector("canvas"), 0, 0, paper.width, paper.height);
-  brush.drawImage(await paintLabels(scene, styles, width, height), 0, 0, paper.width, paper.height);
+  brush.scale(density, density);
+  for (const [i, box] of boxes.entries()) {
+    const { clientWidth, clientHeight } = box;
+    const place = [sides[i].left - left, sides[i].top - top, clientWidth, clientHeight];
+    const canvas = box.querySelector("canvas");
+    if (!canvas) continue;
+    brush.drawImage(canvas, ...place);
+    brush.drawImage(await paintLabels(box, styles, clientWidth, clientHeight), ...place);
+  }
   const file = await new Promise((resolve) => paper.toBlob(resolve, "image/png"));
-  return { size: { width, height }, file };
+  return { size: { width: Math.round(width), height: Math.round(height) }, file };
 }
 
 /** Let the browser typeset the labels once more, in a picture of their own. */

@@ -7,6 +7,7 @@ import { scaleWidths, sortSeeThrough } from "./looks.js";
 import { pixels } from "./startup.js";
 import { move } from "./parts.js";
 import { read } from "./read.js";
+import { secondPicture } from "./view.js";
 import { draw, onRestored, prepare } from "./screen.js";
 import { createCanvas, createTools } from "./elements.js";
 
@@ -28,15 +29,17 @@ export async function show(element, file, context, { width, height, alt }) {
   const scene = new Scene();
   scene.add(...objects);
   const camera = new PerspectiveCamera();
-  const rider = new PerspectiveCamera();
   camera.up.set(...pose.up);
   camera.position.set(...pose.position);
   const canvas = createCanvas(alt);
-  const labels = [...element.querySelectorAll(".scene-label")].map((label) => ({
-    label,
-    // A label that is absent for now has no position.
-    position: label.dataset.position ? label.dataset.position.split(" ").map(Number) : null,
-  }));
+  const labels = labelsIn(element);
+  const boxes = element.parentElement?.querySelectorAll(":scope > .scene-view") ?? [];
+  const views = new Map(
+    [...boxes].map((box) => {
+      const picture = secondPicture(box, parts);
+      return [box.dataset.view, { ...picture, labels: labelsIn(box) }];
+    }),
+  );
   const places = labels.flatMap(({ position }) => (position ? [position] : []));
   const ends = outermost([...clouds, ...places], pose.target);
   const { radius } = around;
@@ -46,7 +49,6 @@ export async function show(element, file, context, { width, height, alt }) {
   const atRest = axes(camera);
 
   const watchers = [];
-  let view = null;
   let resting = false;
   /** Fit the lens to where the camera has gone and to the shape of the picture. */
   const aim = () => {
@@ -64,10 +66,14 @@ export async function show(element, file, context, { width, height, alt }) {
   };
   const drawNow = () => {
     if (resting) return;
-    const eye = view ? ride(rider, view, canvas) : camera;
-    sortSeeThrough(objects, eye);
-    draw(scene, eye, canvas);
-    placeLabels(labels, eye, surfaces);
+    for (const [eye, take, named] of [
+      ...[...views.values()].map((view) => [view.camera, view.draw, view.labels]),
+      [camera, (scene) => draw(scene, camera, canvas), labels],
+    ]) {
+      sortSeeThrough(objects, eye);
+      take(scene);
+      placeLabels(named, eye, surfaces);
+    }
     for (const watch of watchers) watch();
   };
   let asked = 0;
@@ -109,6 +115,11 @@ export async function show(element, file, context, { width, height, alt }) {
   observer.observe(element);
   const forget = onRestored(redraw);
 
+  /** Set from where other pictures see the scene. */
+  const look = (seen = {}) => {
+    for (const [name, view] of Object.entries(seen)) views.get(name).look(view);
+    redraw();
+  };
   const rest = () => {
     resting = true;
     // The next frame makes anew what is disposed of.
@@ -129,25 +140,27 @@ export async function show(element, file, context, { width, height, alt }) {
     rest();
   };
 
-  const named = new Map(labels.map((entry) => [entry.label.dataset.label, entry]));
+  const everywhere = [labels, ...[...views.values()].map((view) => view.labels)].flat();
+  const named = new Map(everywhere.map((entry) => [entry.label.dataset.label, entry]));
   return {
     canvas,
-    /** Show a frame: move parts and labels, and take another view or the reader's own. */
-    apply({ parts: moved, labels: moving, view: taken = null }) {
+    look,
+    /** Show a frame: move parts and labels, and look from elsewhere in other pictures. */
+    apply({ parts: moved, labels: moving, views: seen }) {
       if (around.radius === radius) {
         // What moves may come nearer to the camera than anything did at the start.
         around.radius = MOVING * radius;
         aim();
       }
-      view = taken;
+      look(seen);
       for (const [name, change] of Object.entries(moved)) move(parts.get(name), change);
       for (const [name, position] of Object.entries(moving)) named.get(name).position = position;
       redraw();
     },
     /** Call back after each picture. */
     onDraw: (watch) => watchers.push(watch),
-    /** Where a point is in the picture, and whether the reader rides along. */
-    project: (point) => ({ ...project(lens(camera), point), riding: view !== null }),
+    /** Where a point is in the picture. */
+    project: (point) => project(lens(camera), point),
     /** The line of sight through a place of the picture, given in fractions of its size. */
     sight(left, top) {
       const through = new Vector3(2 * left - 1, 1 - 2 * top, 0.5).unproject(camera);
@@ -165,16 +178,12 @@ export async function show(element, file, context, { width, height, alt }) {
   };
 }
 
-/** See the scene from inside, as a frame says. */
-function ride(rider, { eye, target, up, angle }, { width, height }) {
-  const [near, far] = [0.01, 100];
-  Object.assign(rider, { near, far, aspect: width / height, fov: angle });
-  rider.position.set(...eye);
-  rider.up.set(...up);
-  rider.lookAt(...target);
-  rider.updateMatrixWorld();
-  rider.updateProjectionMatrix();
-  return rider;
+/** The labels over a picture; one that is absent for now has no position. */
+function labelsIn(box) {
+  return [...box.querySelectorAll(".scene-label")].map((label) => ({
+    label,
+    position: label.dataset.position ? label.dataset.position.split(" ").map(Number) : null,
+  }));
 }
 
 /** The matrix from the scene to the picture. */

@@ -33,7 +33,7 @@ addEventListener("keydown", share, true);
  * @returns a function that removes the figure
  */
 export function render({ model, el }, models) {
-  const { labels, ...made } = model.get("scene");
+  const { labels, views, ...made } = model.get("scene");
   const scene = element(
     "div",
     {
@@ -45,7 +45,7 @@ export function render({ model, el }, models) {
   );
   el.classList.add("scene-in-notebook");
   const data = model.get("spec");
-  const figure = data.name ? createExplorable(scene, data) : scene;
+  const figure = data.name ? createExplorable([scene, ...views.map(createView)], data) : scene;
   el.replaceChildren(figure);
 
   const goLive = async () => {
@@ -103,9 +103,16 @@ function idle() {
   return new Promise((resolve) => (globalThis.requestIdleCallback ?? setTimeout)(resolve));
 }
 
-/** Put a scene and its panel into one box. */
-function createExplorable(scene, { name, panel }) {
-  const figure = element("div", { class: "explorable", "data-name": name }, scene);
+/** Make the box of a second picture. */
+function createView({ name, alt, without, width, height, labels }) {
+  const data = { "data-view": name, "data-alt": alt, "data-without": JSON.stringify(without) };
+  const style = `--aspect: ${width} / ${height}; --scene-width: ${width / 16}rem`;
+  return element("div", { class: "scene-view", ...data, style }, ...labels.map(createLabel));
+}
+
+/** Put pictures and their panel into one box. */
+function createExplorable(pictures, { name, panel }) {
+  const figure = element("div", { class: "explorable", "data-name": name }, ...pictures);
   figure.insertAdjacentHTML("beforeend", panel);
   // Another page has the address of this state.
   figure.querySelector("[data-action=link]").remove();

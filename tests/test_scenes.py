@@ -8,7 +8,7 @@ from scipy.spatial.transform import Rotation, Slerp
 from rotedu import colors, scenes
 from rotedu.arcs import angle_between
 from rotedu.control_points import bisect, control_points, double
-from rotedu.figures.backend import scene_labels
+from rotedu.figures.backend import scene_labels, seen_from, still_picture
 from rotedu.figures.frames import shown
 from rotedu.ordinary_rotation import rotate
 from rotedu.scenes import control_points as construction
@@ -317,6 +317,36 @@ def test_camera_goes_past_its_targets_on_both_paths() -> None:
         for path in (curve, arcs):
             assert np.linalg.norm(path.points - target, axis=1).min() < 0.02
     np.testing.assert_allclose(np.linalg.norm(curve.points, axis=1), 1, atol=0.02)
+
+
+def test_who_rides_on_the_camera_sees_what_its_frame_shows() -> None:
+    plotter = scenes.camera_by_hand(u=0.6, path="curve")
+    looks, _, up = plotter.actors["camera"].user_matrix[:3, :3].T
+    with seen_from(plotter, "ride"):
+        camera = plotter.camera
+        assert camera.position == (0, 0, 0)
+        np.testing.assert_allclose(camera.focal_point, looks, atol=1e-12)
+        np.testing.assert_allclose(camera.up, up, atol=1e-12)
+        own = scene_labels(plotter, "ride")
+        unseen = [name for name, actor in plotter.actors.items() if not actor.GetVisibility()]
+        assert {"camera", "edges", "up-labels", "door-labels"} <= set(unseen)
+    assert plotter.camera.position == pytest.approx((5.1, -0.3, 2.3))
+    assert plotter.actors["camera"].visibility
+    names = {label["name"] for label in own}
+    assert names == {f"{name} seen" for name in scenes.CAMERA_SEES} | {
+        "straight up",
+        *(f"horizon {k}" for k in range(6)),
+    }
+    assert not names & {label["name"] for label in scene_labels(plotter)}
+    for label in own:
+        ahead = np.array(label["position"]) @ looks
+        assert ahead > 0 or label["hidden"]
+
+
+def test_a_still_picture_shows_all_views(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(pyvista, "OFF_SCREEN", True)
+    width, height = still_picture(scenes.camera_by_hand()).size
+    assert (width, height) == (960, 480)
 
 
 def test_one_path_of_the_camera_is_thick() -> None:

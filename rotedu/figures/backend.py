@@ -342,7 +342,7 @@ def scene_labels(plotter: pyvista.Plotter, view: str = "") -> list[dict[str, Any
     list of dict
         For each label its ``name``, ``text``, ``color`` (as ``#rrggbb``), ``position`` (x, y, z, or
         None if it is absent), ``left`` and ``top`` (fractions of the picture's width and height)
-        and ``hidden`` (whether it is absent, or a surface stands in front of it).
+        and ``hidden`` (whether it is absent, behind the camera or behind a surface).
     """
     width, height = plotter.window_size
     camera = plotter.camera
@@ -371,6 +371,7 @@ def scene_labels(plotter: pyvista.Plotter, view: str = "") -> list[dict[str, Any
                     "left": round((1 + x / w) / 2, 4),
                     "top": round((1 - y / w) / 2, 4),
                     "hidden": absent
+                    or w <= 0
                     or _stands_behind(plotter, np.asarray(camera.position), position),
                 }
             )

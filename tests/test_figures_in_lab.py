@@ -284,17 +284,17 @@ def test_the_hand_and_python_move_the_same_figure(run: Open) -> None:
 
 @pytest.mark.slow
 def test_without_a_model_each_frame_comes_from_python(run: Open) -> None:
-    page = run("asking", EXPLORE, "arcs = explore(scenes.arcs_of_arcs, u=(0, 1))\narcs")
-    arcs = page.locator('.explorable[data-name="arcs-of-arcs"][data-values]')
-    arcs.wait_for(timeout=30_000)
-    label = arcs.locator('[data-label="Q_{3,3}"]')
+    page = run("asking", EXPLORE, "arc = explore(scenes.figure_2, t=(0, 1))\narc")
+    arc = page.locator('.explorable[data-name="figure-2"][data-values]')
+    arc.wait_for(timeout=30_000)
+    label = arc.locator(r'[data-label="\\hat v(t)"]')
     before = label.bounding_box()
-    arcs.locator("input[type=range]").focus()
+    arc.locator("input[type=range]").focus()
     page.keyboard.press("Home")
-    page.wait_for_function("e => JSON.parse(e.dataset.values).u === 0", arg=arcs.element_handle())
+    page.wait_for_function("e => JSON.parse(e.dataset.values).t === 0", arg=arc.element_handle())
     page.wait_for_timeout(500)
     assert label.bounding_box() != before
-    assert page.evaluate(EXECUTE, "print(arcs.u)").strip() == "0.0"
+    assert page.evaluate(EXECUTE, "print(arc.t)").strip() == "0.0"
 
 
 PICTURES_OF_FIGURES = ".jp-RenderedImage img"

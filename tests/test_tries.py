@@ -29,6 +29,9 @@ SHOWN: list[tuple[str, str, dict[str, str]]] = [
     ("animate", "one sign changed", {"fastest": "250 749 494 188 1720°/s"}),
     ("animate", "two poses alike", {"speed": "6 56 79 82 36°/s"}),
     ("animate", "handles of one third", {"jumps": "478 438°/s²"}),
+    ("arcs_of_arcs", "close to the start", {"way_1": "3.1°", "way_2": "6.1°", "way_3": "8.9°"}),
+    ("arcs_of_arcs", "even closer", {"way_1": "0.6°", "way_2": "1.2°", "way_3": "1.8°"}),
+    ("arcs_of_arcs", "half of every arc", {"way_1": "30.7°", "way_2": "52.7°", "way_3": "62.9°"}),
     (
         "slerp_by_hand",
         "nlerp hurries in the middle",
@@ -204,6 +207,18 @@ def test_two_reflections_turn_as_far_as_the_mirrors_say(words: str) -> None:
     np.testing.assert_allclose(
         [cosine, sine], [np.cos(np.radians(turned)), np.sin(np.radians(turned))], atol=1e-12
     )
+
+
+def test_the_middle_of_every_arc_lies_along_the_sum_of_its_ends() -> None:
+    figure, inputs = tried("arcs_of_arcs", "half of every arc")
+    levels = [np.array(inputs["control"])]
+    while len(levels[-1]) > 1:
+        sums = levels[-1][:-1] + levels[-1][1:]
+        levels.append(sums / np.linalg.norm(sums, axis=1, keepdims=True))
+    seen = figure.draw(**inputs).shown.outputs
+    ways = [seen[f"way_{j}"].value for j in (1, 2, 3)]
+    expected = [np.degrees(angle_between(levels[0][0], level[0])) for level in levels[1:]]
+    np.testing.assert_allclose(ways, expected)
 
 
 def test_past_the_opposite_point_the_arc_swings_to_the_other_side() -> None:

@@ -17,7 +17,6 @@ from notebook_language import Block, Page, answers_the_hand, blocks, pages, plai
 
 LOOKED_UP = {"api", "claims", "equations", "glossary", "references"}
 SECONDS = {"words": 60 / 130, "lines": 6, "formulas": 30, "scenes": 60, "by_hand": 150}
-LIMIT = 35
 
 FOLDED_CODE = {"hide-input", "hide-cell", "remove-input", "remove-cell"}
 FOLDED_OUTPUT = {"remove-output", "remove-cell"}
@@ -40,6 +39,11 @@ class Count(NamedTuple):
     def minutes(self) -> int:
         """Minutes to read the page, exercises apart."""
         return ceil(sum(getattr(self, name) * each for name, each in SECONDS.items()) / 60)
+
+    @property
+    def limit(self) -> int:
+        """The most minutes that such a page may take."""
+        return 40 if self.by_hand > 1 else 35
 
     @property
     def time(self) -> str:

@@ -91,10 +91,10 @@ def explore(function: Scene, **sliders: Slider | tuple[float, float]) -> "Explor
     Examples
     --------
     >>> from rotedu import scenes
-    >>> figure = explore(scenes.arcs_of_arcs, u=(0, 1))
-    >>> figure.u
-    0.4
-    >>> figure.u = 0.5
+    >>> figure = explore(scenes.figure_2, t=(0, 1))
+    >>> figure.t
+    0.3
+    >>> figure.t = 0.5
     """
     inputs = dict(getattr(function, "inputs", {}))
     for name, bounds in sliders.items():

@@ -1,6 +1,7 @@
 /* Models of `rotedu.scenes.closed_curve`. */
 import { DEGREES, ORIGIN, arcs, columns, spread } from "./parts.js";
 import {
+  angleBetween,
   arcAxis,
   bisect,
   closedCurve as curveThrough,
@@ -16,6 +17,8 @@ import {
 } from "./sphere.js";
 
 const STEP = 3e-4;
+// Of `arcs_of_arcs`.
+const CROWDED = 0.19;
 // Of `closed_curve_by_hand`.
 const MOST = 8;
 const NAMED = 5;
@@ -102,6 +105,40 @@ function beside(polygon, i, middle) {
   );
   const sideways = unit(cross(polygon[i], combine(1, after, -1, before)));
   return combine(1.1, polygon[i], dot(sideways, outwards) < 0 ? -0.16 : 0.16, sideways);
+}
+
+/** `arcs_of_arcs` */
+export function arcsOfArcs({ control, u }) {
+  const levels = deCasteljauLevels(control, u);
+  const curve = spread(61).map((x) => deCasteljau(control, x));
+  const parts = { curve: { paths: [curve] } };
+  levels.forEach((level, j) => {
+    if (level.length > 1) parts[`level ${j}`] = { paths: arcs(level.slice(0, -1), level.slice(1)) };
+    level.forEach((point, k) => (parts[`Q ${j} ${j + k}`] = { at: point }));
+  });
+  const way = (j) => DEGREES * angleBetween(levels[0][0], levels[j][0]);
+  return {
+    parts,
+    labels: namesOfLevels(levels),
+    grips: { u: { path: curve } },
+    outputs: { way_1: way(1), way_2: way(2), way_3: way(3) },
+  };
+}
+
+/** Places for the names of points, none where there is no room: `names_of_levels`. */
+function namesOfLevels(levels) {
+  const middle = levels[0].reduce((sum, q) => combine(1, sum, 1 / 4, q), ORIGIN);
+  const labels = {};
+  for (const j of [0, 3, 2, 1]) {
+    levels[j].forEach((point, k) => {
+      const away = combine(1, point, -1, middle);
+      const place = combine(1, point, (j === 3 ? -0.13 : 0.13) / Math.max(length(away), STEP), away);
+      const taken = Object.values(labels).filter(Boolean);
+      const free = taken.every((other) => length(combine(1, place, -1, other)) > CROWDED);
+      labels[`Q_{${j},${j + k}}`] = free ? place : null;
+    });
+  }
+  return labels;
 }
 
 /** `camera_by_hand` */

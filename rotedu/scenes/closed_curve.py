@@ -7,7 +7,7 @@ import numpy as np
 import pyvista
 from numpy.typing import ArrayLike, NDArray
 
-from rotedu.arcs import arc_axis, slerp
+from rotedu.arcs import angle_between, arc_axis, slerp
 from rotedu.closed_curve import closed_curve, de_casteljau, de_casteljau_levels
 from rotedu.colors import AXIS, CROSS, NEUTRAL, RESULT, VECTOR
 from rotedu.control_points import bisect, control_points, double
@@ -266,6 +266,20 @@ def add_arcs(
 ARCS = ((1.0, 0.0, -0.2), (0.6, -0.2, 0.7), (0.1, 0.6, 0.8), (0.4, 0.9, -0.2))
 
 
+# Names this close together would cover each other.
+CROWDED = 0.19
+
+
+@explorable(
+    model="arcsOfArcs",
+    tries={
+        "close to the start": {"u": 0.05},
+        "even closer": {"u": 0.01},
+        "half of every arc": {"u": 0.5},
+    },
+    control=Handles([f"Q0,{k}" for k in range(4)]),
+    u=Slider(0, 1, "u", plays=8),
+)
 def arcs_of_arcs(control: ArrayLike = ARCS, u: float = 0.4) -> pyvista.Plotter:
     """Draw de Casteljau's construction on the sphere: the arcs of all levels for one u.
 
@@ -282,20 +296,23 @@ def arcs_of_arcs(control: ArrayLike = ARCS, u: float = 0.4) -> pyvista.Plotter:
         The scene.
     """
     levels = de_casteljau_levels(control, u)
-    plotter = new_scene(eye=(4.28, 2.42, 2.51), target=(0, 0, 0))
+    curve = de_casteljau(control, np.linspace(0, 1, 61))
+    plotter = new_scene(eye=(4.28, 2.42, 2.51), target=(0, 0, 0), size=ROUND)
     add_sphere(plotter)
-    add_line(plotter, de_casteljau(control, np.linspace(0, 1, 41)), RESULT, radius=0.012)
-    middle = levels[0].mean(axis=0)
+    add_line(plotter, curve, RESULT, radius=0.014, name="curve")
+    place_grip(plotter, "u", path=curve)
     colors = (VECTOR, CROSS, NEUTRAL, RESULT)
     for j, (level, color) in enumerate(zip(levels, colors, strict=True)):
-        for start, end in pairwise(level):
-            add_arc(plotter, start, end, color, radius=0.008)
-        for k, point in enumerate(level):
-            add_point(plotter, point, color, radius=0.035 if color == RESULT else 0.024)
-            outwards = (point - middle) / np.linalg.norm(point - middle)
-            place = point + (-0.13 if color == RESULT else 0.13) * outwards
-            ink = "black" if color == NEUTRAL else color
-            add_label(plotter, place, f"$Q_{{{j},{j + k}}}$", ink)
+        if len(level) > 1:
+            add_arcs(plotter, level[:-1], level[1:], color, f"level {j}", radius=0.008)
+        for k, point in enumerate(level, start=j):
+            add_point(plotter, point, color, 0.03 if j else 0.036, name=f"Q {j} {k}")
+    for (j, k), place in names_of_levels(levels).items():
+        ink = "black" if colors[j] == NEUTRAL else colors[j]
+        add_label(plotter, place, f"$Q_{{{j},{k}}}$", ink)
+    for j, text in enumerate(("from Q₀,₀ to Q₁,₁", "to Q₂,₂", "to Q₃,₃"), start=1):
+        way = np.degrees(angle_between(levels[0][0], levels[j][0]))
+        read_out(plotter, f"way_{j}", way, text, 1, "°", where="picture")
     describe(
         plotter,
         f"A see-through sphere with a green curve and the construction of its point for u = {u:g}."
@@ -304,6 +321,23 @@ def arcs_of_arcs(control: ArrayLike = ARCS, u: float = 0.4) -> pyvista.Plotter:
         " Q23. The grey arc between these two meets the curve at the green point Q33.",
     )
     return plotter
+
+
+def names_of_levels(
+    levels: list[NDArray[np.float64]],
+) -> dict[tuple[int, int], NDArray[np.float64] | None]:
+    """Place the names of the points of all levels, and none where there is no room for it."""
+    middle = levels[0].mean(axis=0)
+    places: dict[tuple[int, int], NDArray[np.float64] | None] = {}
+    # Given points and the result come first.
+    for j in (0, 3, 2, 1):
+        for k, point in enumerate(levels[j], start=j):
+            away = point - middle
+            away *= (-0.13 if j == 3 else 0.13) / max(np.linalg.norm(away), STEP)
+            taken = [other for other in places.values() if other is not None]
+            gaps = [np.linalg.norm(point + away - other) for other in taken]
+            places[j, k] = point + away if min(gaps, default=1) > CROWDED else None
+    return places
 
 
 LEG = 24

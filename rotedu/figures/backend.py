@@ -371,7 +371,7 @@ def scene_labels(plotter: pyvista.Plotter, view: str = "") -> list[dict[str, Any
                     "left": round((1 + x / w) / 2, 4),
                     "top": round((1 - y / w) / 2, 4),
                     "hidden": absent
-                    or w <= 0
+                    or bool(w <= 0)
                     or _stands_behind(plotter, np.asarray(camera.position), position),
                 }
             )

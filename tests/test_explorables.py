@@ -35,6 +35,7 @@ from rotedu.figures.explorable import FRAMES, Exploration
 from rotedu.figures.frames import WHOLE, frame_of, only, place_part
 from rotedu.figures.panel import panel, path_of
 from rotedu.ordinary_rotation import rotate
+from rotedu.scenes import quaternions as chapter_2
 
 ROOT = Path(__file__).parents[1]
 SEED = int(os.environ.get("EXPLORE_SEED") or secrets.randbits(32))
@@ -127,6 +128,11 @@ SPECIAL = {
     "two_mirrors_by_hand": [
         *({"second": angle} for angle in (1.0, 4.0, 180.0)),
         *({"first": 355.0, "second": angle} for angle in (10.0, 170.0, 180.0)),
+    ],
+    "grab_the_spoon": [
+        *({"way": way, "along": 1.0} for way in chapter_2.WAYS),
+        {"way": "half turns U, V, W", "along": 0.0},
+        {"way": "by hand", "spoon": [-1.0, 0.0, 0.0, 0.0]},
     ],
 }
 

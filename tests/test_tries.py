@@ -20,6 +20,7 @@ from rotedu.figures import explore
 from rotedu.figures.explorable import Exploration
 from rotedu.figures.frames import frame_of
 from rotedu.figures.panel import text_of
+from rotedu.quaternions import Quaternion
 from rotedu.scenes.orientations import FILMS
 
 # Figure, words on the chip, outputs.
@@ -111,6 +112,15 @@ SHOWN: list[tuple[str, str, dict[str, str]]] = [
     ("control_points_by_hand", "the next point straight ahead", {"tests": "all say yes"}),
     ("control_points_by_hand", "before the jump", {"to_jump": "5°", "tests": "all say yes"}),
     ("control_points_by_hand", "behind it", {"to_jump": "5°", "tests": "all say yes"}),
+    *(
+        ("grab_the_spoon", words, {"q": q, "angle": angle, "home": "yes"})
+        for words, q, angle in (
+            ("half turns about U, V, W", "1.00 0.00 0.00 0.00", "0°"),
+            ("about U, W, V", "\N{MINUS SIGN}1.00 0.00 0.00 0.00", "360°"),
+            ("a wobbling full turn", "\N{MINUS SIGN}1.00 0.00 0.00 0.00", "360°"),
+            ("home by Euler angles", "\N{MINUS SIGN}1.00 0.00 0.00 0.00", "360°"),
+        )
+    ),
     *(
         ("double_cover_by_hand", words, {"twists": f"{n:.2f}", "q_back": back})
         for n, words, back in (
@@ -318,3 +328,29 @@ def second_rate(turned: Rotation, h: float) -> Any:
     """The second derivative of a turn at the first of five times, by differences."""
     weights = np.array([35, -104, 114, -56, 11]) / (12 * h**2)
     return weights @ (turned[0].inv() * turned).as_rotvec()
+
+
+@pytest.mark.parametrize(
+    ("words", "axes", "sign"),
+    [("half turns about U, V, W", "ijk", 1), ("about U, W, V", "ikj", -1)],
+)
+def test_three_half_turns_multiply_to_the_sign(words: str, axes: str, sign: int) -> None:
+    units = dict(zip("ijk", np.eye(3), strict=True))
+    first, second, third = (Quaternion(0, units[axis]) for axis in axes)
+    assert third * second * first == sign
+    figure, inputs = tried("grab_the_spoon", words)
+    # By continuity: no step on the way is longer than a small turn.
+    q = [
+        figure.draw(**inputs | {"along": along}).shown.outputs["q"].value
+        for along in np.linspace(0, 1, 31)
+    ]
+    assert np.linalg.norm(np.diff(q, axis=0), axis=1).max() < 0.2
+    assert q[0] == [1, 0, 0, 0]
+    assert q[-1] == pytest.approx([sign, 0, 0, 0], abs=1e-12)
+
+
+def test_from_the_same_pose_euler_angles_and_slerp_come_home_with_opposite_signs() -> None:
+    figure, inputs = tried("grab_the_spoon", "home by Euler angles")
+    for way, sign in (("home by Euler angles", -1), ("home by slerp", 1), ("home by nlerp", 1)):
+        outputs = figure.draw(**inputs | {"way": way}).shown.outputs
+        assert outputs["q"].value == pytest.approx([sign, 0, 0, 0], abs=1e-12)

@@ -44,7 +44,12 @@ from rotedu.scenes.orientations import (
     four_ways_between,
 )
 from rotedu.scenes.parts import teaspoon
-from rotedu.scenes.quaternions import double_cover_by_hand, letter_f, two_mirrors_by_hand
+from rotedu.scenes.quaternions import (
+    double_cover_by_hand,
+    grab_the_spoon,
+    letter_f,
+    two_mirrors_by_hand,
+)
 
 __all__ = [
     "ARCS",
@@ -77,6 +82,7 @@ __all__ = [
     "four_descriptions",
     "four_orientations",
     "four_ways_between",
+    "grab_the_spoon",
     "letter_f",
     "one_for_three",
     "principal_orders",

@@ -2,17 +2,25 @@
 import { DEGREES, ORIGIN, columns, placing, spread, turning } from "./parts.js";
 import {
   combine,
+  dot,
+  eulerAngles,
+  nlerp,
   quaternionFromAxisAngle,
+  quaternionMatrix,
   quaternionProduct,
   rotate,
   rotateByQuaternion,
   rotationMatrix,
+  slerp,
   transpose,
   unit,
 } from "./sphere.js";
 
 const U = [1, 0, 0];
+const V = [0, 1, 0];
 const W = [0, 0, 1];
+const AXES = { U, V, W };
+const ONE = [1, 0, 0, 0];
 const SMALLEST_ARC = 8;
 const BACK = 0.5;
 const [SPOON, BAR, WIDTH, STEM] = [0.42, 1.26, 0.11, 0.06];
@@ -23,6 +31,12 @@ const [NO_AXIS, JUMP] = [1e-6, 0.35];
 const ON_SKIN = 0.97;
 const TINY = 1e-12;
 const [INNER, OUTER] = [0.55, 1.05];
+const TABLE = ACROSS.map((x) => -2.2 * x);
+const LENGTH = 0.75;
+const STEPS_OF_WAY = 120;
+const WOBBLE = 0.3;
+const SHOWN_TURN = 0.01;
+const BY_HAND = "by hand";
 
 /** A point off the axis. */
 const out = (angle, radius = 1) => rotate([radius, 0, 0], W, angle / DEGREES);
@@ -104,6 +118,103 @@ export function twoMirrors({ first, second, both, letter }, { lamp }) {
   };
 }
 
+/** `grab_the_spoon` */
+export function grabTheSpoon(inputs, { lamp, inks }, changed) {
+  const decided = following(inputs, changed);
+  const { spoon, way, along, left } = { ...inputs, ...decided };
+  const going = way !== BY_HAND;
+  const times = spread(STEPS_OF_WAY + 1).filter((t, i) => i < along * STEPS_OF_WAY - TINY);
+  const gone = going ? [...times, along].map(onWay(way, left)) : [spoon];
+  const { axes, shares } = turnsOf(gone);
+  const axis = axes.at(-1);
+  const share = shares.at(-1);
+  const whole = 2 * Math.PI * share;
+  const turned = SHOWN_TURN < share && share < 1 - SHOWN_TURN;
+  const hidden = { hidden: true };
+  const at = (length) => combine(1, TABLE, length, axis);
+
+  const near = (less) => axis.map((x) => (share - less) * x);
+  const [point, opposite] = [near(0), near(1)];
+  const path = (less) => {
+    const runs = going ? pieces(axes.map((n, i) => n.map((x) => (shares[i] - less) * x))) : [];
+    return runs.length ? { paths: runs, hidden: false } : hidden;
+  };
+  const farther = Math.max(share, 1 - share);
+  return {
+    inputs: { ...decided, spoon: gone.at(-1) },
+    ...(going ? {} : { trails: { trail: point, "opposite trail": opposite } }),
+    parts: {
+      spoon: { matrix: placing(rotationMatrix(axis, whole), TABLE) },
+      axis: turned ? { from: at(-0.8), to: at(0.92), hidden: false } : hidden,
+      turn: turned
+        ? {
+            paths: [turning([LENGTH, 0, 0], axis, whole, 48).map((p) => combine(1, TABLE, 1, p))],
+            hidden: false,
+          }
+        : hidden,
+      "axis in the ball": { paths: [[axis.map((x) => -x), axis]], hidden: !turned },
+      way: path(0),
+      "opposite way": path(1),
+      q: { at: point },
+      "-q": { at: opposite },
+      skin: farther > ON_SKIN ? { color: inks[Number(share > 0.5)], hidden: false } : hidden,
+    },
+    labels: {
+      axis: turned ? at(1.03) : null,
+      q: combine(1, point, 0.17, W),
+      "-q": combine(1, opposite, 0.17, W),
+    },
+    outputs: {
+      q: gone.at(-1),
+      angle: 360 * share,
+      home: lamp[Number(farther > 1 - BACK / 360)],
+    },
+  };
+}
+
+/**
+ * What follows from what the hand has set last: the spoon, a way, or how far the spoon has come. All
+ * ways home begin where the hand has left the spoon.
+ */
+function following({ spoon, way }, changed) {
+  const only = (name) => changed.length === 1 && changed[0] === name;
+  if (only("spoon")) return { way: BY_HAND, along: 0, left: spoon };
+  if (only("way")) return { along: 0 };
+  return only("along") && way === BY_HAND ? { way: "home by slerp" } : {};
+}
+
+/** The quaternion at a time on a way: `on_way`. */
+function onWay(way, left) {
+  if (way.startsWith("half turns")) {
+    const axes = [...way.slice(-7)].filter((_, i) => i % 3 === 0).map((letter) => AXES[letter]);
+    return (t) =>
+      axes.reduce((q, axis, k) => {
+        const angle = Math.PI * Math.min(1, Math.max(0, 3 * t - k));
+        return quaternionProduct(quaternionFromAxisAngle(axis, angle), q);
+      }, ONE);
+  }
+  if (way === "full turn") {
+    return (t) => {
+      const sway = [4, 6].map((k) => WOBBLE * Math.sin(k * Math.PI * t));
+      return quaternionFromAxisAngle([...sway, 1], 2 * Math.PI * t);
+    };
+  }
+  if (way === "home by Euler angles") {
+    const angles = eulerAngles(quaternionMatrix(left));
+    const sign = Math.sign(dot(quaternionFromEulerAngles(angles), left));
+    return (t) => quaternionFromEulerAngles(angles.map((x) => (1 - t) * x)).map((x) => sign * x);
+  }
+  const to = ONE.map((x) => (left[0] >= 0 ? x : -x));
+  const between = way === "home by slerp" ? slerp : nlerp;
+  return (t) => between(left, to, t);
+}
+
+/** `rotedu.general_rotation.quaternion_from_euler_angles` */
+function quaternionFromEulerAngles([u, v, w]) {
+  const [qu, qv, qw] = [[U, u], [V, v], [W, w]].map((turn) => quaternionFromAxisAngle(...turn));
+  return quaternionProduct(qw, quaternionProduct(qv, qu));
+}
+
 /** `double_cover_by_hand` */
 export function doubleCover({ turns, passed: wanted }, { lamp, on_its_way }) {
   const passed = Math.min(wanted, passes(turns));
@@ -121,7 +232,7 @@ export function doubleCover({ turns, passed: wanted }, { lamp, on_its_way }) {
   const wayHidden = !(hangs && turns > 0);
 
   return {
-    inputs: { passed },
+    inputs: wanted > passed ? { passed } : {},
     parts: {
       spoon: { matrix: placing(matrix, HOME) },
       "one half": { points: [...edges[0], ...edges[1]] },

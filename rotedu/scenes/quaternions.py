@@ -6,10 +6,16 @@ import numpy as np
 import pyvista
 from numpy.typing import ArrayLike, NDArray
 
+from rotedu.arcs import nlerp, slerp
 from rotedu.colors import AXIS, CROSS, NEUTRAL, RESULT, VECTOR
-from rotedu.figures import Slider, describe, explorable, limit_turning, read_out
+from rotedu.figures import Choice, Poses, Slider, describe, explorable, limit_turning, read_out
 from rotedu.figures.frames import LAMP, place_grip, place_part
-from rotedu.general_rotation import homogeneous, translation
+from rotedu.general_rotation import (
+    euler_angles,
+    homogeneous,
+    quaternion_from_euler_angles,
+    translation,
+)
 from rotedu.ordinary_rotation import rotate, rotation_matrix
 from rotedu.quaternions import Quaternion
 from rotedu.scenes.parts import (
@@ -40,10 +46,29 @@ REACH, RING = 0.4, 0.6
 EYE = 9 * np.array([4.4, 2.6, 2.4]) / np.linalg.norm([4.4, 2.6, 2.4])
 ACROSS = np.array([-2.6, 4.4, 0.0]) / np.hypot(2.6, 4.4)
 HOME = -2.35 * ACROSS
-MIDDLE = -1.26 * ACROSS + [0, 0, 0.1]
+MIDDLE = -1.13 * ACROSS + [0, 0, 0.1]
 # The other side of the ribbon: a light `VECTOR`.
 PALE = "#8fc1e3"
 ON_ITS_WAY = "on its way"
+# A spoon that is turned by hand: its place and half its length.
+TABLE = -2.2 * ACROSS
+LENGTH = 0.75
+WAYS = (
+    "by hand",
+    "half turns U, V, W",
+    "half turns U, W, V",
+    "full turn",
+    "home by slerp",
+    "home by nlerp",
+    "home by Euler angles",
+)
+STEPS_OF_WAY = 120
+WOBBLE = 0.3
+# A smaller share of a whole turn has no axis to show.
+SHOWN_TURN = 0.01
+# What the figure begins with: the spoon on the last of three half turns, and a way home.
+UNDER_WAY = tuple(Quaternion.from_axis_angle([0, 1, 0], 1.55 * np.pi).components.tolist())
+LEFT = tuple(Quaternion.from_axis_angle([0.1, 1, -0.15], np.deg2rad(140)).components.tolist())
 # A vector part without a direction, and a step of a path that is a jump through the skin.
 NO_AXIS, JUMP = 1e-6, 0.35
 # From this share of a whole turn on, a quaternion is on the skin.
@@ -200,6 +225,114 @@ def two_mirrors_by_hand(
 
 
 @explorable(
+    model="grabTheSpoon",
+    constants={
+        "lamp": LAMP,
+        "inks": [pyvista.Color(ink).float_rgb for ink in (CROSS, RESULT)],
+    },
+    tries={
+        "half turns about U, V, W": {"way": "half turns U, V, W", "along": 1},
+        "about U, W, V": {"way": "half turns U, W, V", "along": 1},
+        "a wobbling full turn": {"way": "full turn", "along": 1},
+        "home by Euler angles": {"way": "home by Euler angles", "along": 1},
+    },
+    spoon=Poses("the spoon"),
+    way=Choice("The spoon turns", list(WAYS)),
+    along=Slider(0, 1, "along the way", step=0.01, stride=1 / 6, plays=9),
+    left=Poses("where the way home begins"),
+)
+def grab_the_spoon(
+    spoon: ArrayLike = UNDER_WAY,
+    way: str = "half turns U, W, V",
+    along: float = 0.85,
+    left: ArrayLike = LEFT,
+) -> pyvista.Plotter:
+    """Draw a spoon that is turned by hand, and its two quaternions in the ball of turns.
+
+    Parameters
+    ----------
+    spoon : array_like, shape (4,)
+        The quaternion of the spoon, turned by hand.
+    way : str
+        One of `WAYS`, on which the spoon turns otherwise.
+    along : float
+        How far it has come on its way, from 0 to 1.
+    left : array_like, shape (4,)
+        The quaternion with which a way home begins.
+
+    Returns
+    -------
+    pyvista.Plotter
+        The scene.
+    """
+    going = way != "by hand"
+    times = np.append(np.arange(0, along * STEPS_OF_WAY - TINY) / STEPS_OF_WAY, along)
+    w, *v = np.asarray(spoon, float)
+    gone = on_way(way, left, times) if going else Quaternion([w], [v])
+    axes, shares = turns_of(gone)
+    axis, share = axes[-1], float(shares[-1])
+    q = gone.components[-1]
+    matrix = rotation_matrix(axis, 2 * np.pi * share)
+    turned = SHOWN_TURN < share < 1 - SHOWN_TURN
+
+    between = -1.02 * ACROSS
+    plotter = new_scene(eye=between + EYE, target=between, view_angle=19.2)
+    limit_turning(plotter, 25)
+    # The letters leave room for the name of an axis along theirs.
+    for direction, aside, letter in zip(np.eye(3), [-W, -W, ACROSS], "UVW", strict=True):
+        add_arrow(plotter, TABLE, TABLE + 0.9 * direction, NEUTRAL, 0.006, f"axis {letter}")
+        add_label(plotter, TABLE + 0.88 * direction + 0.13 * aside, f"${letter}$")
+    body = teaspoon(stations=61, around=20)
+    body.points = LENGTH * (body.points - [0, 0, 0.05])
+    resting = body.translate(TABLE)
+    plotter.add_mesh(resting, color=NEUTRAL, opacity=0.25, smooth_shading=True, pickable=False)
+    pose = translation(TABLE) @ homogeneous(matrix)
+    name = place_part(plotter, "spoon", matrix=pose.T.ravel())
+    plotter.add_mesh(body, color=VECTOR, smooth_shading=True, name=name).user_matrix = pose
+    place_grip(plotter, "spoon", at=TABLE, size=0.85)
+
+    foot, tip = TABLE - 0.8 * axis, TABLE + 0.92 * axis
+    add_arrow(plotter, foot, tip, AXIS, 0.012, "axis").visibility = turned
+    add_label(plotter, TABLE + 1.03 * axis if turned else None, r"$\hat n$", AXIS, name="axis")
+    arc = TABLE + turning(LENGTH * U, axis, 2 * np.pi * (share if turned else 0.5))
+    add_line(plotter, arc, RESULT, 0.012, "turn").visibility = turned
+
+    point, opposite = share * axis, (share - 1) * axis
+    add_line(plotter, [-axis, axis], AXIS, 0.007, "axis in the ball").visibility = turned
+    here, there = (np.multiply(axes, (shares - less)[:, np.newaxis]) for less in (0, 1))
+    for name, path, color, radius in (
+        ("way", here, RESULT, 0.018),
+        ("opposite way", there, CROSS, 0.009),
+        ("trail", here, RESULT, 0.018),
+        ("opposite trail", there, CROSS, 0.009),
+    ):
+        runs = pieces(path) if going and "way" in name else []
+        add_lines(plotter, runs or [[ORIGIN, W]], color, radius, name).visibility = bool(runs)
+    for name, place, color, size in (("q", point, RESULT, 0.055), ("-q", opposite, CROSS, 0.04)):
+        add_point(plotter, place, color, size, name=name)
+        add_label(plotter, place + 0.17 * W, f"${name}$", color, name=name)
+    halfway = pyvista.Sphere(radius=0.5, theta_resolution=32, phi_resolution=21)
+    plotter.add_mesh(halfway, color=NEUTRAL, opacity=0.1, smooth_shading=True, pickable=False)
+    color = RESULT if share > 0.5 else CROSS
+    add_ball_of_turns(plotter, color).visibility = max(share, 1 - share) > ON_SKIN
+
+    read_out(plotter, "q", q, "q (w x y z)", 2, where="picture")
+    read_out(plotter, "angle", 360 * share, "angle", 0, "°", where="picture")
+    home = max(share, 1 - share) > 1 - BACK / 360
+    read_out(plotter, "home", home, "spoon is as at the start", loud="yes")
+    describe(
+        plotter,
+        "Left, a spoon, which can be turned, and pale the same spoon as it lay at the start."
+        f" One turn by {360 * share:.0f} degrees about an axis n leads from the pale one to the"
+        " other. Right, a see-through ball with 1 in its middle and a smaller ball of half turns."
+        " On a line in the direction of n lie q, as far from the middle as the angle is large, and"
+        " the opposite quaternion on the other side."
+        + (" A green and a purple line show the ways of both." if going else ""),
+    )
+    return plotter
+
+
+@explorable(
     model="doubleCover",
     constants={"lamp": LAMP, "on_its_way": ON_ITS_WAY},
     tries={f"{n} turn{'s' * (n > 1)}": {"turns": n, "passed": 0} for n in (1, 2, 3, 4)},
@@ -231,7 +364,7 @@ def double_cover_by_hand(turns: float = 2, passed: float = 0.44) -> pyvista.Plot
     q = Quaternion.from_axis_angle(W, angle)
     matrix = rotation_matrix(W, angle)
 
-    plotter = new_scene(eye=MIDDLE + EYE, target=MIDDLE, view_angle=18.6)
+    plotter = new_scene(eye=MIDDLE + EYE, target=MIDDLE, view_angle=19.2)
     limit_turning(plotter, 25)
     bar = HOME + BAR * W
     add_line(plotter, [bar - 2.5 * WIDTH * U, bar + 2.5 * WIDTH * U], NEUTRAL, 0.025)
@@ -408,6 +541,51 @@ def once_for_each_turn() -> NDArray[np.float64]:
     return way
 
 
+def on_way(way: str, left: ArrayLike, times: ArrayLike) -> Quaternion:
+    """Return the quaternions of the spoon on a way.
+
+    Parameters
+    ----------
+    way : str
+        One of `WAYS`, but by hand.
+    left : array_like, shape (4,)
+        The quaternion with which a way home begins.
+    times : array_like, shape (n,)
+        From 0 to 1.
+
+    Returns
+    -------
+    Quaternion
+        The quaternions, without a jump; a way home leads to 1 or -1.
+    """
+    t = np.asarray(times, float)
+    start = np.asarray(left, float)
+    if way.startswith("half turns"):
+        first, second, third = (np.eye(3)["UVW".index(letter)] for letter in way[-7::3])
+        angles = np.pi * np.clip(3 * t[:, np.newaxis] - [0, 1, 2], 0, 1)
+        turned: Quaternion = (
+            Quaternion.from_axis_angle(third, angles[:, 2])
+            * Quaternion.from_axis_angle(second, angles[:, 1])
+            * Quaternion.from_axis_angle(first, angles[:, 0])
+        )
+        return turned
+    if way == "full turn":
+        sway = WOBBLE * np.stack([np.sin(4 * np.pi * t), np.sin(6 * np.pi * t)], axis=-1)
+        axis = np.column_stack([sway, np.ones_like(t)])
+        whole: Quaternion = Quaternion.from_axis_angle(axis, 2 * np.pi * t)
+        return whole
+    if way == "home by Euler angles":
+        angles_left = np.stack(euler_angles(Quaternion(start[0], start[1:]).matrix()))
+        u, v, w = np.multiply.outer(angles_left, 1 - t)
+        path = quaternion_from_euler_angles(u, v, w)
+        sign = np.sign(quaternion_from_euler_angles(*angles_left).components @ start)
+        signed: Quaternion = sign * path
+        return signed
+    to = np.array([1.0 if start[0] >= 0 else -1.0, 0, 0, 0])
+    between = {"home by slerp": slerp, "home by nlerp": nlerp}[way](start, to, t)
+    return Quaternion(between[:, 0], between[:, 1:])
+
+
 def add_ball_of_turns(plotter: pyvista.Plotter, color: str) -> pyvista.Actor:
     """Add the ball of all unit quaternions around what is in it, and return its skin.
 
@@ -415,7 +593,7 @@ def add_ball_of_turns(plotter: pyvista.Plotter, color: str) -> pyvista.Actor:
     is the middle, half turns are half way, and -1, a whole turn about any axis, is the skin.
     """
     add_point(plotter, ORIGIN, NEUTRAL, 0.035, name="one")
-    add_label(plotter, -0.13 * ACROSS, "$1$", name="one")
+    add_label(plotter, -0.11 * ACROSS - 0.1 * W, "$1$", name="one")
     ball = pyvista.Sphere(radius=0.985, theta_resolution=32, phi_resolution=21)
     name = place_part(plotter, "skin")
     skin = plotter.add_mesh(

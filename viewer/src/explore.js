@@ -63,7 +63,8 @@ export function explore(element, live, data, models, python) {
     spoken = null;
     store();
   };
-  const marks = ({ trails: places = {} }) => (held ? ways.follow(places) : ways.clear());
+  /** A frame that speaks of no trails forgets them. */
+  const marks = ({ trails: places }) => (held && places ? ways.follow(places) : ways.clear());
   /** Show a frame everywhere; a refusal keeps the last picture, pale. */
   const show = (frame) => {
     refused = frame.refused ?? "";

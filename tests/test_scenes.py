@@ -37,6 +37,24 @@ def test_a_scene_says_what_it_shows_and_keeps_its_labels_in_the_picture(scene) -
         assert label["hidden"] == (places[label["name"]] is None)
 
 
+# Two things side by side; on a phone the sphere is smaller.
+IN_PAIRS = ("animate", "double_cover_by_hand", "grab_the_spoon", "slerp_by_hand")
+
+
+def test_a_sphere_fills_its_picture_also_on_a_phone() -> None:
+    """On a screen of 360 pixels a scene has 328 of them."""
+    found = 0
+    for plotter in (scene() for scene in SCENES if scene.__name__ not in IN_PAIRS):
+        if hasattr(plotter, "ball"):
+            (width, height), camera = plotter.window_size, plotter.camera
+            radius = np.tan(np.arcsin(1 / np.linalg.norm(camera.position)))
+            across = height * radius / np.tan(np.deg2rad(camera.view_angle / 2))
+            assert across / width * 328 >= 0.7 * 360
+            assert across < 0.9 * height
+            found += 1
+    assert found > 10
+
+
 def test_figure_1_takes_its_vector_axis_and_angle() -> None:
     vector, axis, angle = [0.8, 0.2, 0.5], [0, 0.3, 1], 1.1
     labels = {

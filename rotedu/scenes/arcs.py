@@ -34,6 +34,7 @@ from rotedu.scenes.parts import (
     add_point,
     add_sphere,
     new_scene,
+    sphere_scene,
     teaspoon,
     turning,
 )
@@ -77,8 +78,7 @@ def camera_arcs(
     """
     points = np.asarray(targets, float) / np.linalg.norm(targets, axis=-1, keepdims=True)
 
-    plotter = new_scene(eye=(4.3, -1.9, 3.2), target=(0, 0, 0.06))
-    add_sphere(plotter)
+    plotter = sphere_scene(eye=(4.3, -1.9, 3.2), target=(0, 0, 0.06))
     plotter.add_mesh(camera(points[0]), color=NEUTRAL, pickable=False)
     for point, after, name in zip(points, np.roll(points, -1, axis=0), names, strict=True):
         add_line(plotter, [ORIGIN, point], NEUTRAL, radius=0.004)
@@ -125,8 +125,7 @@ def figure_2(
     n, point = arc_axis(first, second), slerp(first, second, t)
     angle = float(np.degrees(angle_between(first, second)))
 
-    plotter = new_scene(eye=(4.5, 2.3, 2.9), target=(0, 0, 0.16))
-    add_sphere(plotter)
+    plotter = sphere_scene(eye=(4.5, 2.3, 2.9), target=(0, 0, 0.16))
     add_line(plotter, turning(first, n, 2 * np.pi, 96), NEUTRAL, radius=0.004)
     add_angle(plotter, first, second, r"$\theta$", size=0.4)
     add_axis(plotter, n, r"$\hat v$")

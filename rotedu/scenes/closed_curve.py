@@ -28,7 +28,6 @@ from rotedu.scenes.arcs import CAMERA_SEES, CAMERA_TARGETS, camera
 from rotedu.scenes.parts import (
     JUST_INSIDE,
     ORIGIN,
-    ROUND,
     add_arc,
     add_arrow,
     add_label,
@@ -37,6 +36,7 @@ from rotedu.scenes.parts import (
     add_point,
     add_sphere,
     new_scene,
+    sphere_scene,
     turning,
 )
 
@@ -64,8 +64,7 @@ def figure_8(points: ArrayLike = FIGURE_8, fraction: float = 1 / 2) -> pyvista.P
     a, b = control_points(p, fraction)
     curve = closed_curve(p, 30, fraction)
 
-    plotter = new_scene(eye=(4.28, 2.42, 2.51), target=(0, 0, 0))
-    add_sphere(plotter)
+    plotter = sphere_scene(eye=(4.28, 2.42, 2.51))
     add_line(plotter, [*curve, curve[0]], RESULT, radius=0.013)
     polygon = np.stack([b, p, a], axis=1).reshape(-1, 3)
     for start, end in zip(polygon, np.roll(polygon, -1, axis=0), strict=True):
@@ -183,8 +182,7 @@ def closed_curve_by_hand(
     levels = de_casteljau_levels(control[segment], within)
     t = np.linspace(0, 1, 25)
 
-    plotter = new_scene(eye=(4.28, 2.42, 2.51), target=(0, 0, 0), size=ROUND)
-    add_sphere(plotter)
+    plotter = sphere_scene(eye=(4.28, 2.42, 2.51))
     curve = closed_curve(p, 40, fraction)
     add_line(plotter, [*curve, curve[0]], RESULT, radius=0.015, name="curve")
     place_grip(plotter, "u", path=[*curve, curve[0]])
@@ -297,8 +295,7 @@ def arcs_of_arcs(control: ArrayLike = ARCS, u: float = 0.4) -> pyvista.Plotter:
     """
     levels = de_casteljau_levels(control, u)
     curve = de_casteljau(control, np.linspace(0, 1, 61))
-    plotter = new_scene(eye=(4.28, 2.42, 2.51), target=(0, 0, 0), size=ROUND)
-    add_sphere(plotter)
+    plotter = sphere_scene(eye=(4.28, 2.42, 2.51))
     add_line(plotter, curve, RESULT, radius=0.014, name="curve")
     place_grip(plotter, "u", path=curve)
     colors = (VECTOR, CROSS, NEUTRAL, RESULT)

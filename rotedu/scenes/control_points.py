@@ -14,16 +14,13 @@ from rotedu.figures import Handles, Slider, Switch, describe, explorable, read_o
 from rotedu.figures.frames import LAMP
 from rotedu.scenes.closed_curve import add_arcs
 from rotedu.scenes.parts import (
-    ORIGIN,
-    ROUND,
     add_angle,
     add_arc,
     add_axis,
     add_label,
     add_line,
     add_point,
-    add_sphere,
-    new_scene,
+    sphere_scene,
     turning,
 )
 
@@ -91,8 +88,7 @@ def open_neighbours(
 ) -> tuple[pyvista.Plotter, dict[str, NDArray[np.float64]]]:
     """Open a scene of the construction with some of its points and their shifted names."""
     found = neighbours(points)
-    plotter = new_scene(eye, target)
-    add_sphere(plotter)
+    plotter = sphere_scene(eye, target)
     for name, shift in shown.items():
         add_named_point(plotter, found[name], name, COLORS[name], shift)
     return plotter, found
@@ -154,12 +150,12 @@ def figure_4(points: ArrayLike = NEIGHBOURS) -> pyvista.Plotter:
     plotter, p = open_neighbours(
         points,
         {BEFORE: (-0.13, 0.05), HERE: (0, -0.13), REFLECTED: (0.15, 0.02)},
-        target=(0, 0, 0.23),
+        target=(0, 0, 0.17),
     )
     for start, end in ((BEFORE, HERE), (HERE, REFLECTED)):
         add_arc(plotter, p[start], p[end], CROSS, radius=0.012)
         add_angle(plotter, p[start], p[end], r"$\theta_{i-1}$", place=1.22)
-    add_axis(plotter, arc_axis(p[BEFORE], p[HERE]), r"$\hat v_{i-1}$")
+    add_axis(plotter, arc_axis(p[BEFORE], p[HERE]), r"$\hat v_{i-1}$", length=1.15)
     describe(
         plotter,
         "A unit sphere. An arc from P_{i-1} to P_i continues by its own length to P_{i-1} with a"
@@ -349,8 +345,7 @@ def control_points_by_hand(
     doubled = (here, a) if printed_double else (a, here)
     b = slerp(*doubled, 2)
 
-    plotter = new_scene(eye=(4.86, -0.2, 3.0), target=(0, 0, 0.06), size=ROUND)
-    add_sphere(plotter)
+    plotter = sphere_scene(eye=(4.86, -0.2, 3.0), target=(0, 0, 0.06))
     circle = turning(before, axis, 2 * np.pi, 96)
     add_line(plotter, circle, NEUTRAL, radius=0.004, name="circle").visibility = one_circle
     add_arcs(plotter, [before, here], [here, after], VECTOR, name="given")
@@ -461,8 +456,7 @@ def reversed_axis(points: ArrayLike = LOOP, samples: int = 24) -> pyvista.Plotte
     control = np.stack([p, a, np.roll(b, -1, axis=0), after], axis=1)
     printed = de_casteljau(control[:, np.newaxis], np.arange(samples) / samples)
 
-    plotter = new_scene(eye=(4.6, 2.25, 2.05), target=ORIGIN, view_angle=25.5)
-    add_sphere(plotter)
+    plotter = sphere_scene(eye=(4.6, 2.25, 2.05))
     for curve, color in ((closed_curve(p, samples), RESULT), (printed, WRONG)):
         closed = curve.reshape(-1, 3)
         add_line(plotter, [*closed, closed[0]], color, radius=0.01)

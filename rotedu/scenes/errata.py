@@ -6,7 +6,7 @@ from numpy.typing import ArrayLike
 
 from rotedu.colors import RESULT, VECTOR, WRONG
 from rotedu.figures import describe
-from rotedu.scenes.parts import add_label, add_line, add_point, add_sphere, new_scene
+from rotedu.scenes.parts import add_label, add_line, add_point, sphere_scene
 
 
 def two_curves(
@@ -30,8 +30,7 @@ def two_curves(
     """
     p, right, wrong = (np.asarray(x, float) for x in (points, right, wrong))
     centre = p.mean(axis=0)
-    plotter = new_scene(eye=5.2 * centre / np.linalg.norm(centre), target=(0, 0, 0))
-    add_sphere(plotter)
+    plotter = sphere_scene(eye=5.2 * centre / np.linalg.norm(centre))
     for curve, color, radius in ((right, RESULT, 0.014), (wrong, WRONG, 0.012)):
         add_line(plotter, [*curve, curve[0]], color, radius)
     for i, point in enumerate(p):

@@ -33,10 +33,10 @@ from rotedu.scenes.parts import (
     add_line,
     add_lines,
     add_point,
-    add_sphere,
     add_thin,
     new_scene,
     shade,
+    sphere_scene,
     teaspoon,
     turning,
 )
@@ -199,9 +199,8 @@ def one_for_three(
     start = here = np.asarray(vector, float) / np.linalg.norm(vector)
     a, angle = axis_angle_from_euler_angles(*theta)
 
-    plotter = new_scene(eye=(5.5, 2.3, 1.7), target=(0.0, 0.1, 0.17))
-    add_sphere(plotter)
-    add_coordinate_axes(plotter, 1.3)
+    plotter = sphere_scene(eye=(5.5, 2.3, 1.7), target=(0.0, 0.0, 0.12))
+    add_coordinate_axes(plotter, 1.12)
     for name, axis, part in zip("uvw", np.eye(3), theta, strict=True):
         path = turning(here, axis, part)
         add_line(plotter, path, CROSS, radius=0.012)
@@ -209,8 +208,8 @@ def one_for_three(
         here = path[-1]
         add_point(plotter, here, CROSS, radius=0.025)
     add_line(plotter, turning(start, a, float(angle)), RESULT, radius=0.018)
-    add_arrow(plotter, ORIGIN, 1.35 * a, AXIS)
-    add_label(plotter, 1.45 * a, r"$\hat a$", AXIS)
+    add_arrow(plotter, ORIGIN, 1.2 * a, AXIS)
+    add_label(plotter, 1.3 * a, r"$\hat a$", AXIS)
     for point, name, color in (
         (start, r"$\vec r$", VECTOR),
         (here, r"$\vec r^{\,\prime}$", RESULT),

@@ -13,8 +13,10 @@ from rotedu.figures.frames import place_label, place_part
 from rotedu.ordinary_rotation import rotate
 
 SIZE = (720, 480)
-ROUND = (576, 480)
+ROUND = (540, 480)
 """Size of a scene with a sphere, which then fills it, also on a phone."""
+FILLED = 0.865
+"""How much of the height the sphere fills; above and below, there is room for a label."""
 ORIGIN = np.zeros(3)
 JUST_INSIDE = 0.99
 """Radius of a surface along the unit sphere: two surfaces in one place would show stripes."""
@@ -46,6 +48,25 @@ def new_scene(
     plotter.enable_anti_aliasing("ssaa")
     plotter.camera_position = (tuple(np.asarray(eye)), tuple(np.asarray(target)), (0, 0, 1))
     plotter.camera.view_angle = view_angle
+    return plotter
+
+
+def sphere_scene(eye: ArrayLike, target: ArrayLike = ORIGIN) -> pyvista.Plotter:
+    """Open a scene with the unit sphere, equally large from wherever it is seen.
+
+    Parameters
+    ----------
+    eye, target : array_like, shape (3,)
+        Position of the camera, and the point it looks at, near the origin.
+
+    Returns
+    -------
+    pyvista.Plotter
+        The scene.
+    """
+    radius = np.tan(np.arcsin(1 / np.linalg.norm(eye)))
+    plotter = new_scene(eye, target, 2 * float(np.degrees(np.arctan(radius / FILLED))), ROUND)
+    add_sphere(plotter)
     return plotter
 
 

@@ -89,12 +89,15 @@ SPACE = "element => [element.offsetHeight, element.closest('figure').offsetHeigh
 LABELS = """(element) => [...element.querySelectorAll(".scene-label")].map((label) => {
     const { left, top, width, height } = label.getBoundingClientRect();
     const box = element.getBoundingClientRect();
+    // Labels give way to each other.
+    const push = (way) => parseFloat(label.style.getPropertyValue(way)) || 0;
+    const [dx, dy] = [push("--dx"), push("--dy")];
     return {
         name: label.dataset.label,
         text: label.textContent,
         seen: getComputedStyle(label).visibility === "visible",
-        left: (left + width / 2 - box.left) / box.width,
-        top: (top + height / 2 - box.top) / box.height,
+        left: (left - dx + width / 2 - box.left) / box.width,
+        top: (top - dy + height / 2 - box.top) / box.height,
     };
 })"""
 

@@ -1,9 +1,11 @@
-/* Where labels are on the screen, and which of them are hidden. */
+/* Where labels are on the screen, which of them are hidden, and how they give way to each other. */
 
 // A label often lies on a surface itself, so its line of sight ends just short of it.
 const SHORT = 1 - 1e-3;
 // Two crossings this close together lie on the edge that two faces share.
 const SAME = 1e-6;
+// How often labels that lie on each other are moved apart, before they have to stay.
+const ROUNDS = 20;
 
 /**
  * Project a point.
@@ -74,4 +76,30 @@ export function isHidden(surfaces, eye, point) {
     const enough = surface.seeThrough ? 2 : 1;
     return crossings(surface, eye, end, enough) >= enough;
   });
+}
+
+/**
+ * Move labels apart that lie on each other, each by half of the shorter way. The push grows from nothing
+ * with the overlap, so that labels do not leap while a point is dragged.
+ * @param {{x: number, y: number, width: number, height: number}[]} boxes by their middles
+ * @returns {{x: number, y: number}[]} how far each label moves
+ */
+export function apart(boxes) {
+  const moved = boxes.map(({ x, y }) => ({ x, y }));
+  const push = (i, j) => {
+    const [dx, dy] = [moved[j].x - moved[i].x, moved[j].y - moved[i].y];
+    const across = (boxes[i].width + boxes[j].width) / 2 - Math.abs(dx);
+    const down = (boxes[i].height + boxes[j].height) / 2 - Math.abs(dy);
+    if (across <= 0 || down <= 0) return false;
+    const [axis, overlap, way] = across < down ? ["x", across, dx] : ["y", down, dy];
+    const step = (way < 0 ? -overlap : overlap) / 2;
+    moved[i][axis] -= step;
+    moved[j][axis] += step;
+    return true;
+  };
+  const pairs = boxes.flatMap((_, j) => boxes.slice(0, j).map((_, i) => [i, j]));
+  for (let round = 0; round < ROUNDS; round++) {
+    if (!pairs.map(([i, j]) => push(i, j)).includes(true)) break;
+  }
+  return moved.map(({ x, y }, i) => ({ x: x - boxes[i].x, y: y - boxes[i].y }));
 }

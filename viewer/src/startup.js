@@ -89,6 +89,8 @@ function standIn(canvas) {
       lines.set(scene, say(scene, LOST));
       switchControls(scene, false);
     }
+    // Their next picture sets them right.
+    for (const view of document.querySelectorAll(".scene-view")) view.dataset.state = "poster";
   };
   canvas.addEventListener("webglcontextlost", (event) => {
     // Else the browser would never give it back.

@@ -2,7 +2,7 @@
 import { PerspectiveCamera, Scene, Vector3 } from "three";
 import { clipping, fieldOfView, outermost, reach, spun, turned, widened } from "./camera.js";
 import { orbit } from "./orbit.js";
-import { isHidden, project } from "./labels.js";
+import { apart, isHidden, project } from "./labels.js";
 import { scaleWidths, sortSeeThrough } from "./looks.js";
 import { pixels } from "./startup.js";
 import { move } from "./parts.js";
@@ -91,6 +91,8 @@ export async function show(element, file, context, { width, height, alt }) {
     if (resting || now === fitted || size.width === 0) return;
     fitted = now;
     Object.assign(canvas, size);
+    measure(element, labels);
+    for (const box of boxes) measure(box, views.get(box.dataset.view).labels);
     scaleWidths(objects, Math.min(canvas.width / width, canvas.height / height));
     aim();
     drawNow();
@@ -183,6 +185,7 @@ function labelsIn(box) {
   return [...box.querySelectorAll(".scene-label")].map((label) => ({
     label,
     position: label.dataset.position ? label.dataset.position.split(" ").map(Number) : null,
+    ...{ width: 0, height: 0, across: 0, down: 0 },
   }));
 }
 
@@ -198,17 +201,31 @@ function axes(camera) {
   return directions.map((direction) => direction.toArray());
 }
 
+/** Read how large labels and their picture are: seldom, because the browser has to lay out the page. */
+function measure({ clientWidth: across, clientHeight: down }, labels) {
+  for (const entry of labels) {
+    const { offsetWidth: width, offsetHeight: height } = entry.label;
+    Object.assign(entry, { width, height, across, down });
+  }
+}
+
 function placeLabels(labels, camera, surfaces) {
   const matrix = lens(camera);
   const eye = camera.position.toArray();
-  for (const { label, position } of labels) {
-    if (!position) {
-      label.toggleAttribute("data-behind", true);
-      continue;
+  const seen = [];
+  for (const { label, position, width, height, across, down } of labels) {
+    const { left, top, inside } = position ? project(matrix, position) : {};
+    const hidden = !inside || isHidden(surfaces, eye, position);
+    label.toggleAttribute("data-behind", hidden);
+    if (position) {
+      label.style.setProperty("--x", `${100 * left}%`);
+      label.style.setProperty("--y", `${100 * top}%`);
     }
-    const { left, top, inside } = project(matrix, position);
-    label.style.setProperty("--x", `${100 * left}%`);
-    label.style.setProperty("--y", `${100 * top}%`);
-    label.toggleAttribute("data-behind", !inside || isHidden(surfaces, eye, position));
+    if (!hidden) seen.push({ label, x: left * across, y: top * down, width, height });
   }
+  apart(seen).forEach(({ x, y }, i) => {
+    const { style } = seen[i].label;
+    style.setProperty("--dx", `${x}px`);
+    style.setProperty("--dy", `${y}px`);
+  });
 }

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { describe, test } from "node:test";
 import { PerspectiveCamera, Ray, SphereGeometry, Vector3 } from "three";
-import { crossings, isHidden, project } from "../src/labels.js";
+import { apart, crossings, isHidden, project } from "../src/labels.js";
 
 function ball(seeThrough = false) {
   const geometry = new SphereGeometry(1, 48, 32);
@@ -95,5 +95,47 @@ describe("hidden is a label", () => {
 
   test("nowhere without surfaces", () => {
     assert.ok(!isHidden([], eye, places[4]));
+  });
+});
+
+describe("labels give way", () => {
+  const box = (x, y, width = 20, height = 10) => ({ x, y, width, height });
+  /** By how much two boxes overlap: the shorter way apart. */
+  const overlap = (a, b) =>
+    Math.min(
+      (a.width + b.width) / 2 - Math.abs(a.x - b.x),
+      (a.height + b.height) / 2 - Math.abs(a.y - b.y),
+    );
+  const pushed = (boxes) =>
+    apart(boxes).map(({ x, y }, i) => ({ ...boxes[i], x: boxes[i].x + x, y: boxes[i].y + y }));
+  const worst = (boxes) =>
+    Math.max(...boxes.flatMap((a, i) => boxes.slice(0, i).map((b) => overlap(a, b))));
+
+  test("by half of the shorter way each, and not at all if they only touch", () => {
+    const still = { x: 0, y: 0 };
+    assert.deepEqual(apart([box(0, 0), box(20, 3), box(0, 10)]), [still, still, still]);
+    assert.deepEqual(apart([box(0, 0), box(3, 6)]), [{ x: 0, y: -2 }, { x: 0, y: 2 }]);
+    assert.deepEqual(apart([box(0, 0), box(3, -6)]), [{ x: 0, y: 2 }, { x: 0, y: -2 }]);
+    assert.deepEqual(apart([box(0, 0), box(-17, 1)]), [{ x: 1.5, y: 0 }, { x: -1.5, y: 0 }]);
+    assert.deepEqual(apart([]), []);
+  });
+
+  test("also if they lie in one place, and in a crowd", () => {
+    const crowd = [0, 1, 2, 3, 4, 5].map((i) => box(7 * Math.sin(5 * i), 4 * Math.cos(3 * i), 14 + i));
+    for (const boxes of [[box(5, 5), box(5, 5)], [box(5, 5), box(5, 5), box(5, 5)], crowd]) {
+      assert.ok(worst(boxes) > 1);
+      assert.ok(worst(pushed(boxes)) < 0.5, `${worst(pushed(boxes))}`);
+      const far = apart(boxes).map(({ x, y }) => Math.hypot(x, y));
+      assert.ok(Math.max(...far) < 40);
+    }
+  });
+
+  test("without a leap", () => {
+    let before;
+    for (let y = 12; y > 1; y -= 0.1) {
+      const [, { y: now }] = pushed([box(0, 0), box(4, y)]);
+      if (before !== undefined) assert.ok(Math.abs(now - before) < 0.2);
+      before = now;
+    }
   });
 });

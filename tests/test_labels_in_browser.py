@@ -1,0 +1,104 @@
+"""Labels of figures that answer the hand: whatever a slider does, none lies on another."""
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+from test_explorables_in_browser import (
+    BY_HAND,
+    PHONE,
+    in_sight,
+    live,
+    off_screen,
+    open_figure,
+    pages,
+)
+from test_figures_in_browser import open_page
+
+from rotedu.figures import Choice, Slider, Switch
+
+__all__ = ["off_screen", "open_figure", "open_page", "pages"]
+
+WIDTHS = {"wide": {"viewport": {"width": 1440, "height": 900}}, "phone": PHONE}
+PLACES = 13
+# By how many pixels two labels may cover each other: less than what is empty around letters.
+COVERED = 1.5
+# How far a label may be pushed, in heights of a label: it still stands beside its point.
+FAR = 2.5
+# Sets inputs one after the other; returns for each the labels that cover each other, and the push.
+SWEEP = """async ([figure, states]) => {
+    const frame = () => new Promise(requestAnimationFrame);
+    const push = ({ style }, way) => parseFloat(style.getPropertyValue(way)) || 0;
+    const found = [];
+    for (const detail of states) {
+        figure.dispatchEvent(new CustomEvent("rotedu:set", { detail }));
+        await frame();
+        await frame();
+        const labels = [...figure.querySelectorAll(".scene-label")]
+            .filter((label) => getComputedStyle(label).visibility === "visible");
+        const boxes = labels.map((label) => label.getBoundingClientRect());
+        let worst = [-Infinity];
+        boxes.forEach((a, i) => boxes.slice(0, i).forEach((b, j) => {
+            const across = Math.min(a.right, b.right) - Math.max(a.left, b.left);
+            const down = Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top);
+            const names = [labels[i], labels[j]].map((label) => label.dataset.label).join(" on ");
+            if (Math.min(across, down) > worst[0]) worst = [Math.min(across, down), names];
+        }));
+        const ways = labels.map((label) =>
+            Math.hypot(push(label, "--dx"), push(label, "--dy")) / label.offsetHeight);
+        found.push([...worst, Math.max(0, ...ways)]);
+    }
+    return found;
+}"""
+
+
+def swept(inputs: dict[str, Any], count: int) -> list[dict[str, Any]]:
+    """Each slider from end to end, for each switch and choice, the rest as at the start."""
+    switched: list[dict[str, Any]] = [{}]
+    for name, kind in inputs.items():
+        if isinstance(kind, Switch):
+            switched += [{name: True}, {name: False}]
+        if isinstance(kind, Choice):
+            switched += [{name: option} for option in kind.options]
+    return [
+        base | {name: float(value)}
+        for base in switched
+        for name, kind in inputs.items()
+        if isinstance(kind, Slider)
+        for value in np.linspace(kind.low, kind.high, count)
+    ]
+
+
+def check_sweep(figure: Any, name: str, states: list[dict[str, Any]]) -> None:
+    """Set a figure to some states, each from its start, and look at its labels."""
+    in_sight(figure)
+    start = figure.evaluate("element => JSON.parse(element.dataset.values)")
+    inputs = BY_HAND[name].inputs
+    start = {key: start[key] for key in inputs}
+    found = figure.page.evaluate(SWEEP, [figure.element_handle(), [start | s for s in states]])
+    assert len(found) == len(states)
+    for state, (covered, *labels, pushed) in zip(states, found, strict=True):
+        assert covered is None or covered < COVERED, (state, covered, labels)
+        assert pushed < FAR, (state, pushed)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("width", WIDTHS)
+@pytest.mark.parametrize("name", BY_HAND)
+def test_no_label_lies_on_another(name: str, width: str, open_figure: Callable[..., Any]) -> None:
+    figure = live(open_figure(name, **WIDTHS[width]))
+    check_sweep(figure, name, swept(BY_HAND[name].inputs, PLACES))
+
+
+@pytest.mark.parametrize(
+    ("name", "states"),
+    [
+        ("figure_1_by_hand", [{"theta": 330.0}, {"theta": 60.0}, {"theta": 30.0}]),
+        ("control_points_by_hand", [{"one_circle": True}, {"one_circle": True, "step": 2.0}]),
+    ],
+)
+def test_labels_that_met_give_way(
+    name: str, states: list[dict[str, Any]], open_figure: Callable[..., Any]
+) -> None:
+    check_sweep(live(open_figure(name, **PHONE)), name, states)

@@ -35,5 +35,16 @@ def test_the_licences_are_those_of_the_libraries() -> None:
     assert {font.name.partition("-")[0] for font in fonts} == reserved
 
 
+def test_no_page_asks_for_a_button_that_a_reader_may_not_have() -> None:
+    """Where motion is reduced, Play is gone."""
+    pages = [*ROOT.glob("book/*.ipynb"), *ROOT.glob("book/*.md")]
+    assert len(pages) > 10
+    for page in pages:
+        asked = re.findall(
+            r"(?i)(?:press|click|push) (?:on )?\*?Play|Play \*", page.read_text("utf-8")
+        )
+        assert not asked, page.name
+
+
 def test_the_viewer_passes_its_own_tests() -> None:
     run_node("--test", "viewer/test/*.test.js")

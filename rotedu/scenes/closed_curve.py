@@ -330,7 +330,7 @@ def names_of_levels(
     for j in (0, 3, 2, 1):
         for k, point in enumerate(levels[j], start=j):
             away = point - middle
-            away *= (-0.13 if j == 3 else 0.13) / max(np.linalg.norm(away), STEP)
+            away *= (-0.13 if j == 3 else 0.13) / max(float(np.linalg.norm(away)), STEP)
             taken = [other for other in places.values() if other is not None]
             gaps = [np.linalg.norm(point + away - other) for other in taken]
             places[j, k] = point + away if min(gaps, default=1) > CROWDED else None

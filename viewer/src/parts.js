@@ -61,7 +61,7 @@ function dress(part, { positions, normals, corners }) {
 /** Move the points of a surface, whose faces stay. */
 function bend(part, points) {
   // Equal parts share their points until one of them moves.
-  if (!part.own) replace(part, part.objects[0].geometry.clone());
+  if (!part.own) replace(part, ownPoints(part.objects[0].geometry));
   const { geometry } = part.objects[0];
   part.own = true;
   const { position, normal } = geometry.attributes;
@@ -69,6 +69,14 @@ function bend(part, points) {
   position.needsUpdate = true;
   if (normal) geometry.computeVertexNormals();
   geometry.boundingSphere = null;
+}
+
+/** A copy whose normals are numbers: stored in bytes, those of small faces would be zero. */
+function ownPoints(geometry) {
+  const own = geometry.clone();
+  const { position, normal } = own.attributes;
+  if (normal) own.setAttribute("normal", new BufferAttribute(new Float32Array(3 * position.count), 3));
+  return own;
 }
 
 /** Draw a part from other points, wherever they are. */

@@ -140,3 +140,13 @@ test("lines of one width, which have another material, keep their color", () => 
   move({ objects, place: {} }, { color: [0, 0, 0] });
   assert.deepEqual(objects, [{ material: { uniforms: {} } }]);
 });
+
+test("small faces that move are lit from the side to which they turn", () => {
+  const geometry = new BufferGeometry();
+  const corners = [[0, 0, 0], [0.01, 0, 0], [0, 0.01, 0]];
+  geometry.setAttribute("position", new BufferAttribute(new Float32Array(corners.flat()), 3));
+  geometry.setAttribute("normal", new BufferAttribute(new Int8Array([0, 0, 127, 0, 0, 127, 0, 0, 127]), 3, true));
+  const part = { objects: [{ geometry, visible: true }], place: {} };
+  move(part, { points: corners.map(([x, y, z]) => [z, x, y]) });
+  assert.deepEqual([...part.objects[0].geometry.attributes.normal.array], [1, 0, 0, 1, 0, 0, 1, 0, 0]);
+});

@@ -8,6 +8,7 @@ from rotedu.colors import AXIS, CROSS, RESULT, VECTOR
 from rotedu.figures import describe
 from rotedu.ordinary_rotation import rotation_matrix, transform
 from rotedu.scenes.parts import (
+    NARROW,
     ORIGIN,
     add_arrow,
     add_coordinate_axes,
@@ -36,7 +37,7 @@ def turning_spoon(steps: int = 5, angle: float = np.deg2rad(288)) -> pyvista.Plo
         The scene.
     """
     n = np.array([0.1, 0.3, 1.0]) / np.linalg.norm([0.1, 0.3, 1.0])
-    plotter = new_scene(eye=(2.35, -3.02, 2.46), target=(0.02, 0.0, 0.2))
+    plotter = new_scene(eye=(2.35, -3.02, 2.46), target=(0.02, 0.0, 0.2), size=NARROW)
     spoon = teaspoon(stations=61, around=24)
     for t in np.linspace(0, 1, steps):
         turned = spoon.copy()
@@ -85,7 +86,7 @@ def four_descriptions(
     after = before.copy()
     after.points = transform(matrix, before.points)
 
-    plotter = new_scene(eye=(4.28, -1.84, 2.6), target=(0.06, 0.0, 0.31), view_angle=20.5)
+    plotter = new_scene((4.28, -1.84, 2.6), (0.06, 0.0, 0.31), view_angle=20.5, size=NARROW)
     plotter.add_mesh(before, color=VECTOR, smooth_shading=True)
     plotter.add_mesh(after, color=RESULT, smooth_shading=True)
     add_coordinate_axes(plotter, 1.1)

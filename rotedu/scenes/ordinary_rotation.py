@@ -11,6 +11,7 @@ from rotedu.figures import Handles, Slider, describe, explorable, read_out
 from rotedu.figures.frames import place_grip, place_part
 from rotedu.ordinary_rotation import rotate, rotation_matrix, transform
 from rotedu.scenes.parts import (
+    NARROW,
     ORIGIN,
     add_arrow,
     add_label,
@@ -230,7 +231,7 @@ def rotated_mesh(
     after.points = transform(rotation_matrix(axis, angle), before.points)
     n = np.asarray(axis, float) / np.linalg.norm(axis)
 
-    plotter = new_scene(eye=(1.3, -2.8, 3.35), target=(0, 0, 0.1))
+    plotter = new_scene(eye=(1.3, -2.8, 3.35), target=(0, 0, 0.1), size=NARROW)
     plotter.add_mesh(before, color=VECTOR, smooth_shading=True)
     plotter.add_mesh(after, color=RESULT, smooth_shading=True)
     add_arrow(plotter, -0.7 * n, 0.9 * n, AXIS)

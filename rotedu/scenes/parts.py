@@ -13,6 +13,8 @@ from rotedu.figures.frames import place_label, place_part
 from rotedu.ordinary_rotation import rotate
 
 SIZE = (720, 480)
+NARROW = (576, 480)
+"""Size of a scene that is about as wide as high: on a phone, its parts are larger."""
 ROUND = (540, 480)
 """Size of a scene with a sphere, which then fills it, also on a phone."""
 FILLED = 0.865

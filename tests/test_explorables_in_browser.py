@@ -174,10 +174,10 @@ def check(name: str, figure: Any) -> dict[str, Any]:
         mine = told[key]
         if isinstance(output.value, str):
             assert mine == output.value, (key, inputs)
-            assert figure.locator(f'output[name="{key}"]').inner_text() == mine
+            assert figure.locator(f'output[name="{key}"]').text_content() == mine
             continue
         np.testing.assert_allclose(mine, output.value, rtol=1e-6, atol=1e-6, err_msg=str(inputs))
-        text = figure.locator(f'output[name="{key}"]').inner_text().replace("\N{MINUS SIGN}", "-")
+        text = figure.locator(f'output[name="{key}"]').text_content().replace("\N{MINUS SIGN}", "-")
         numbers = np.array(text.removesuffix(output.unit).split(), float)
         np.testing.assert_allclose(numbers, np.ravel(mine), atol=0.51 * 10**-output.digits)
     return told
@@ -505,7 +505,7 @@ def test_a_geometry_without_an_answer_stays_pale(open_figure: Callable[..., Any]
     assert "antipodal" in told["refused"]
     scene, line = figure.locator(".scene"), figure.locator(".explorable-status")
     assert line.inner_text() == f"{told['refused'].capitalize()[0]}{told['refused'][1:]}."
-    numbers = " ".join(output.inner_text() for output in figure.locator("output").all())
+    numbers = " ".join(output.text_content() for output in figure.locator("output").all())
     assert set(numbers.split()) == {"–"}
     pale = float(scene.locator("canvas").evaluate("e => getComputedStyle(e).opacity"))
     assert 0.2 < pale < 0.6
@@ -690,7 +690,7 @@ def test_without_scripts_there_is_the_poster(
     page = open_page(f"{site}/{pages['closed_curve_by_hand']}", java_script_enabled=False)
     figure = page.locator('.explorable[data-name="closed-curve-by-hand"]')
     assert figure.locator(".scene-poster").is_visible()
-    assert figure.locator("output[name=speed]").inner_text()
+    assert figure.locator("output[name=speed]").text_content()
     assert figure.locator("input").first.is_disabled()
 
 

@@ -182,6 +182,7 @@ def test_without_scripts_controls_look_dead(
     figure = page.locator('.explorable[data-name="closed-curve-by-hand"]')
     assert float(pale(figure)) < 0.6
     assert all(b.is_disabled() for b in figure.locator("button, input").all())
+    assert not any(chip.is_visible() for chip in figure.locator("a.try").all())
 
 
 def test_graphics_that_stay_away_leave_the_poster(open_figure: Callable[..., Any]) -> None:
@@ -195,6 +196,7 @@ def test_graphics_that_stay_away_leave_the_poster(open_figure: Callable[..., Any
     assert scene.locator(".scene-poster").is_visible()
     assert not scene.locator(".scene-handle").first.is_visible()
     assert figure.locator("button[name=copy]").is_disabled()
+    assert not figure.locator("a.try").first.is_visible()
     page.evaluate("lose.restoreContext()")
     page.wait_for_function("scene => scene.dataset.state === 'live'", arg=scene.element_handle())
     assert line.count() == 0

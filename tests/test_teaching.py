@@ -170,7 +170,7 @@ def test_a_figure_is_live_and_large_and_keeps_its_keys(page: Any) -> None:
 
 
 def test_space_opens_a_folded_answer(page: Any) -> None:
-    answer = page.locator(".presented details > summary").first
+    answer = page.locator(".presented details.sd-dropdown > summary").first
     answer.focus()
     page.keyboard.press("Space")
     assert answer.evaluate("summary => summary.parentElement.open")

@@ -2,6 +2,13 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import * as models from "../rotedu/scenes/models.js";
+import {
+  matrixFromEulerAngles,
+  product,
+  quaternionFromMatrix,
+  quaternionMatrix,
+  rotationMatrix,
+} from "../rotedu/scenes/sphere.js";
 import { answer, difference, read } from "./cases.mjs";
 
 // Frames have six digits.
@@ -101,4 +108,35 @@ test("while one number of Figure 1 moves, what it leaves alone shines", () => {
   assert.deepEqual(halo(["around"]), { paths: arrows, hidden: false });
   assert.deepEqual(halo(["theta"]), { paths: parts.height.paths, hidden: false });
   assert.deepEqual(halo(["around"], { theta: 0 }), { hidden: true });
+});
+
+test("who turns the spoon of Picture 4-e takes its rings along, by the nearest angles", () => {
+  const { spec } = figures.find(({ spec }) => spec.model === "eulerAngles");
+  const led = (inputs) => models.eulerAngles({ ...spec.start, ...inputs }, spec.constants, ["spoon"]);
+  const radians = (angles) => angles.map((angle) => (angle * Math.PI) / 180);
+  const about = (angles, axis, degrees) => {
+    const turn = rotationMatrix(axis, (degrees * Math.PI) / 180);
+    return quaternionFromMatrix(product(turn, matrixFromEulerAngles(...radians(angles))));
+  };
+  const set = ([u, v, w]) => ({ u, v, w });
+  for (const from of [[10, 20, 30], [10, 160, 30], [179, -40, -179], [-100, -130, 50]]) {
+    const spoon = about(from, [1, -2, 2], 2);
+    const { inputs, outputs } = led({ ...set(from), spoon });
+    const { u, v, w } = inputs;
+    const there = matrixFromEulerAngles(...radians([u, v, w]));
+    assert.equal(difference(there, quaternionMatrix(spoon), () => 1e-12), "");
+    assert.deepEqual(outputs.rings, [u, v, w]);
+    [u, v, w].forEach((angle, i) => {
+      assert.ok(Math.abs(angle) <= 180);
+      assert.ok(Math.abs(((angle - from[i] + 540) % 360) - 180) < 4, `${[u, v, w]} from ${from}`);
+    });
+  }
+  // Turned by hand and back, and at the lock, angles stay that fit; 1° aside they leap.
+  assert.deepEqual(led({}).inputs, set([90, 90, 90]));
+  const { u, v, w } = led({ spoon: about([90, 90, 90], [0, 1, 0], -1) }).inputs;
+  assert.ok(Math.abs(v - 89) < 1e-6 && Math.abs(u - w) < 1e-6 && Math.abs(u % 180) < 1e-6);
+  const rings = models.eulerAngles({ ...spec.start, u: 20 }, spec.constants, ["u"]).inputs;
+  assert.deepEqual(Object.keys(rings), ["spoon"]);
+  const wanted = quaternionFromMatrix(matrixFromEulerAngles(...radians([20, 90, 90])));
+  assert.equal(difference(rings.spoon, wanted, () => 1e-12), "");
 });

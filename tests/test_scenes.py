@@ -38,7 +38,13 @@ def test_a_scene_says_what_it_shows_and_keeps_its_labels_in_the_picture(scene) -
 
 
 # Two things side by side; on a phone the sphere is smaller.
-IN_PAIRS = ("animate", "double_cover_by_hand", "grab_the_spoon", "slerp_by_hand")
+IN_PAIRS = (
+    "animate",
+    "double_cover_by_hand",
+    "euler_angles_by_hand",
+    "grab_the_spoon",
+    "slerp_by_hand",
+)
 
 
 def test_a_sphere_fills_its_picture_also_on_a_phone() -> None:

@@ -130,6 +130,16 @@ SHOWN: list[tuple[str, str, dict[str, str]]] = [
             (4, "4 turns", "yes"),
         )
     ),
+    (
+        "three_turns_by_hand",
+        "W V U, axes carried along",
+        {"apart": "0°", "upper": "M(w) M(v) M(u)", "lower": "M(w) M(v) M(u)"},
+    ),
+    ("three_turns_by_hand", "turns of 10°", {"apart": "3°", "lower": "M(u) M(v) M(w)"}),
+    ("three_turns_by_hand", "half turns", {"apart": "0°", "lower": "M(u) M(v) M(w)"}),
+    ("euler_angles_by_hand", "the spoon 1° aside", {"rings": "0 89 0°", "by_slerp": "89°"}),
+    ("euler_angles_by_hand", "v = 30°", {"rings": "90 30 90°", "apart": "1.00°"}),
+    ("euler_angles_by_hand", "the longest way", {"by_angles": "305°", "by_slerp": "119°"}),
     ("figure_1_by_hand", "θ = 90°", {"first": "0.00", "across": "1.00"}),
     ("figure_1_by_hand", "θ = 180°", {"first": "−1.00", "across": "0.00"}),
     ("figure_1_by_hand", "r₂ opposite r", {"first_apart": "0.60", "along_apart": "0.00"}),
@@ -354,3 +364,44 @@ def test_from_the_same_pose_euler_angles_and_slerp_come_home_with_opposite_signs
     for way, sign in (("home by Euler angles", -1), ("home by slerp", 1), ("home by nlerp", 1)):
         outputs = figure.draw(**inputs | {"way": way}).shown.outputs
         assert outputs["q"].value == pytest.approx([sign, 0, 0, 0], abs=1e-12)
+
+
+def test_at_the_lock_a_spoon_turned_by_a_degree_throws_the_rings_round() -> None:
+    figure, inputs = tried("euler_angles_by_hand", "the spoon 1° aside")
+    before, after = (
+        Rotation.from_euler("xyz", [values[key] for key in "uvw"], degrees=True)
+        for values in (figure.start, inputs)
+    )
+    assert np.degrees((after * before.inv()).magnitude()) == pytest.approx(1)
+    assert abs(after.as_matrix() - before.as_matrix()).max() < 0.018
+    assert max(abs(inputs[key] - figure.start[key]) for key in "uvw") == 90
+
+
+def test_the_longest_way_is_the_sum_of_many_small_turns() -> None:
+    _, inputs = tried("euler_angles_by_hand", "the longest way")
+    angles = np.outer(np.linspace(0, 1, 1001), [inputs[key] for key in "uvw"])
+    path = Rotation.from_euler("xyz", angles, degrees=True)
+    turned = np.degrees((path[:-1].inv() * path[1:]).magnitude().sum())
+    assert turned == pytest.approx(304.8, abs=0.1)
+    assert np.degrees(path[-1].magnitude()) == pytest.approx(119.5, abs=0.05)
+
+
+@pytest.mark.parametrize("words", ["", *BY_HAND["three_turns_by_hand"].tries])
+def test_three_turns_end_where_scipy_says(words: str) -> None:
+    """Small letters are fixed axes, capitals go along."""
+    figure, inputs = (
+        tried("three_turns_by_hand", words)
+        if words
+        else (explore(BY_HAND["three_turns_by_hand"]), {})
+    )
+    inputs = figure.start | inputs
+    letters = inputs["order"].replace(" ", "").translate(str.maketrans("UVW", "XYZ"))
+    if inputs["axes"] == "fixed":
+        letters = letters.lower()
+    upper = Rotation.from_euler("xyz", [inputs[key] for key in "uvw"], degrees=True)
+    lower = Rotation.from_euler(
+        letters, [inputs["uvw"["xyz".index(x)]] for x in letters.lower()], degrees=True
+    )
+    apart = np.degrees((upper.inv() * lower).magnitude())
+    assert figure.draw(**inputs).shown.outputs["apart"].value == pytest.approx(apart, abs=1e-5)
+    assert apart == pytest.approx({"": 180, "turns of 10°": 3}.get(words, 0), abs=0.02)

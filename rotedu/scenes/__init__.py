@@ -28,10 +28,9 @@ from rotedu.scenes.control_points import (
 from rotedu.scenes.errata import two_curves
 from rotedu.scenes.general_rotation import (
     euler_angles_by_hand,
-    fixed_and_carried,
     one_for_three,
-    principal_orders,
     stages,
+    three_turns_by_hand,
 )
 from rotedu.scenes.introduction import four_descriptions, turning_spoon
 from rotedu.scenes.ordinary_rotation import figure_1, figure_1_by_hand, rotated_mesh
@@ -78,19 +77,18 @@ __all__ = [
     "figure_6",
     "figure_7",
     "figure_8",
-    "fixed_and_carried",
     "four_descriptions",
     "four_orientations",
     "four_ways_between",
     "grab_the_spoon",
     "letter_f",
     "one_for_three",
-    "principal_orders",
     "reversed_axis",
     "rotated_mesh",
     "slerp_by_hand",
     "stages",
     "teaspoon",
+    "three_turns_by_hand",
     "turning_spoon",
     "two_curves",
     "two_mirrors_by_hand",

@@ -1,5 +1,5 @@
 /* Models of `rotedu.scenes.general_rotation`. */
-import { DEGREES, spread } from "./parts.js";
+import { DEGREES, ORIGIN, spread, turning } from "./parts.js";
 import {
   DegenerateError,
   axisAngle,
@@ -12,33 +12,37 @@ import {
   product,
   quaternionFromMatrix,
   quaternionMatrix,
+  rotate,
   rotationMatrix,
   slerpRotations,
+  transform,
   transpose,
   unit,
 } from "./sphere.js";
 
-const SPOON = 0.8;
+const RINGS = [["u", 0.67], ["v", 0.885], ["w", 1.1]];
+const SPOON = 0.58;
 const STEP = 1e-4;
+const SAME = 1e-9;
 const IDENTITY = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
-const NAMES = ["angles", "slerp", "nlerp"];
+const NAMES = ["angles", "slerp"];
 const PIECES = spread(33);
+const ROUND = spread(49).map((x) => [Math.cos(2 * Math.PI * x), Math.sin(2 * Math.PI * x)]);
+const WHOLE = spread(73).map((x) => 360 * x - 180);
+// Each ring in its own pose, and the place on it that can be seen to be grabbed.
+const FLAT = [([c, s]) => [c, s, 0], ([c, s]) => [c, s, 0], ([c, s]) => [0, c, s]];
+const GRABBED = [[1, 1, 0], [1, 1, 0], [0, 1, 1]];
 const BACK = [0.48, -0.74, 0.47];
 const RIGHT = unit(cross([0, 0, 1], BACK));
-const UP = cross(BACK, RIGHT);
 const SHORT = 0.05;
-const PLACES = [
-  combine(-0.05, UP, 1.3, RIGHT),
-  combine(1.13, UP, -1.75, RIGHT),
-  combine(-0.87, UP, -1.75, RIGHT),
-];
+const PLACE = RIGHT.map((x) => 2.6 * x);
 
 const pose = (angles) => matrixFromEulerAngles(...angles.map((angle) => angle / DEGREES));
 const column = (matrix, k) => matrix.map((row) => row[k]);
 const scaled = (factor, v) => combine(factor, v, 0, v);
 
-/** The ways to a pose, as functions of t: `three_ways`, only the first if the pose is half a turn away. */
-function threeWays(angles) {
+/** The ways to a pose, as functions of t: `two_ways`, only the first if the pose is half a turn away. */
+function twoWays(angles) {
   const end = pose(angles);
   const byAngles = (t) => pose(scaled(t, angles));
   try {
@@ -48,12 +52,7 @@ function threeWays(angles) {
     throw error;
   }
   const { axis, angle } = axisAngle(end);
-  const q = quaternionFromMatrix(end);
-  return [
-    byAngles,
-    (t) => rotationMatrix(axis, t * angle),
-    (t) => quaternionMatrix(combine(1 - t, [1, 0, 0, 0], t, q)),
-  ];
+  return [byAngles, (t) => rotationMatrix(axis, t * angle)];
 }
 
 /** The angle between orientations that are close together. */
@@ -62,14 +61,16 @@ function degreesBetween(before, after) {
   return 2 * DEGREES * Math.asin(length(change) / Math.sqrt(8));
 }
 
-/** The Euler angles of a matrix that are nearest to given ones, in degrees. */
+/** The Euler angles of a matrix that are nearest to given ones, in degrees, which stay if they fit. */
 function nearestAngles(matrix, angles) {
+  const off = pose(angles).flatMap((row, i) => combine(1, row, -1, matrix[i]));
+  if (largest(off) < SAME) return angles;
   const [u, v, w] = anglesOf(matrix).map((angle) => DEGREES * angle);
   const [one, other] = [[u, v, w], [u + 180, 180 - v, w + 180]].map((triple) =>
-    triple.map((angle, i) => remainder(angle - angles[i])),
+    triple.map(remainder),
   );
-  const nearest = largest(one) <= largest(other) ? one : other;
-  return combine(1, angles, 1, nearest);
+  const change = (triple) => largest(triple.map((angle, i) => remainder(angle - angles[i])));
+  return change(one) <= change(other) ? one : other;
 }
 
 const largest = (changes) => Math.max(...changes.map(Math.abs));
@@ -84,74 +85,143 @@ function placed(matrix, place) {
 }
 
 /** `rotedu.scenes.general_rotation.add_gimbals` */
-function gimbals(angles, place) {
-  const axes = { W: [0, 0, 1], V: column(pose([0, 0, angles[2]]), 1), U: column(pose(angles), 0) };
-  const { W, V, U } = axes;
-  const ring = (side) => ({ matrix: placed(transpose([V, side, cross(V, side)]), place) });
-  const parts = { "outer ring": ring(W), "inner ring": ring(U) };
+function gimbals([u, v, w]) {
+  const moved = (turn, point) => combine(1, PLACE, 1, transform(turn, point));
+  const poses = [pose([u, v, w]), pose([0, v, w]), pose([0, 0, w])];
+  const parts = { held: { matrix: placed(poses[0].map((row) => scaled(SPOON, row)), PLACE) } };
+  const grips = { spoon: { at: PLACE, size: SPOON } };
   const labels = {};
+  RINGS.forEach(([name, radius], k) => {
+    const body = ROUND.map((place) => moved(poses[k], scaled(radius, FLAT[k](place))));
+    const corner = scaled(radius / Math.SQRT2, GRABBED[k]);
+    const at = (angle) => [u, v, w].map((x, i) => (i < k ? 0 : i === k ? angle : x));
+    parts[`ring ${name}`] = { paths: [body] };
+    grips[name] = { path: WHOLE.map((angle) => moved(pose(at(angle)), corner)), body };
+  });
+  const axes = { W: [0, 0, 1], V: column(poses[2], 1), U: column(poses[1], 0) };
+  const { W, V, U } = axes;
   const seen = combine(1, U, -dot(U, BACK), BACK);
   const beside = scaled(1 / Math.max(length(seen), SHORT), seen);
+  const [[, inner], [, middle], [, outer]] = RINGS;
   for (const [name, first, last, direction, aside] of [
-    ["W", 1.1, 1.36, W, 0.1],
-    ["V", 0.92, 1.31, V, 0],
-    ["U", 0.8, 0.92, beside, -0.2],
+    ["W", outer, 1.3, W, 0.1],
+    ["V", middle, outer + 0.15, V, 0],
+    ["U", inner, middle, beside, -0.2],
   ]) {
     const axis = axes[name];
     const paths = [1, -1].map((sign) =>
-      [first, last].map((far) => combine(1, place, sign * far, axis)),
+      [first, last].map((far) => combine(1, PLACE, sign * far, axis)),
     );
     parts[`axis ${name}`] = { paths };
-    labels[name] = combine(1, combine(1, place, 1.48, direction), aside, RIGHT);
+    labels[name] = combine(1, combine(1, PLACE, 1.42, direction), aside, RIGHT);
   }
-  return { parts, labels };
+  return { parts, labels, grips };
 }
 
-/** `euler_angles_by_hand` */
-export function eulerAngles({ u, v, w, tilt, t }, { noWay }) {
-  const set = [u, v, w];
-  const level = pose(set);
-  const sideways = column(pose([0, 0, w]), 0);
-  const tilted = product(rotationMatrix(sideways, tilt / DEGREES), level);
-  // What was not tilted keeps its angles, also where others lead to the same pose.
-  const angles = tilt ? nearestAngles(tilted, set) : set;
-  const now = scaled(t, angles);
-  const ways = threeWays(angles);
-  const here = ways.map((way) => way(t));
-  const { parts, labels } = gimbals(now, PLACES[0]);
+const ROW_BACK = [0.49, -0.77, 0.42];
+const ROW_RIGHT = unit(cross([0, 0, 1], ROW_BACK));
+const ROW_UP = cross(ROW_BACK, ROW_RIGHT);
+const ACROSS = [-3.4, -1.35, 0.7, 2.6];
+const DIAL = 0.45;
+const SMALLEST_ARC = 12;
+
+/** `three_turns_by_hand` */
+export function threeTurns({ u, v, w, order, axes }, { factors, carried }) {
+  const angles = { U: u, V: v, W: w };
+  const parts = {};
+  const labels = {};
+  const grips = {};
+  const rows = [
+    ["upper", 1.3, ["U", "V", "W"], false],
+    ["lower", -1.4, order.split(" "), axes === carried],
+  ].map(([row, height, letters, along]) => {
+    let soFar = IDENTITY;
+    const place = (k) => combine(ACROSS[k], ROW_RIGHT, height, ROW_UP);
+    parts[`${row} 0`] = { matrix: placed(soFar, place(0)) };
+    letters.forEach((letter, i) => {
+      const k = i + 1;
+      const own = IDENTITY["UVW".indexOf(letter)];
+      const n = along ? transform(soFar, own) : own;
+      soFar = product(rotationMatrix(n, angles[letter] / DEGREES), soFar);
+      const at = (far) => combine(1, place(k), far, n);
+      parts[`${row} ${k}`] = { matrix: placed(soFar, place(k)) };
+      parts[`${row} axis ${k}`] = { from: at(-1.05), to: at(1.15) };
+      const { arc, head, path } = dial(at(-0.7), n, angles[letter]);
+      parts[`${row} turn ${k}`] = arc;
+      parts[`${row} turn ${k}, head`] = head;
+      if (row === "upper") {
+        labels[letter] = at(1.4);
+        grips[letter.toLowerCase()] = { path };
+      } else {
+        for (const primes of [0, 1, 2]) {
+          labels[`${letter} ${primes}`] = primes === (along ? i : 0) ? at(1.4) : null;
+        }
+      }
+    });
+    const written = along ? letters : letters.toReversed();
+    return { end: soFar, written: written.map((letter) => factors[letter]).join(" ") };
+  });
+  const [upper, lower] = rows;
+  const apart = DEGREES * axisAngle(product(transpose(upper.end), lower.end)).angle;
+  return { parts, labels, grips, outputs: { apart, upper: upper.written, lower: lower.written } };
+}
+
+/** A bent arrow, and the whole dial from -180 to 180 degrees: `add_dial`. */
+function dial(center, n, angle) {
+  const view = combine(1, ROW_BACK, -dot(ROW_BACK, n), n);
+  const zero = rotate(scaled(DIAL / Math.max(length(view), SHORT), view), n, -Math.PI / 4);
+  const moved = (points) => points.map((point) => combine(1, center, 1, point));
+  const path = moved(turning(rotate(zero, n, -Math.PI), n, 2 * Math.PI, 72));
+  if (Math.abs(angle) < SMALLEST_ARC) return { arc: { hidden: true }, head: { hidden: true }, path };
+  const arc = moved(turning(zero, n, angle / DEGREES, 24));
+  const to = arc.at(-1);
+  const ahead = cross(n, combine(1, to, -1, center));
+  const from = combine(1, to, (-0.15 * Math.sign(angle)) / DIAL, ahead);
+  return { arc: { paths: [arc], hidden: false }, head: { from, to, hidden: false }, path };
+}
+
+/** `euler_angles_by_hand`: who turns the spoon takes the rings along, who sets them, the spoon. */
+export function eulerAngles({ u, v, w, spoon, t }, { noWay }, changed) {
+  const turned = RINGS.some(([name]) => changed.includes(name));
+  const led = changed.includes("spoon") && !turned;
+  const angles = led ? nearestAngles(quaternionMatrix(spoon), [u, v, w]) : [u, v, w];
+  const end = pose(angles);
+  const found = quaternionFromMatrix(end);
+  const q = dot(found, spoon) < 0 ? scaled(-1, found) : found;
+  const ways = twoWays(angles);
+  const { parts, labels, grips } = gimbals(angles);
   NAMES.forEach((name, k) => {
     const three = [`${name} spoon`, `${name} path`, `${name} tip`];
     for (const part of three) parts[part] = { hidden: !ways[k] };
     if (!ways[k]) return;
-    const tip = (turn) => combine(1, PLACES[k], SPOON, column(turn, 0));
-    const [spoon, path, point] = three.map((part) => parts[part]);
-    spoon.matrix = placed(here[k].map((row) => scaled(SPOON, row)), PLACES[k]);
-    path.paths = [PIECES.map((x) => tip(ways[k](x)))];
-    point.at = tip(here[k]);
+    const here = ways[k](t);
+    const [body, path, point] = three.map((part) => parts[part]);
+    body.matrix = placed(here.map((row) => scaled(0.97, row)), ORIGIN);
+    path.paths = [PIECES.map((x) => column(ways[k](x), 0))];
+    point.at = column(here, 0);
   });
 
   const [moreU, lessU, moreW] = [[1, 0, 0], [-1, 0, 0], [0, 0, 1]].map((change) =>
-    pose(combine(1, now, 1, change)),
+    pose(combine(1, angles, 1, change)),
   );
-  const path = PIECES.map((x) => ways[0](t * x));
-  const turned = path.slice(1).map((turn, i) => degreesBetween(path[i], turn));
-  const [byAngles, slerp = null, nlerp = null] = ways.map((way) =>
+  const path = PIECES.map(ways[0]);
+  const steps = path.slice(1).map((turn, i) => degreesBetween(path[i], turn));
+  const [byAngles, slerp = null] = ways.map((way) =>
     PIECES.map((x) => degreesBetween(way(x - STEP), way(x + STEP)) / (2 * STEP)),
   );
   return {
     parts,
     labels,
+    grips,
+    inputs: led ? { u: angles[0], v: angles[1], w: angles[2] } : turned ? { spoon: q } : {},
     outputs: {
-      apart: Math.min(degreesBetween(moreU, moreW), degreesBetween(lessU, moreW)),
       rings: angles,
-      ring_change: largest(combine(1, angles, -1, set)),
-      entry_change: largest(tilted.flatMap((row, i) => combine(1, row, -1, level[i]))),
-      by_angles: turned.reduce((sum, x) => sum + x),
-      by_slerp: here[1] ? DEGREES * axisAngle(here[1]).angle : noWay,
-      matrix: here[0],
+      by_angles: steps.reduce((sum, x) => sum + x),
+      by_slerp: ways[1] ? DEGREES * axisAngle(end).angle : noWay,
+      apart: Math.min(degreesBetween(moreU, moreW), degreesBetween(lessU, moreW)),
+      matrix: end,
+      q,
     },
-    charts: {
-      speeds: { "three angles": byAngles, "one turn": slerp, "one turn, uneven": nlerp },
-    },
+    charts: { speeds: { "three angles": byAngles, "one turn": slerp } },
   };
 }

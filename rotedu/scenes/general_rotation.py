@@ -7,14 +7,21 @@ import numpy as np
 import pyvista
 from numpy.typing import ArrayLike, NDArray
 
-from rotedu.arcs import nlerp
 from rotedu.colors import AXIS, CROSS, NEUTRAL, RESULT, VECTOR
 from rotedu.errors import DegenerateError
-from rotedu.figures import Slider, describe, draw_chart, explorable, limit_turning, read_out
-from rotedu.figures.frames import place_part
+from rotedu.figures import (
+    Choice,
+    Poses,
+    Slider,
+    describe,
+    draw_chart,
+    explorable,
+    limit_turning,
+    read_out,
+)
+from rotedu.figures.frames import place_grip, place_part
 from rotedu.general_rotation import (
     axis_angle_from_euler_angles,
-    euler_angles,
     matrix_from_euler_angles,
     perspective,
     rotation_v,
@@ -33,6 +40,7 @@ from rotedu.scenes.parts import (
     add_line,
     add_lines,
     add_point,
+    add_sphere,
     add_thin,
     new_scene,
     shade,
@@ -41,140 +49,142 @@ from rotedu.scenes.parts import (
     turning,
 )
 
+BACK = np.array([0.49, -0.77, 0.42])
+"""The direction out of the picture of `three_turns_by_hand`."""
+DIAL = 0.45
+"""Radius of the bent arrows of `three_turns_by_hand`."""
+# A shorter bent arrow has no room for its head, and a shorter direction has no length of 1.
+SMALLEST_ARC = 12.0
+SHORT = 0.05
+ORDERS = ["U V W", "U W V", "V U W", "V W U", "W U V", "W V U"]
+FIXED, CARRIED = AXES = ["fixed", "carried along"]
 
-def two_rows() -> tuple[pyvista.Plotter, NDArray[np.float64]]:
-    """Open a scene for two rows of four teaspoons; return it and their places, (2, 4, 3)."""
-    back = np.array([0.49, -0.77, 0.42])
-    right = np.cross((0, 0, 1), back)
+
+@explorable(
+    model="threeTurns",
+    constants={"factors": {"U": "M(u)", "V": "M(v)", "W": "M(w)"}, "carried": CARRIED},
+    tries={
+        "W V U, axes carried along": {"axes": CARRIED},
+        "turns of 10°": {"u": 10, "v": 10, "w": 10},
+        "half turns": {"u": 180, "v": 180, "w": 180},
+    },
+    u=Slider(-180, 180, "u, about U, °", step=1, row=False),
+    v=Slider(-180, 180, "v, about V, °", step=1, row=False),
+    w=Slider(-180, 180, "w, about W, °", step=1, row=False),
+    order=Choice("order of the lower row", ORDERS),
+    axes=Choice("its axes", AXES),
+)
+def three_turns_by_hand(
+    u: float = 90, v: float = 90, w: float = 90, order: str = "W V U", axes: str = FIXED
+) -> pyvista.Plotter:
+    """Draw the three principal rotations twice: U, V, W as in (4-1), and in any order.
+
+    Parameters
+    ----------
+    u, v, w : float
+        Angles about U, V and W in degrees.
+    order : str
+        The order of the lower row.
+    axes : str
+        Whether the lower row turns about fixed axes or about axes that the spoon carries along.
+
+    Returns
+    -------
+    pyvista.Plotter
+        The scene.
+    """
+    angles = dict(zip("UVW", np.radians([u, v, w]), strict=True))
+    right = np.cross((0, 0, 1), BACK)
     right /= np.linalg.norm(right)
-    up = np.cross(back, right)
-    across = np.array([-3.35, -1.2, 0.95, 2.9])
-    down = np.array([1.35, -1.4])
-    target = 0.03 * right + 0.2 * up
-    plotter = new_scene(eye=28.6 * back + target, target=target, view_angle=11.7)
-    return plotter, down[:, np.newaxis, np.newaxis] * up + across[:, np.newaxis] * right
+    up = np.cross(BACK, right)
+    target = -0.05 * right + 0.08 * up
+    plotter = new_scene(eye=28.6 * BACK + target, target=target, view_angle=11.2)
+    limit_turning(plotter, 35)
+    ends, products = [], []
+    for row, height, letters, carried in (
+        ("upper", 1.3, "UVW", False),
+        ("lower", -1.4, order.replace(" ", ""), axes == CARRIED),
+    ):
+        places = np.outer([-3.4, -1.35, 0.7, 2.6], right) + height * up
+        so_far = np.eye(3)
+        add_moved(plotter, f"{row} 0", teaspoon(41, 16), so_far, places[0], VECTOR)
+        for k, (letter, place) in enumerate(zip(letters, places[1:], strict=True), 1):
+            own = np.eye(3)["UVW".index(letter)]
+            n = so_far @ own if carried else own
+            so_far = rotation_matrix(n, angles[letter]) @ so_far
+            add_moved(plotter, f"{row} {k}", teaspoon(41, 16), so_far, place, shade(k / 3))
+            ends_of_axis = place - 1.05 * n, place + 1.15 * n
+            add_arrow(plotter, *ends_of_axis, AXIS, radius=0.022, name=f"{row} axis {k}")
+            dial = add_dial(plotter, place - 0.7 * n, n, angles[letter], f"{row} turn {k}")
+            if row == "upper":
+                add_label(plotter, place + 1.4 * n, f"${letter}$", AXIS, name=letter)
+                place_grip(plotter, letter.lower(), path=dial)
+            # Of the names of an axis, one for each number of turns that have carried it, one shows.
+            for primes in range(3 if row == "lower" else 0):
+                shown = place + 1.4 * n if primes == carried * (k - 1) else None
+                name = f"{letter} {primes}"
+                add_label(plotter, shown, prime(letter, primes), AXIS, name=name)
+        ends.append(so_far)
+        products.append(letters if carried else letters[::-1])
 
-
-def add_turned_spoon(
-    plotter: pyvista.Plotter, matrix: ArrayLike, place: ArrayLike, color: object
-) -> None:
-    """Add a small teaspoon, turned by a matrix and put at a place."""
-    spoon = teaspoon(stations=41, around=16)
-    spoon.points = transform(matrix, spoon.points) + np.asarray(place)
-    plotter.add_mesh(spoon, color=color, smooth_shading=True)
-
-
-def add_turn(
-    plotter: pyvista.Plotter, center: ArrayLike, axis: ArrayLike, angle: float, radius: float = 0.36
-) -> None:
-    """Add a bent arrow on the side of the eye that shows an angle about an axis."""
-    n = np.asarray(axis, float)
-    view = np.subtract(plotter.camera.position, center)
-    spoke = view - (view @ n) * n
-    spoke *= radius / np.linalg.norm(spoke)
-    path = np.asarray(center) + rotate(spoke, n, np.linspace(-angle / 2, angle / 2, 25))
-    neck = -max(2, round(24 * 0.16 / (radius * abs(angle)))) - 1
-    add_line(plotter, path[: neck + 1], NEUTRAL, radius=0.018)
-    head = pyvista.Cone(
-        center=(path[neck] + path[-1]) / 2,
-        direction=path[-1] - path[neck],
-        height=float(np.linalg.norm(path[-1] - path[neck])),
-        radius=0.065,
-        resolution=24,
+    apart = degrees_between(ends[0], ends[1])
+    read_out(plotter, "apart", apart, "last spoons apart by", 0, "°", where="picture")
+    for row, letters in zip(("upper", "lower"), products, strict=True):
+        factors = " ".join(f"M({letter.lower()})" for letter in letters)
+        read_out(plotter, row, factors, f"{row} row", where="picture")
+    describe(
+        plotter,
+        "Two rows of four teaspoons, each turned once more than the one to its left, about an axis"
+        f" with a bent arrow. In the upper row the axes are U, then V, then W; in the lower row"
+        f" {order.replace(' ', ', then ')}, {axes}. The last spoons of the rows are"
+        f" {apart:.0f} degrees apart.",
     )
-    add_thin(plotter, head, NEUTRAL)
+    return plotter
 
 
-def add_steps(
+def prime(letter: str, primes: int) -> str:
+    """Write the name of an axis that some turns have carried along."""
+    marks = primes * r"\prime"
+    return rf"${letter}^{{\,{marks}}}$" if marks else f"${letter}$"
+
+
+def add_dial(
     plotter: pyvista.Plotter,
-    row: ArrayLike,
-    turns: Sequence[tuple[str, ArrayLike, float]],
-) -> None:
-    """Show a teaspoon being turned step by step, along a row of places.
+    center: NDArray[np.float64],
+    n: NDArray[np.float64],
+    angle: float,
+    name: str,
+) -> NDArray[np.float64]:
+    """Add a bent arrow on the side of the eye that shows an angle about an axis.
 
     Parameters
     ----------
     plotter : pyvista.Plotter
         The scene.
-    row : array_like, shape (n + 1, 3)
-        Where to show the spoon: before the first turn, and after each turn.
-    turns : sequence of (str, array_like, float)
-        Name, axis and angle in radians of each turn. The axes are fixed in space.
-    """
-    start, *after = np.asarray(row, float)
-    so_far = np.eye(3)
-    add_turned_spoon(plotter, so_far, start, VECTOR)
-    for k, (place, (name, direction, angle)) in enumerate(zip(after, turns, strict=True), 1):
-        n = np.asarray(direction, float)
-        so_far = rotation_matrix(n, angle) @ so_far
-        add_turned_spoon(plotter, so_far, place, shade(k / len(turns)))
-        add_arrow(plotter, place - 1.05 * n, place + 1.15 * n, AXIS, radius=0.022)
-        add_label(plotter, place + 1.4 * n, f"${name}$", AXIS)
-        add_turn(plotter, place - 0.7 * n, n, angle)
-
-
-def principal_orders(
-    angles: ArrayLike = (np.pi / 2, np.pi / 2, np.pi / 2),
-) -> pyvista.Plotter:
-    """Draw the three principal rotations in two orders: U, V, W as in (4-1), and W, V, U.
-
-    Parameters
-    ----------
-    angles : array_like, shape (3,)
-        The angles about U, V and W in radians.
+    center : ndarray, shape (3,)
+        The middle of the dial, on the axis.
+    n : ndarray, shape (3,)
+        The axis, a unit vector.
+    angle : float
+        The angle in radians.
+    name : str
+        Name of the arrow.
 
     Returns
     -------
-    pyvista.Plotter
-        The scene.
+    ndarray, shape (73, 3)
+        The whole dial, from -180 to 180 degrees.
     """
-    turns = list(zip("UVW", np.eye(3), np.asarray(angles, float), strict=True))
-    plotter, rows = two_rows()
-    for row, order in zip(rows, (turns, turns[::-1]), strict=True):
-        add_steps(plotter, row, order)
-    degrees = np.rad2deg([angle for _, _, angle in turns]).round().astype(int)
-    describe(
-        plotter,
-        f"Two rows of four teaspoons. In the upper row the spoon is turned about U by {degrees[0]}"
-        f" degrees, then about V by {degrees[1]}, then about W by {degrees[2]}. In the lower row"
-        " the same turns are made in the opposite order. The last spoons of the rows point in"
-        " different directions.",
-    )
-    return plotter
-
-
-def fixed_and_carried(
-    angles: ArrayLike = (5 * np.pi / 12, -np.pi / 4, np.pi / 3),
-) -> pyvista.Plotter:
-    """Draw two readings of (4-1): about fixed axes, and about axes that the spoon carries along.
-
-    Parameters
-    ----------
-    angles : array_like, shape (3,)
-        The angles about U, V and W in radians.
-
-    Returns
-    -------
-    pyvista.Plotter
-        The scene.
-    """
-    turns = list(zip("UVW", np.eye(3), np.asarray(angles, float), strict=True))
-    names = ("W", r"V^{\,\prime}", r"U^{\,\prime\prime}")
-    carried, so_far = [], np.eye(3)
-    for name, (_, axis, angle) in zip(names, turns[::-1], strict=True):
-        carried.append((name, so_far @ axis, angle))
-        so_far = so_far @ rotation_matrix(axis, angle)
-    plotter, rows = two_rows()
-    for row, order in zip(rows, (turns, carried), strict=True):
-        add_steps(plotter, row, order)
-    describe(
-        plotter,
-        "Two rows of four teaspoons. In the upper row the spoon is turned about the fixed axes U,"
-        " V and W. In the lower row it is turned about W, then about its own axis V', which has"
-        " moved along, then about its own axis U''. The last spoons of both rows have the same"
-        " orientation.",
-    )
-    return plotter
+    view = BACK - (BACK @ n) * n
+    # A quarter turn lies in the middle of what the eye sees.
+    zero = rotate(DIAL * view / max(float(np.linalg.norm(view)), SHORT), n, -np.pi / 4)
+    drawn = bool(abs(np.rad2deg(angle)) >= SMALLEST_ARC)
+    arc = center + turning(zero, n, angle if drawn else 1.0, steps=24)
+    line = add_line(plotter, arc, NEUTRAL, radius=0.018, name=name)
+    ahead = np.sign(angle or 1) * np.cross(n, arc[-1] - center) / DIAL
+    head = add_arrow(plotter, arc[-1] - 0.15 * ahead, arc[-1], NEUTRAL, 0.02, f"{name}, head")
+    line.visibility = head.visibility = drawn
+    return center + turning(rotate(zero, n, -np.pi), n, 2 * np.pi, steps=72)
 
 
 def one_for_three(
@@ -225,34 +235,41 @@ def one_for_three(
     return plotter
 
 
-SPOON = 0.8
-"""Half the length of the spoons of `euler_angles_by_hand`."""
+RINGS = {"u": 0.67, "v": 0.885, "w": 1.1}
+"""Radii of the rings of `euler_angles_by_hand`; each turns with its angle within the next."""
+SPOON = 0.58
+"""Half the length of the spoon within the rings."""
 STEP = 1e-4
-# A shorter direction has no length of 1 in the picture.
-SHORT = 0.05
 NO_WAY = "no unique path: start and end are half a turn apart"
+DOWNWARDS = (np.sqrt(1 / 2), 0, np.sqrt(1 / 2), 0)
 
 
 @explorable(
     model="eulerAngles",
     constants={"noWay": NO_WAY},
-    u=Slider(-180, 180, "final u, about U″", step=1),
-    v=Slider(-180, 180, "final v, about V′", step=1),
-    w=Slider(-180, 180, "final w, about W", step=1),
-    tilt=Slider(-10, 10, "then tilt it sideways by", step=1),
+    tries={
+        "the spoon 1° aside": {"u": 0, "v": 89, "w": 0},
+        "v = 30°": {"v": 30},
+        "the longest way": {"u": 173, "v": -61, "w": 175},
+    },
+    u=Slider(-180, 180, "u, about U″, °", step=1, row=False),
+    v=Slider(-180, 180, "v, about V′, °", step=1, row=False),
+    w=Slider(-180, 180, "w, about W, °", step=1, row=False),
+    spoon=Poses("the spoon"),
     t=Slider(0, 1, "part of the way, t", plays=6),
 )
 def euler_angles_by_hand(
-    u: float = 90, v: float = 90, w: float = 90, tilt: float = 0, t: float = 1
+    u: float = 90, v: float = 90, w: float = 90, spoon: ArrayLike = DOWNWARDS, t: float = 0.5
 ) -> pyvista.Plotter:
-    """Draw three ways to turn to a pose, and the gimbals of its Euler angles.
+    """Draw a spoon in the rings of its Euler angles, and two ways to turn to its pose.
 
     Parameters
     ----------
     u, v, w : float
-        Angles of the pose about U, V and W in degrees. Where `v` is 90 or -90, the gimbals lock.
-    tilt : float
-        Degrees by which the pose is then tilted about the axis that is perpendicular to W and V'.
+        Angles of the pose about U, V and W in degrees. Where `v` is 90 or -90, the rings lock.
+    spoon : array_like, shape (4,)
+        A quaternion of the pose, as the hand has turned the spoon. Only its sign counts here,
+        because the angles say the rest.
     t : float
         Part of the way from the start to the pose, from 0 to 1.
 
@@ -261,62 +278,54 @@ def euler_angles_by_hand(
     pyvista.Plotter
         The scene.
     """
-    set_by_hand = np.array([u, v, w], float)
-    level = pose(set_by_hand)
-    sideways = pose([0, 0, w])[:, 0]
-    tilted = rotation_matrix(sideways, np.deg2rad(tilt)) @ level
-    # What was not tilted keeps its angles, even where others lead to the same pose.
-    angles = nearest_angles(tilted, set_by_hand) if tilt else set_by_hand
-    now = t * angles
+    angles = np.array([u, v, w], float)
+    end = pose(angles)
     back = np.array([0.48, -0.74, 0.47])
     right = np.cross((0, 0, 1), back)
     right /= np.linalg.norm(right)
     up = np.cross(back, right)
-    plotter = new_scene(eye=23.1 * back, target=ORIGIN, view_angle=10)
+    plotter = new_scene(eye=24 * back + 1.37 * right, target=1.37 * right, view_angle=8.05)
     limit_turning(plotter, 35)
-    places = (1.3 * right - 0.05 * up, 1.13 * up - 1.75 * right, -0.87 * up - 1.75 * right)
-    names, colors = ("angles", "slerp", "nlerp"), (CROSS, RESULT, NEUTRAL)
 
+    place = 2.6 * right
+    add_gimbals(plotter, angles, place, right, back)
+    place_grip(plotter, "spoon", at=place, size=SPOON)
+    names, colors, texts = ("angles", "slerp"), (CROSS, RESULT), ("three angles", "one turn")
     steps = np.linspace(0, 1, 33)
     # For each way the pose at t, the path, and what comes just before and after its places.
     times = np.concatenate([[t], steps, steps - STEP, steps + STEP])
-    here, ways, before, after = np.split(three_ways(angles, times), (1, 34, 67), axis=1)
+    here, ways, before, after = np.split(two_ways(angles, times), (1, 34, 67), axis=1)
     unique = len(ways) == len(names)
-    for k, (name, color, place) in enumerate(zip(names, colors, places, strict=True)):
+    for name, turn, color in zip(names, here[[0, -1], 0], colors, strict=True):
+        body = add_moved(plotter, f"{name} spoon", teaspoon(41, 16), 0.97 * turn, ORIGIN, color)
+        body.visibility = unique or name == "angles"
+    # What turns as a whole has come before the ball, behind which only lines are pale.
+    add_sphere(plotter)
+    add_point(plotter, pose(np.zeros(3))[:, 0], VECTOR, 0.05)
+    for k, (name, color, text, side) in enumerate(
+        zip(names, colors, texts, (-0.5, 0.6), strict=True)
+    ):
         exists = unique or k == 0
         path, turn = (ways[k], here[k, 0]) if exists else (ways[0], here[0, 0])
-        if name != "angles":
-            ball = pyvista.Sphere(
-                radius=SPOON, center=tuple(place), theta_resolution=48, phi_resolution=32
-            )
-            plotter.add_mesh(ball, color=NEUTRAL, opacity=0.18, smooth_shading=True)
-        add_point(plotter, place + SPOON * path[0, :, 0], VECTOR, 0.035, name=f"{name} start")
         for part in (
-            add_moved(plotter, f"{name} spoon", teaspoon(41, 16), SPOON * turn, place, color),
-            add_line(plotter, place + SPOON * path[:, :, 0], color, 0.014, name=f"{name} path"),
-            add_point(plotter, place + SPOON * turn[:, 0], color, 0.045, name=f"{name} tip"),
+            add_line(plotter, path[:, :, 0], color, 0.017, name=f"{name} path"),
+            add_point(plotter, turn[:, 0], color, 0.055, name=f"{name} tip"),
         ):
             part.visibility = exists
-    texts = ("three angles", "one turn", "one turn, uneven")
-    below = (1.75, 0.95, 0.95)
-    for text, color, place, far in zip(texts, (CROSS, RESULT, "black"), places, below, strict=True):
-        add_label(plotter, place - far * up, text, color)
-    add_gimbals(plotter, now, places[0], right, back)
+        add_label(plotter, side * right - 1.2 * up, text, color)
 
-    farthest = abs(angles - set_by_hand).max()
-    read_out(plotter, "ring_change", farthest, "the tilt turns a ring by up to", 1, "°")
-    change = abs(tilted - level).max()
-    read_out(plotter, "entry_change", change, "it changes a matrix entry by up to", 3)
-    read_out(plotter, "rings", angles, "the rings end at u, v, w", 1, "°")
-    read_out(plotter, "matrix", here[0, 0], "matrix of the three angles")
-    path = pose(np.multiply.outer(t * steps, angles))
-    turned = degrees_between(path[:-1], path[1:]).sum()
-    read_out(plotter, "by_angles", turned, "three angles turn the spoon through", 0, "°")
-    by_slerp = degrees_between(np.eye(3), here[1, 0]) if unique else NO_WAY
-    read_out(plotter, "by_slerp", by_slerp, "one turn takes it through", 0, "°")
-    nearby = pose(now + np.array([(1, 0, 0), (-1, 0, 0), (0, 0, 1)]))
+    read_out(plotter, "rings", angles, "u, v, w", 0, "°", where="picture")
+    turned = degrees_between(ways[0, :-1], ways[0, 1:]).sum()
+    read_out(plotter, "by_angles", turned, "three angles turn by", 0, "°", where="picture")
+    by_slerp = degrees_between(np.eye(3), end) if unique else NO_WAY
+    read_out(plotter, "by_slerp", by_slerp, "one turn by", 0, "°", where="picture")
+    nearby = pose(angles + np.array([(1, 0, 0), (-1, 0, 0), (0, 0, 1)]))
     apart = degrees_between(nearby[:2], nearby[2]).min()
     read_out(plotter, "apart", apart, "1° of w does what 1° of u does, to within", 2, "°")
+    read_out(plotter, "matrix", end, "matrix of the three angles", where="folded")
+    q = Quaternion.from_matrix(end).components
+    q = q if q @ np.asarray(spoon, float) >= 0 else -q
+    read_out(plotter, "q", q, "quaternion (w x y z)", where="folded")
     draw_chart(
         plotter,
         "speeds",
@@ -326,14 +335,13 @@ def euler_angles_by_hand(
         y=(0, 200),
         label="speed, degrees for a step of 1 in t",
         colors=dict(zip(texts, colors, strict=True)),
-        dashed=texts[2:],
     )
     describe(
         plotter,
-        "Three teaspoons on their way from a level start to the same pose. The one on the right is"
-        " held by two rings, which turn about axes W, V' and U''. The two on the left turn freely"
-        " inside see-through spheres. Lines show the paths of their tips: the same arc in both"
-        " spheres, and another line in the rings.",
+        "On the right a teaspoon is held by three rings, one in the other, which turn about axes"
+        " W, V' and U''. On the left, inside a glass ball, two spoons are on their way from a level"
+        " start to the same pose, one by its three angles and one by a single turn. Lines on the"
+        " ball show the paths of their tips, which part and meet again.",
     )
     return plotter
 
@@ -344,8 +352,8 @@ def pose(angles: ArrayLike) -> NDArray[np.float64]:
     return np.asarray(matrix_from_euler_angles(u, v, w)[..., :3, :3])
 
 
-def three_ways(angles: NDArray[np.float64], t: ArrayLike) -> NDArray[np.float64]:
-    """Turn from the start to a pose by its three angles, by slerp and by nlerp.
+def two_ways(angles: NDArray[np.float64], t: ArrayLike) -> NDArray[np.float64]:
+    """Turn from the start to a pose by its three angles and by slerp.
 
     Parameters
     ----------
@@ -356,9 +364,9 @@ def three_ways(angles: NDArray[np.float64], t: ArrayLike) -> NDArray[np.float64]
 
     Returns
     -------
-    ndarray, shape (3, n, 3, 3)
+    ndarray, shape (2, n, 3, 3)
         The orientations on each of the ways; only the first, shape (1, n, 3, 3), if the pose is
-        half a turn away, where slerp and nlerp have two shortest ways.
+        half a turn away, where slerp has two shortest ways.
     """
     end = pose(angles)
     by_angles = pose(np.multiply.outer(t, angles))
@@ -366,21 +374,12 @@ def three_ways(angles: NDArray[np.float64], t: ArrayLike) -> NDArray[np.float64]
         by_slerp = slerp_rotations(np.eye(3), end, t)
     except DegenerateError:
         return by_angles[np.newaxis]
-    q = nlerp([1, 0, 0, 0], Quaternion.from_matrix(end).components, t)
-    return np.stack([by_angles, by_slerp, Quaternion(q[:, 0], q[:, 1:]).matrix()])
+    return np.stack([by_angles, by_slerp])
 
 
 def degrees_between(before: NDArray[np.float64], after: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return the angles by which some orientations are turned to others."""
     return np.asarray(np.degrees(axis_angle(before.swapaxes(-1, -2) @ after)[1]))
-
-
-def nearest_angles(matrix: NDArray[np.float64], angles: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return the Euler angles of a matrix that are nearest to given ones, in degrees."""
-    u, v, w = np.degrees(euler_angles(matrix))
-    triples = np.array([(u, v, w), (u + 180, 180 - v, w + 180)])
-    changes = (triples - angles + 180) % 360 - 180
-    return np.asarray(angles + changes[abs(changes).max(axis=1).argmin()])
 
 
 def add_moved(
@@ -389,7 +388,7 @@ def add_moved(
     mesh: pyvista.PolyData,
     turn: NDArray[np.float64],
     place: NDArray[np.float64],
-    color: str,
+    color: str | NDArray[np.float64],
 ) -> pyvista.Actor:
     """Add a mesh, turned or scaled by a 3x3 matrix and put at a place."""
     matrix = np.eye(4)
@@ -407,7 +406,7 @@ def add_gimbals(
     right: NDArray[np.float64],
     back: NDArray[np.float64],
 ) -> None:
-    """Add two rings, each turning within the next, for Euler angles in degrees.
+    """Add a spoon in three rings, each turning within the next, for Euler angles in degrees.
 
     Parameters
     ----------
@@ -422,24 +421,40 @@ def add_gimbals(
     back : ndarray, shape (3,)
         The direction out of the picture. The name of U'' lies within it, outside the rings.
     """
-    u = pose(angles)[:, 0]
-    v = pose(angles * (0, 0, 1))[:, 1]
-    w = np.array([0, 0, 1])
-    for name, radius, side in (("outer ring", 1.1, w), ("inner ring", 0.92, u)):
-        hoop = pyvista.ParametricTorus(radius, 0.038, u_res=97, v_res=13)
-        turn = np.column_stack([v, side, np.cross(v, side)])
-        add_moved(plotter, name, hoop, turn, place, NEUTRAL)
-    for name, axis, first, last in (("W", w, 1.1, 1.36), ("V", v, 0.92, 1.31), ("U", u, 0.8, 0.92)):
+    _, v, w = angles
+    add_moved(plotter, "held", teaspoon(41, 16), SPOON * pose(angles), place, CROSS)
+    # The pose of each ring, and the axis beside its own about which it does not turn.
+    poses = {"u": pose(angles), "v": pose([0, v, w]), "w": pose([0, 0, w])}
+    round_about = np.linspace(0, 2 * np.pi, 49)
+    cos, sin, none = np.cos(round_about), np.sin(round_about), np.zeros(49)
+    flat = {"u": (cos, sin, none), "v": (cos, sin, none), "w": (none, cos, sin)}
+    grabbed = {"u": (1, 1, 0), "v": (1, 1, 0), "w": (0, 1, 1)}
+    whole = np.linspace(-180, 180, 73)
+    for k, (name, radius) in enumerate(RINGS.items()):
+        ring = radius * np.stack(flat[name], axis=-1)
+        body = place + transform(poses[name], ring)
+        add_line(plotter, body, NEUTRAL, 0.034, name=f"ring {name}")
+        others = np.where(np.arange(3) > k, angles, 0)
+        corner = radius * np.array(grabbed[name]) / np.sqrt(2)
+        path = place + pose(others + np.outer(whole, np.eye(3)[k])) @ corner
+        place_grip(plotter, name, path=path, body=body)
+    axes = {"W": np.array([0, 0, 1]), "V": poses["w"][:, 1], "U": poses["v"][:, 0]}
+    for (name, axis), first, last in zip(
+        axes.items(),
+        (RINGS["w"], RINGS["v"], RINGS["u"]),
+        (1.3, RINGS["w"] + 0.15, RINGS["v"]),
+        strict=True,
+    ):
         ends = [place + sign * np.outer((first, last), axis) for sign in (1, -1)]
         add_lines(plotter, ends, AXIS, radius=0.026, name=f"axis {name}")
-    seen = u - (u @ back) * back
+    seen = axes["U"] - (axes["U"] @ back) * back
     beside = seen / max(float(np.linalg.norm(seen)), SHORT)
     for name, direction, aside, text in (
-        ("W", w, 0.1, "$W$"),
-        ("V", v, 0, r"$V^{\,\prime}$"),
+        ("W", axes["W"], 0.1, "$W$"),
+        ("V", axes["V"], 0, r"$V^{\,\prime}$"),
         ("U", beside, -0.2, r"$U^{\,\prime\prime}$"),
     ):
-        add_label(plotter, place + 1.48 * direction + aside * right, text, AXIS, name=name)
+        add_label(plotter, place + 1.42 * direction + aside * right, text, AXIS, name=name)
 
 
 def stages(steps: Sequence[ArrayLike] | None = None) -> pyvista.Plotter:

@@ -138,7 +138,10 @@ def add_point(
 
 
 def add_thin(
-    plotter: pyvista.Plotter, mesh: pyvista.PolyData, color: str, name: str | None = None
+    plotter: pyvista.Plotter,
+    mesh: pyvista.PolyData,
+    color: str | NDArray[np.float64],
+    name: str | None = None,
 ) -> pyvista.Actor:
     """Add a thin part, which does not hide the labels behind it, and is pale behind a ball."""
     actor = plotter.add_mesh(

@@ -107,6 +107,11 @@ SPECIAL = {
         {"points": round_about(5), "u": 1.0},
         {"points": round_about(8), "u": 0.5},
     ],
+    "worn_spoons_by_hand": [
+        {"precision": precision, "size": size, "turns": 997.0, "repair": size == "any size"}
+        for precision in ("2 decimals", "3 decimals", "16 bits", "32 bits")
+        for size in ("any size", "about 2°", "about 0.02°")
+    ],
     "control_points_by_hand": [
         ON_ONE_CIRCLE,
         {"step": 1.0},

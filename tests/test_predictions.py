@@ -152,8 +152,8 @@ class TestWhatTheAnswersSay:
             degrees(axis_angle(nearest_rotation(worn))[1]) for worn in scenes.worn_rotations()
         )
         said = answers("06-conclusions")
-        assert f"it is {matrix:.0f} degrees off instead of {quaternion:.0f}" in said
-        assert f"matrix is {matrix:.0f} degrees off, the quaternion {quaternion:.0f}" in said
+        assert f"it is {matrix:.1f} degrees off instead of {quaternion:.0f}" in said
+        assert f"matrix is {matrix:.1f} degrees off, the quaternion {quaternion:.0f}" in said
 
 
 @of_chapters

@@ -21,6 +21,7 @@ from rotedu.figures.explorable import Exploration
 from rotedu.figures.frames import frame_of
 from rotedu.figures.panel import text_of
 from rotedu.quaternions import Quaternion
+from rotedu.scenes.conclusions import random_turns
 from rotedu.scenes.orientations import FILMS
 
 # Figure, words on the chip, outputs.
@@ -154,6 +155,31 @@ SHOWN: list[tuple[str, str, dict[str, str]]] = [
         "mirrors in one plane",
         {"turned": "360°", "home": "yes", "q": "−1.00 0.00 0.00 0.00"},
     ),
+    (
+        "worn_spoons_by_hand",
+        "repair both",
+        {
+            "matrix_off": "5.5°",
+            "quaternion_off": "16°",
+            "matrix_edges": "1.000 1.000 1.000",
+            "quaternion_edges": "1.000 1.000 1.000",
+        },
+    ),
+    (
+        "worn_spoons_by_hand",
+        "after 100 turns",
+        {"matrix_off": "1.6°", "quaternion_off": "5.4°"},
+    ),
+    (
+        "worn_spoons_by_hand",
+        "32 bits",
+        {"matrix_off": "0.000021°", "quaternion_off": "0.00010°"},
+    ),
+    (
+        "worn_spoons_by_hand",
+        "tiny turns, 16 bits",
+        {"matrix_off": "0.0026°", "quaternion_off": "0.0024°"},
+    ),
 ]
 
 
@@ -182,6 +208,29 @@ def test_the_control_point_goes_halfway_straight_ahead_and_jumps_by_almost_a_rig
     # P_i is at 60 degrees of the equator, and two halvings leave a quarter of a turn but for 2.5.
     assert place["the next point straight ahead"] == pytest.approx(90)
     assert place["before the jump"] - place["behind it"] == pytest.approx(90 - 2.5)
+
+
+@pytest.mark.parametrize("words", BY_HAND["worn_spoons_by_hand"].tries)
+def test_rounding_harms_the_products_of_scipy_as_much(words: str) -> None:
+    figure, inputs = tried("worn_spoons_by_hand", words)
+    shown = figure.draw(**inputs).shown.outputs
+    kept = {
+        "2 decimals": lambda x: np.rint(100 * x) / 100,
+        "16 bits": lambda x: x.astype("f2").astype(float),
+        "32 bits": lambda x: x.astype("f4").astype(float),
+    }[inputs["precision"]]
+    home = Rotation.identity()
+    matrix, size, turned = np.eye(3), 1.0, Rotation.identity()
+    turns = [q.components for q in random_turns(inputs["size"])[: round(inputs["turns"])]]
+    for turn in [Rotation.from_quat(q, scalar_first=True) for q in turns] + [None]:
+        turn = turn or home.inv()
+        home = turn * home
+        matrix = kept(turn.as_matrix() @ matrix)
+        q = kept(size * (turn * turned).as_quat())
+        size, turned = np.linalg.norm(q), Rotation.from_quat(q)
+    off = np.degrees([Rotation.from_matrix(matrix).magnitude(), turned.magnitude()])
+    for name, angle in zip(("matrix", "quaternion"), off, strict=True):
+        assert float(shown[f"{name}_off"].value.rstrip("°")) == pytest.approx(angle, rel=0.06)
 
 
 def test_every_chip_has_its_row() -> None:

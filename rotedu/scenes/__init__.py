@@ -13,7 +13,7 @@ from rotedu.scenes.closed_curve import (
     closed_curve_by_hand,
     figure_8,
 )
-from rotedu.scenes.conclusions import worn_rotations, worn_spoons
+from rotedu.scenes.conclusions import worn_rotations, worn_spoons_by_hand
 from rotedu.scenes.control_points import (
     LOOP,
     NEIGHBOURS,
@@ -93,5 +93,5 @@ __all__ = [
     "two_curves",
     "two_mirrors_by_hand",
     "worn_rotations",
-    "worn_spoons",
+    "worn_spoons_by_hand",
 ]

@@ -12,8 +12,9 @@ from typing import Any
 import nbformat
 import numpy as np
 import pytest
+import pyvista
 from browser import QuietHandler, serve
-from demanding import demanding_scene, scene_of_all_looks
+from demanding import SIZE, demanding_scene, scene_of_all_looks
 from PIL import Image
 
 from rotedu.figures.backend import BookFigure, book_figure
@@ -365,6 +366,27 @@ def test_all_looks_are_those_of_the_poster(strict_site: str, open_page: Open) ->
     page = open_page(f"{strict_site}/both.html", device_scale_factor=2)
     for i, scene in enumerate(page.locator(".scene").all()):
         compare_with_poster(bring_live(scene), f"scene {i}")
+
+
+def test_the_ball_is_that_of_the_poster(one: Open) -> None:
+    """Its lines are where they must be, those before clearer than those behind."""
+    scene = one(device_scale_factor=2)
+    scene.page.add_style_tag(content=LIKE_A_POSTER)
+    plotter = demanding_scene()
+    matrix = pyvista.array_from_vtkmatrix(
+        plotter.camera.GetCompositeProjectionTransformMatrix(SIZE[0] / SIZE[1], -1, 1)
+    )
+
+    def opacity(picture: np.ndarray, azimuth: float, height: float) -> float:
+        """The largest opacity of nine pixels about a place of the sphere."""
+        a, b = np.deg2rad([azimuth, height])
+        x, y, _, w = matrix @ [np.cos(a) * np.cos(b), np.sin(a) * np.cos(b), np.sin(b), 1]
+        column, row = ((1 + np.array([x, -y]) / w) * SIZE).round().astype(int)
+        return float(picture[row - 1 : row + 2, column - 1 : column + 2, 3].max() / 255)
+
+    for picture in pictures(bring_live(scene)):
+        before, behind = opacity(picture, -40, 30), opacity(picture, 165, -30)
+        assert opacity(picture, 165, -22) + 0.1 < behind < before - 0.15 < 0.6
 
 
 @pytest.mark.slow

@@ -43,6 +43,7 @@ IN_PAIRS = (
     "double_cover_by_hand",
     "euler_angles_by_hand",
     "grab_the_spoon",
+    "routes_by_hand",
     "slerp_by_hand",
 )
 

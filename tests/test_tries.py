@@ -4,7 +4,7 @@ A new chip gets a row here: the words on it, and the numbers on which its discov
 reader sees them. Where they are not obvious, a test below computes them in another way.
 """
 
-from itertools import pairwise
+from itertools import pairwise, product
 from typing import Any
 
 import numpy as np
@@ -34,6 +34,21 @@ SHOWN: list[tuple[str, str, dict[str, str]]] = [
     ("arcs_of_arcs", "close to the start", {"way_1": "3.1°", "way_2": "6.1°", "way_3": "8.9°"}),
     ("arcs_of_arcs", "even closer", {"way_1": "0.6°", "way_2": "1.2°", "way_3": "1.8°"}),
     ("arcs_of_arcs", "half of every arc", {"way_1": "30.7°", "way_2": "52.7°", "way_3": "62.9°"}),
+    (
+        "routes_by_hand",
+        "a swing to 90°",
+        {"turn": "170.0°", "apart": "0.0°", "signs": "can agree"},
+    ),
+    (
+        "routes_by_hand",
+        "a swing to 100°",
+        {"turn": "190.0°", "apart": "40.0°", "signs": "can agree"},
+    ),
+    (
+        "routes_by_hand",
+        "once right round",
+        {"turn": "0.0°", "apart": "0.0°", "signs": "cannot agree"},
+    ),
     (
         "slerp_by_hand",
         "nlerp hurries in the middle",
@@ -288,6 +303,25 @@ def test_the_middle_of_every_arc_lies_along_the_sum_of_its_ends() -> None:
     ways = [seen[f"way_{j}"].value for j in (1, 2, 3)]
     expected = [np.degrees(angle_between(levels[0][0], level[0])) for level in levels[1:]]
     np.testing.assert_allclose(ways, expected)
+
+
+@pytest.mark.filterwarnings("ignore:.* are almost ")
+def test_routes_part_where_it_is_more_than_half_a_turn_from_double() -> None:
+    parted = set()
+    for poses in np.random.default_rng(9).normal(size=(40, 4, 4)):
+        seen = BY_HAND["routes_by_hand"](poses=poses).shown.outputs
+        parted.add((seen["turn"].value > 180, seen["apart"].value > 1e-6))
+    assert parted == {(False, False), (True, True)}
+
+
+@pytest.mark.parametrize("words", BY_HAND["routes_by_hand"].tries)
+def test_signs_can_agree_if_one_of_all_choices_does(words: str) -> None:
+    figure, inputs = tried("routes_by_hand", words)
+    q = np.array(inputs["poses"])
+    choices = np.array(list(product((1, -1), repeat=4)))[..., np.newaxis] * q
+    products = np.sum(choices * np.roll(choices, -1, axis=1), axis=2)
+    signs = figure.draw(**inputs).shown.outputs["signs"].value
+    assert (products > 0).all(axis=1).any() == (signs == "can agree")
 
 
 def test_past_the_opposite_point_the_arc_swings_to_the_other_side() -> None:

@@ -38,9 +38,8 @@ from rotedu.scenes.orientations import (
     TWO_ORIENTATIONS,
     animate,
     carried_around_by_hand,
-    carried_mesh,
-    four_orientations,
     four_ways_between,
+    routes_by_hand,
 )
 from rotedu.scenes.parts import teaspoon
 from rotedu.scenes.quaternions import (
@@ -63,7 +62,6 @@ __all__ = [
     "camera_arcs",
     "camera_by_hand",
     "carried_around_by_hand",
-    "carried_mesh",
     "closed_curve_by_hand",
     "control_points_by_hand",
     "double_cover_by_hand",
@@ -78,13 +76,13 @@ __all__ = [
     "figure_7",
     "figure_8",
     "four_descriptions",
-    "four_orientations",
     "four_ways_between",
     "grab_the_spoon",
     "letter_f",
     "one_for_three",
     "reversed_axis",
     "rotated_mesh",
+    "routes_by_hand",
     "slerp_by_hand",
     "stages",
     "teaspoon",

@@ -8,6 +8,7 @@ import {
   combine,
   cross,
   dot,
+  double,
   length,
   nearestRotation,
   periodicSpline,
@@ -15,6 +16,7 @@ import {
   quaternionMatrix,
   rotationMatrix,
   slerp,
+  slerpRotations,
   squad,
   transform,
   transpose,
@@ -92,6 +94,89 @@ function triangle([p, q, r]) {
   return s.flatMap((u) => {
     const opposite = slerp(q, r, u);
     return s.map((v) => slerp(p, opposite, v).map((x) => JUST_INSIDE * x));
+  });
+}
+
+const SAMPLES = 25;
+const PLACES = [[-1.62, 0, 0.9], [1.62, 0, 0.9], [1.62, 0, -0.9], [-1.62, 0, -0.9]];
+const MOUNTED = 0.28;
+const SAME = 1e-6;
+
+/** `routes_by_hand` */
+export function routes({ poses, u }, { signs }) {
+  const q = poses.map(unit);
+  const given = q.map(quaternionMatrix);
+  const ways = { route: closedRotationCurve(given, SAMPLES), shortest: shortestWay(given) };
+  const count = given.length * SAMPLES;
+  const here = Math.round(count * u) % count;
+  const between = (r1, r2) => DEGREES * axisAngle(product(transpose(r1), r2)).angle;
+  const apart = ways.route.map((turn, k) => between(turn, ways.shortest[k]));
+
+  const middle = (turn) => turn.map((row) => row[2]);
+  const mounted = (turn, size) => ({ matrix: spoon(turn, middle(turn), size * MOUNTED) });
+  const parts = {};
+  const angles = {};
+  for (const [name, way] of Object.entries(ways)) {
+    parts[name] = { paths: [[...way, way[0]].map(middle)] };
+    const shown = (k, size) => ({
+      ...mounted(way[k], size),
+      hidden: name !== "route" && !(apart[k] > DEGREES * SAME),
+    });
+    for (let k = 0; k < count; k += 5) if (k % SAMPLES) parts[`${name} ${k}`] = shown(k, 0.5);
+    parts[`${name} now`] = shown(here, 1.2);
+    const fromStart = way.map((turn) => between(given[0], turn));
+    angles[name] = given.map((_, i) => {
+      return [...fromStart, fromStart[0]].slice(SAMPLES * i, SAMPLES * (i + 1) + 1);
+    });
+  }
+  const labels = {};
+  given.forEach((turn, k) => {
+    const [x, y, z] = PLACES[k];
+    parts[`mounted ${k}`] = mounted(turn, 1);
+    parts[`R_${k}`] = { matrix: spoon(turn, PLACES[k], 0.5) };
+    labels[`R_${k}`] = [1.27 * x, y, 1.3 * z];
+  });
+  const agree = q.reduce((sign, one, i) => sign * dot(q.at(i - 1), one), 1) > 0;
+  return {
+    parts,
+    labels,
+    grips: { u: { path: parts.route.paths[0] }, poses: { at: PLACES, size: 0.5 } },
+    outputs: {
+      turn: DEGREES * Math.max(...turnsFromDouble(q)),
+      apart: Math.max(...apart),
+      signs: signs[Number(agree)],
+    },
+    charts: { angles },
+  };
+}
+
+/** The curve of Section 5 with the shortest way between two matrices as its arc: `shortest_way`. */
+function shortestWay(given) {
+  const n = given.length;
+  const ends = given.map((here, i) => {
+    const doubled = product(product(here, transpose(given.at(i - 1))), here);
+    const a = slerpRotations(here, slerpRotations(doubled, given[(i + 1) % n], 1 / 2), 1 / 2);
+    return [here, a, product(product(here, transpose(a)), here)];
+  });
+  return ends.flatMap(([here, a], i) => {
+    const [next, , b] = ends[(i + 1) % n];
+    return Array.from({ length: SAMPLES }, (_, k) => {
+      let level = [here, a, b, next];
+      while (level.length > 1) {
+        level = level.slice(1).map((r, j) => slerpRotations(level[j], r, k / SAMPLES));
+      }
+      return level[0];
+    });
+  });
+}
+
+/** How far it is, along the route, from Double of two poses to the next: `turns_from_double`. */
+function turnsFromDouble(q) {
+  return q.map((here, i) => {
+    const [before, after] = [q.at(i - 1), q[(i + 1) % q.length]].map((pose) => {
+      return pose.map((x) => Math.sign(dot(pose, here)) * x);
+    });
+    return 2 * angleBetween(double(before, here), after);
   });
 }
 

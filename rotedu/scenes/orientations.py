@@ -1,13 +1,14 @@
 """Scenes of page 5 IV: an arrow and a teaspoon carried along a curve."""
 
+from itertools import pairwise
+
 import numpy as np
 import pyvista
 from numpy.typing import ArrayLike, NDArray
 
 from rotedu.arcs import angle_between, arc_axis, nlerp, slerp
-from rotedu.closed_curve import closed_curve
 from rotedu.colors import AXIS, CROSS, MATRIX, NEUTRAL, QUATERNION, RESULT, VECTOR
-from rotedu.control_points import control_points
+from rotedu.control_points import double
 from rotedu.figures import (
     Handles,
     Poses,
@@ -37,6 +38,7 @@ from rotedu.orientations import (
 from rotedu.quaternions import Quaternion
 from rotedu.scenes.parts import (
     JUST_INSIDE,
+    ORIGIN,
     add_arrow,
     add_label,
     add_line,
@@ -46,7 +48,6 @@ from rotedu.scenes.parts import (
     add_thin,
     fan,
     new_scene,
-    sphere_scene,
     teaspoon,
     triangle_mesh,
     turning,
@@ -56,6 +57,7 @@ TWO_ORIENTATIONS = ((0, 0, 0), (150, -60, 150))
 """Angles about U, V and W, in degrees, of the orientations of `four_ways_between`."""
 
 
+U, V, W = np.eye(3)
 STATIONS = 9
 """Number of arrows that `carried_around_by_hand` leaves on the way."""
 SIZE = 0.33
@@ -114,7 +116,8 @@ def carried_around_by_hand(
     nearness = 1 + np.sum(p * after)
     area = 2 * np.arctan2(np.linalg.det(p), nearness)
 
-    plotter = sphere_scene(eye=(3.3, 3.3, 3.5))
+    plotter = new_scene(eye=(3.3, 3.3, 3.5), target=ORIGIN)
+    add_sphere(plotter)
     inside = spherical_triangle(p)
     name = place_part(plotter, "inside", points=inside.points)
     plotter.add_mesh(inside, color=RESULT, opacity=0.3, lighting=False, pickable=False, name=name)
@@ -189,52 +192,155 @@ def spherical_triangle(corners: NDArray[np.float64], steps: int = 12) -> pyvista
     )
 
 
-def carried_mesh(
-    rotations: ArrayLike | None = None,
-    between: int = 3,
-    mesh: pyvista.PolyData | None = None,
-) -> pyvista.Plotter:
-    """Draw a mesh carried along a closed curve of orientations.
+def about_v(*degrees: float) -> list[list[float]]:
+    """Return quaternions of a body that points outwards like the hand of a clock, seen along V."""
+    turns = Quaternion.from_axis_angle(V, np.radians(degrees))
+    lean = Quaternion.from_axis_angle(U, np.radians(55))
+    upwards = Quaternion.from_axis_angle(W, np.radians(90))
+    rounded: list[list[float]] = (turns * lean * upwards).components.round(4).tolist()
+    return rounded
+
+
+ROUTE = (
+    (0.3, -0.11, -0.61, 0.72),
+    (0.42, 0.53, -0.25, 0.69),
+    (-0.18, -0.04, -0.88, 0.44),
+    (0.1, -0.1, -0.86, 0.48),
+)
+SAMPLES = 25
+PLACES = np.array([(-1.62, 0, 0.9), (1.62, 0, 0.9), (1.62, 0, -0.9), (-1.62, 0, -0.9)])
+"""Where the given poses are turned, round the ball."""
+MOUNTED = 0.28
+SAME = 1e-6
+SIGNS = ("cannot agree", "can agree")
+
+
+@explorable(
+    model="routes",
+    constants={"signs": SIGNS},
+    tries={
+        "a swing to 90°": {"poses": about_v(0, 90, 10, -60), "u": 0.16},
+        "a swing to 100°": {"poses": about_v(0, 100, 10, -60), "u": 0.16},
+        "once right round": {"poses": about_v(0, 90, 180, 270), "u": 0.16},
+    },
+    poses=Poses([f"spoon {k}" for k in range(4)]),
+    u=Slider(0, 1, "once round, u", step=0.01, plays=10),
+)
+def routes_by_hand(poses: ArrayLike = ROUTE, u: float = 0.36) -> pyvista.Plotter:
+    """Draw a closed curve of orientations along its route, and by shortest ways of matrices.
 
     Parameters
     ----------
-    rotations : array_like, shape (n, 3, 3), optional
-        At least 3 orientations.
-    between : int
-        Number of interpolated orientations to draw between two given ones.
-    mesh : pyvista.PolyData, optional
-        The mesh, centred at the origin. The default is a `teaspoon`. The scene shifts it to the
-        point (0, 0, 1) and turns both about the origin.
+    poses : array_like, shape (4, 4)
+        Four poses as quaternions; they are normalised. The signs do not count.
+    u : float
+        Place on the whole curve, from 0 to 1.
 
     Returns
     -------
     pyvista.Plotter
         The scene.
-    """
-    r = np.asarray(four_orientations() if rotations is None else rotations, float)
-    model = teaspoon(stations=27, around=10) if mesh is None else mesh.copy()
-    model.points = 0.3 * model.points + np.array([0, 0, 1], model.points.dtype)
 
-    plotter = sphere_scene(eye=(4.28, 2.42, 2.51))
-    for k, turn in enumerate(closed_rotation_curve(r, between + 1)):
-        turned = model.copy()
-        turned.points = transform(turn, model.points)
-        color = RESULT if k % (between + 1) else VECTOR
-        plotter.add_mesh(turned, color=color, smooth_shading=True)
-    for path, color in (
-        (closed_rotation_curve(r, 30)[:, :, 2], RESULT),
-        (closed_curve(r[:, :, 2], 30), CROSS),
+    Raises
+    ------
+    rotedu.errors.DegenerateError
+        If two turns are equally short.
+    """
+    q = np.asarray(poses, float)
+    q = q / np.linalg.norm(q, axis=1, keepdims=True)
+    given = matrices(q)
+    ways = {
+        "route": closed_rotation_curve(given, SAMPLES),
+        "shortest": shortest_way(given, np.arange(SAMPLES) / SAMPLES),
+    }
+    colors = {"route": RESULT, "shortest": CROSS}
+    count = len(given) * SAMPLES
+    here = round(count * u) % count
+    _, apart = axis_angle(ways["route"].swapaxes(1, 2) @ ways["shortest"])
+
+    plotter = new_scene(eye=-16 * V, target=ORIGIN, view_angle=11)
+    limit_turning(plotter, 25)
+    add_sphere(plotter)
+    # Where both are the same, the route is seen.
+    for (name, way), radius in zip(ways.items(), (0.014, 0.01), strict=True):
+        middles = [*way[:, :, 2], way[0, :, 2]]
+        add_line(plotter, middles, colors[name], radius, name=name)
+        if name == "route":
+            place_grip(plotter, "u", path=middles)
+        ghosts = {f"{name} {k}": (k, 0.5) for k in range(0, count, 5) if k % SAMPLES}
+        for spoon, (k, size) in (ghosts | {f"{name} now": (here, 1.2)}).items():
+            mounted = add_mounted(plotter, way[k], size * MOUNTED, colors[name], spoon)
+            mounted.visibility = name == "route" or bool(apart[k] > SAME)
+    for k, turn in enumerate(given):
+        add_mounted(plotter, turn, MOUNTED, VECTOR, f"mounted {k}")
+        add_spoon(plotter, turn, PLACES[k], 0.5, VECTOR, f"R_{k}")
+        add_label(plotter, PLACES[k] * (1.27, 1, 1.3), f"$R_{k}$", VECTOR)
+    place_grip(plotter, "poses", at=PLACES, size=0.5)
+
+    turn = max(turns_from_double(q))
+    agree = int(np.prod(np.sum(q * np.roll(q, -1, axis=0), axis=1)) > 0)
+    for output, value, text in (
+        ("turn", np.degrees(turn), "from Double by up to"),
+        ("apart", np.degrees(apart.max()), "routes apart by up to"),
+        ("signs", SIGNS[agree], "signs"),
     ):
-        add_line(plotter, [*path, path[0]], color, radius=0.007)
-    for k, place in enumerate(r[:, :, 2]):
-        add_label(plotter, 1.33 * place, f"$R_{k}$", VECTOR)
+        read_out(plotter, output, value, text, 1, "°", where="picture")
+    from_start = {
+        name: np.degrees(axis_angle(given[0].T @ way)[1]).reshape(-1, SAMPLES)
+        for name, way in ways.items()
+    }
+    draw_chart(
+        plotter,
+        "angles",
+        {
+            name: np.column_stack([angle, np.roll(angle[:, 0], -1)])
+            for name, angle in from_start.items()
+        },
+        over="u",
+        x=(0, 1),
+        y=(0, 180),
+        label="turned from R₀, degrees",
+        colors=colors | {"marks": VECTOR},
+        marks=["R₀", "R₁", "R₂", "R₃"],
+        dashed=["shortest"],
+    )
     describe(
         plotter,
-        f"Teaspoons on a see-through sphere: {len(r)} blue ones, and {between} green ones between"
-        " neighbours, which turn gradually from one to the next. A green line joins the centres of"
-        " all. A purple line through the centres of the blue ones runs elsewhere in between.",
+        "Four blue teaspoons, R0 to R3, stand round a see-through ball and can be turned. On the"
+        " ball, spoons in the same poses lie on a closed curve of orientations: blue ones at the"
+        " given poses, green ones in between, and a larger one on its way. A purple line with"
+        " purple spoons, by the shortest way between matrices, swings out where the longest turn"
+        " is more than half a turn.",
     )
     return plotter
+
+
+def add_mounted(
+    plotter: pyvista.Plotter, rotation: NDArray[np.float64], size: float, color: str, name: str
+) -> pyvista.Actor:
+    """Add a spoon that stands on the ball where its W axis leads out."""
+    return add_spoon(plotter, rotation, rotation[:, 2], size, color, name)
+
+
+def shortest_way(given: NDArray[np.float64], u: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Draw the curve of Section 5 with the shortest way between two matrices as its arc."""
+    before, after = np.roll(given, 1, axis=0), np.roll(given, -1, axis=0)
+    doubled = given @ before.swapaxes(1, 2) @ given
+    a = slerp_rotations(given, slerp_rotations(doubled, after, 1 / 2), 1 / 2)
+    b = given @ a.swapaxes(1, 2) @ given
+    level = [r[:, np.newaxis] for r in (given, a, np.roll(b, -1, axis=0), after)]
+    while len(level) > 1:
+        level = [slerp_rotations(r, s, u) for r, s in pairwise(level)]
+    return level[0].reshape(-1, 3, 3)
+
+
+def turns_from_double(q: NDArray[np.float64]) -> list[float]:
+    """Return how far it is, along the route, from Double of two poses to the next, in radians."""
+    turns = []
+    for before, here, after in zip(np.roll(q, 1, axis=0), q, np.roll(q, -1, axis=0), strict=True):
+        doubled = double(np.sign(before @ here) * before, here)
+        turns.append(2 * float(angle_between(doubled, np.sign(after @ here) * after)))
+    return turns
 
 
 def four_ways_between(
@@ -268,7 +374,8 @@ def four_ways_between(
     euler = matrix_from_euler_angles(*(angles[0] + t[:, np.newaxis] * (angles[1] - angles[0])).T)
     short, long = slerp_rotations(r1, r2, t)[:, :, 0], tips(slerp(q1, -q2, t))
 
-    plotter = sphere_scene(eye=(1.15, 3.3, 4.3), target=(0, 0, 0.05))
+    plotter = new_scene(eye=(1.15, 3.3, 4.3), target=(0, 0, 0.05))
+    add_sphere(plotter)
     for turn, name in ((r1, "$R_1$"), (r2, "$R_2$")):
         spoon = teaspoon(stations=41, around=12)
         spoon.points = transform(turn, spoon.points)
@@ -313,16 +420,6 @@ def add_dashes(
     add_thin(plotter, pyvista.merge(tubes), color)
 
 
-def four_orientations() -> NDArray[np.float64]:
-    """Make the orientations of `carried_mesh`, shape (4, 3, 3)."""
-    p = np.array(((1.0, -0.1, 0.2), (0.8, 0.6, -0.2), (0.3, 0.8, 0.5), (0.4, 0.2, 0.9)))
-    p /= np.linalg.norm(p, axis=1, keepdims=True)
-    side = np.cross(p, control_points(p)[0])
-    side /= np.linalg.norm(side, axis=1, keepdims=True)
-    frames = np.stack([np.cross(side, p), side, p], axis=-1)
-    return frames @ rotation_matrix([0, 0, 1], np.radians([0, 90, 30, -60]))
-
-
 POSES = (
     (0.6, 0.71, -0.19, -0.32),
     (0.67, 0.2, -0.58, -0.41),
@@ -347,7 +444,6 @@ FILMS = {
 """The curves of `animate`, and their colours."""
 JUMPY = ("squad", "the paper's")
 """Those whose velocity does not jump, but whose acceleration does."""
-U, V, W = np.eye(3)
 ROW, RAIL, SHELF = 1.55 * W, 0.72 * W, -0.9 * W
 """Where the given poses, the line of time and the films are."""
 FILMED = 0.63

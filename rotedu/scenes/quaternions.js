@@ -161,8 +161,8 @@ export function grabTheSpoon(inputs, { lamp, inks }, changed) {
     },
     labels: {
       axis: turned ? at(1.03) : null,
-      q: combine(1, point, 0.17, W),
-      "-q": combine(1, opposite, 0.17, W),
+      q: beside(point),
+      "-q": beside(opposite),
     },
     outputs: {
       q: gone.at(-1),
@@ -253,7 +253,7 @@ export function doubleCover({ turns, passed: wanted }, { lamp, on_its_way }) {
     labels: {
       q: hangs ? onRing(angle, 1.6) : null,
       "-q": hangs ? onRing(angle, -1.6) : null,
-      end: combine(1, end, 0.16, ACROSS),
+      end: beside(end),
     },
     grips: { turns: { path: onceForEachTurn() }, passed: { path: wayOfRibbon(turns) } },
     outputs: {
@@ -333,6 +333,8 @@ function onceForEachTurn() {
     return combine(1, HOME, REACH * (1 + 0.01 * t), rotate(U, W, 8 * Math.PI * t));
   });
 }
+
+const beside = (point) => combine(0.9, point, 1, combine(0.1, ACROSS, 0.12, W));
 
 /** Axes and angles of quaternions along a path: `turns_of`. */
 function turnsOf(path) {

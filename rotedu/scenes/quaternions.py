@@ -310,7 +310,7 @@ def grab_the_spoon(
         add_lines(plotter, runs or [[ORIGIN, W]], color, radius, name).visibility = bool(runs)
     for name, place, color, size in (("q", point, RESULT, 0.055), ("-q", opposite, CROSS, 0.04)):
         add_point(plotter, place, color, size, name=name)
-        add_label(plotter, place + 0.17 * W, f"${name}$", color, name=name)
+        add_label(plotter, beside(place), f"${name}$", color, name=name)
     halfway = pyvista.Sphere(radius=0.5, theta_resolution=32, phi_resolution=21)
     plotter.add_mesh(halfway, color=NEUTRAL, opacity=0.1, smooth_shading=True, pickable=False)
     color = RESULT if share > 0.5 else CROSS
@@ -406,7 +406,7 @@ def double_cover_by_hand(turns: float = 2, passed: float = 0.44) -> pyvista.Plot
     runs = pieces(path)
     add_lines(plotter, runs or [[ORIGIN, W]], RESULT, 0.016, "path").visibility = bool(runs)
     add_point(plotter, path[-1], RESULT, 0.05, name="end")
-    add_label(plotter, path[-1] + 0.16 * ACROSS, "$q$", RESULT, name="end")
+    add_label(plotter, beside(path[-1]), "$q$", RESULT, name="end")
     add_ball_of_turns(plotter, RESULT).visibility = bool(shares[-1] > ON_SKIN)
 
     twists = turns - 2 * passed if hangs else ON_ITS_WAY
@@ -602,6 +602,12 @@ def add_ball_of_turns(plotter: pyvista.Plotter, color: str) -> pyvista.Actor:
     # What is inside does not stand behind the glass.
     add_sphere(plotter)
     return skin
+
+
+def beside(point: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return where the name of a point of the ball is: where the glass does not hide it."""
+    place: NDArray[np.float64] = 0.9 * point + 0.1 * ACROSS + 0.12 * W
+    return place
 
 
 def turns_of(path: Quaternion) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

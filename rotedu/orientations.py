@@ -283,11 +283,13 @@ def periodic_spline(values: ClosedValues, samples: Count = 100) -> Vector:
      [0.6875 0.6875]
      [0.     1.    ]]
     """
-    before, after = np.roll(values, 1, axis=-1), np.roll(values, -1, axis=-1)
+    after = np.roll(values, -1, axis=-1)
+    change = (after - np.roll(values, 1, axis=-1))[..., np.newaxis]
     one = np.eye(values.shape[-1])
     cyclic = np.roll(one, -1, axis=0) + 4 * one + np.roll(one, 1, axis=0)
-    rates = np.linalg.solve(cyclic, 3 * (after - before)[..., np.newaxis])[..., 0]
-    return sampled(cubic, [values, rates, np.roll(rates, -1, axis=-1), after], samples)
+    rates = np.linalg.solve(cyclic, 3 * change)[..., 0]
+    next_rates = np.roll(rates, -1, axis=-1)
+    return sampled(cubic, [values, rates, next_rates, after], samples)
 
 
 @checked

@@ -56,13 +56,17 @@ class TestNotebook:
 
     def test_cells_to_try_are_short_and_use_the_figure_of_the_page(self, page: Page) -> None:
         cells = [cell for cell in page.code if "try" in tags(cell) or cell.id.startswith("try-")]
-        figures = [cell for cell in page.code if cell.source.startswith("figure = explore(")]
-        assert not cells or len(figures) == 1
+        figures = [
+            found[1]
+            for cell in page.code
+            if (found := re.match(r"(\w+) = explore\(scenes\.", cell.source))
+        ]
+        assert len(figures) == len(set(figures))
         for cell in cells:
             assert "try" in tags(cell)
             assert cell.id.startswith("try-")
             assert len(cell.source.splitlines()) <= 8
-            assert "figure." in cell.source
+            assert any(f"{name}." in cell.source for name in figures)
 
     def test_compares_what_it_prints(self, page: Page) -> None:
         """Only pictures and timings may go uncompared."""

@@ -365,6 +365,18 @@ class TestSquad:
         assert np.linalg.norm(velocity, axis=-1).min() > 0.1
         assert jumps(acceleration).min() > 1
 
+    @pytest.mark.parametrize("fraction", FRACTIONS)
+    def test_its_acceleration_usually_jumps_more_than_that_of_the_paper_s_curve(
+        self, fraction: float
+    ) -> None:
+        more = []
+        for vectors in np.random.default_rng(10).normal(scale=0.5, size=(40, 5, 3)):
+            q = Rotation.from_rotvec(vectors).as_quat(canonical=True, scalar_first=True)
+            curves = squad(q, 100), closed_curve(q, 100, fraction)
+            of_squad, of_paper = (jumps(one_sided(curve, 100)[1]).max() for curve in curves)
+            more.append(of_squad > of_paper)
+        assert np.mean(more) > 0.9
+
     def test_a_point_moves_four_segments(self) -> None:
         points = random_units(8, 4, rng=np.random.default_rng(9))
         moved = points.copy()

@@ -404,6 +404,14 @@ def test_films_are_as_fast_as_told(words: str) -> None:
         assert 24 * np.degrees(steps.max()) == pytest.approx(fastest, rel=1e-6), name
 
 
+def test_the_spline_of_matrices_whips_round_where_the_page_says() -> None:
+    figure = explore(BY_HAND["animate"])
+    q = np.array(figure.start["poses"])
+    *_, fastest = figure.draw().shown.outputs["fastest"].value
+    assert round(fastest / 24) == 72
+    assert round(np.degrees(2 * np.arccos(q[4] @ q[0]))) == 147
+
+
 def test_acceleration_jumps_as_told() -> None:
     figure = explore(BY_HAND["animate"])
     told = figure.draw().shown.outputs["jumps"].value

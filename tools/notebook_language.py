@@ -33,7 +33,7 @@ EXERCISE = re.compile(r"Exercise (\w+\.\d+)")
 QUESTION = re.compile(rf"\*\*{EXERCISE.pattern}\*\* \((.+), (\d+) minutes?\)\.")
 DIRECTIVE = re.compile(r"\{([\w-]+)\} *(.*)")
 OPTIONS = re.compile(r"(?::[\w-]+:.*\n)*")
-BY_HAND = re.compile(r"(figure = )?explore\(scenes\.")
+BY_HAND = re.compile(r"(\w+ = )?explore\(scenes\.")
 OPTION = re.compile(r":([\w-]+): *(.*)")
 
 MYST = MarkdownIt("commonmark").enable("table").use(dollarmath_plugin, allow_labels=True)

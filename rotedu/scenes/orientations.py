@@ -427,7 +427,7 @@ POSES = (
     (0.96, 0.17, -0.06, -0.22),
     (0.86, -0.45, -0.13, -0.2),
 )
-"""Quaternions whose signs agree. From the last to the first is the widest turn, 140 degrees."""
+"""Quaternions whose signs agree. From the last to the first is the widest turn, 147 degrees."""
 SMALL = tuple((w + 2, x + 1, y - 1, z - 1) for w, x, y, z in POSES)
 FLIPPED = (*POSES[:2], (-0.17, -0.9, 0.3, 0.24), *POSES[3:])
 ALIKE = (*POSES[:4], (0.96, 0.12, -0.08, -0.22))

@@ -374,6 +374,14 @@ def test_a_still_picture_shows_all_views(monkeypatch: pytest.MonkeyPatch) -> Non
     assert (width, height) == (960, 480)
 
 
+def test_a_spoon_that_has_come_home_covers_the_one_at_the_start() -> None:
+    plotter = scenes.worn_spoons_by_hand(turns=0)
+    for name in ("matrix", "quaternion"):
+        first, last = (plotter.actors[part] for part in (f"{name} at the start", name))
+        np.testing.assert_allclose(first.user_matrix, last.user_matrix, atol=1e-12)
+        assert first.mapper.dataset.volume < 0.8 * last.mapper.dataset.volume
+
+
 def test_one_path_of_the_camera_is_thick() -> None:
     for path, other in (("arcs", "curve"), ("curve", "arcs")):
         actors = scenes.camera_by_hand(path=path).actors

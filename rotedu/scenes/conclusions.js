@@ -17,7 +17,7 @@ import {
 const MOST = 1000;
 const SIZES = { "any size": 0, "about 2°": 0.02, "about 0.02°": 0.0002 };
 const EVERY = 10;
-const FLOOR = 1e-6;
+const FLOOR = 1e-8;
 const ACROSS = [0.93, 0.36, 0].map((x) => 0.88 * x);
 const IDENTITY = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
 const ROUNDED = {
@@ -91,15 +91,18 @@ function chains(precision, size) {
     }
     const near = (k) => [nearestRotation(worn.matrix[k]), quaternionMatrix(worn.quaternion[k])];
     const off = (k) => near(k).map((rotation) => DEGREES * axisAngle(rotation).angle);
-    const sampled = worn.matrix.flatMap((_, k) => (k % EVERY ? [] : [off(k)]));
-    known.set(name, { ...worn, near, off, curves: transpose(sampled) });
+    // Only repaired products have curves.
+    let sampled;
+    const curves = () =>
+      (sampled ??= transpose(worn.matrix.flatMap((_, k) => (k % EVERY ? [] : [off(k)]))));
+    known.set(name, { ...worn, near, off, curves });
   }
   return known.get(name);
 }
 
 /** A number with two digits, however small it is: `two_digits`. */
 function twoDigits(value) {
-  return value.toFixed(Math.max(0, 1 - Math.floor(Math.log10(Math.max(value, FLOOR)))));
+  return value.toFixed(value > FLOOR ? Math.max(0, 1 - Math.floor(Math.log10(value))) : 0);
 }
 
 /** `worn_spoons_by_hand` */
@@ -121,8 +124,8 @@ export function wornSpoons({ turns, precision, size, repair }, { degree }) {
     frame.parts[`box, ${name}`] = { paths: EDGES.map((edge) => edge.map(moved)) };
     frame.outputs[`${name}_off`] = repair ? twoDigits(off[i]) + degree : "";
     frame.outputs[`${name}_edges`] = columns.map(length);
-    const heights = worn.curves[i].map((angle) => Math.log10(Math.max(angle, FLOOR)));
-    frame.charts.off[name] = repair ? heights : null;
+    const heights = (angles) => angles.map((angle) => Math.log10(Math.max(angle, FLOOR)));
+    frame.charts.off[name] = repair ? heights(worn.curves()[i]) : null;
   });
   return frame;
 }

@@ -36,9 +36,9 @@ ROUNDED: dict[str, Callable[[NDArray[np.float64]], NDArray[np.float64]]] = {
 """What is left of a number after every turn."""
 SIZES = {"any size": 0.0, "about 2°": 0.02, "about 0.02°": 0.0002}
 """How large turns are: twice as much is the largest angle of small ones, in radians."""
-# The chart shows every tenth number of turns, and nothing below a millionth of a degree.
+# The chart shows every tenth number of turns, and nothing below 1e-8 degrees.
 EVERY = 10
-FLOOR = 1e-6
+FLOOR = 1e-8
 ACROSS = 0.88 * np.array([0.93, 0.36, 0])
 # The spoon at the start is thinner by so much, and one in the same place covers it.
 THINNER = 0.005
@@ -148,7 +148,8 @@ def degrees_off(precision: str, size: str) -> dict[str, NDArray[np.float64]]:
 
 def two_digits(value: float) -> str:
     """Write a number with two digits, however small it is."""
-    return f"{value:.{max(0, 1 - int(np.floor(np.log10(max(value, FLOOR)))))}f}"
+    digits = max(0, 1 - int(np.floor(np.log10(value)))) if value > FLOOR else 0
+    return f"{value:.{digits}f}"
 
 
 @explorable(
@@ -194,7 +195,7 @@ def worn_spoons_by_hand(
     spoon = teaspoon(stations=61, around=20)
     spoon.points = spoon.points / 2
     thin = spoon.copy()
-    thin.points = spoon.points - THINNER * spoon.point_normals
+    thin.points = spoon.points + THINNER * spoon.point_normals
     off = degrees_off(precision, size)
     kept = worn_rotations(round(turns), precision, size)
     if repair:
@@ -228,7 +229,7 @@ def worn_spoons_by_hand(
         },
         over="turns",
         x=(0, MOST),
-        y=(-6, 2),
+        y=(-8, 2),
         label="degrees off once repaired, in powers of ten",
         colors=INKS,
     )

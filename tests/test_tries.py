@@ -42,7 +42,7 @@ SHOWN: list[tuple[str, str, dict[str, str]]] = [
     (
         "routes_by_hand",
         "a swing to 100°",
-        {"turn": "190.0°", "apart": "40.0°", "signs": "can agree"},
+        {"turn": "190.0°", "apart": "39.9°", "signs": "can agree"},
     ),
     (
         "routes_by_hand",

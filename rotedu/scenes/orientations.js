@@ -13,10 +13,10 @@ import {
   nearestRotation,
   periodicSpline,
   product,
+  quaternionFromMatrix,
   quaternionMatrix,
   rotationMatrix,
   slerp,
-  slerpRotations,
   squad,
   transform,
   transpose,
@@ -97,7 +97,7 @@ function triangle([p, q, r]) {
   });
 }
 
-const SAMPLES = 25;
+const SAMPLES = 20;
 const PLACES = [[-1.62, 0, 0.9], [1.62, 0, 0.9], [1.62, 0, -0.9], [-1.62, 0, -0.9]];
 const MOUNTED = 0.28;
 const SAME = 1e-6;
@@ -106,11 +106,14 @@ const SAME = 1e-6;
 export function routes({ poses, u }, { signs }) {
   const q = poses.map(unit);
   const given = q.map(quaternionMatrix);
-  const ways = { route: closedRotationCurve(given, SAMPLES), shortest: shortestWay(given) };
+  const route = closedRotationCurve(given, SAMPLES);
+  const shortest = shortestWay(q);
+  const ways = { route, shortest: shortest.map(quaternionMatrix) };
+  const turned = { route: route.map(quaternionFromMatrix), shortest };
   const count = given.length * SAMPLES;
   const here = Math.round(count * u) % count;
-  const between = (r1, r2) => DEGREES * axisAngle(product(transpose(r1), r2)).angle;
-  const apart = ways.route.map((turn, k) => between(turn, ways.shortest[k]));
+  const between = (p, q) => 2 * DEGREES * angleBetween(p, nearer(p, q));
+  const apart = turned.route.map((turn, k) => between(turn, shortest[k]));
 
   const middle = (turn) => turn.map((row) => row[2]);
   const mounted = (turn, size) => ({ matrix: spoon(turn, middle(turn), size * MOUNTED) });
@@ -124,7 +127,7 @@ export function routes({ poses, u }, { signs }) {
     });
     for (let k = 0; k < count; k += 5) if (k % SAMPLES) parts[`${name} ${k}`] = shown(k, 0.5);
     parts[`${name} now`] = shown(here, 1.2);
-    const fromStart = way.map((turn) => between(given[0], turn));
+    const fromStart = turned[name].map((turn) => between(q[0], turn));
     angles[name] = given.map((_, i) => {
       return [...fromStart, fromStart[0]].slice(SAMPLES * i, SAMPLES * (i + 1) + 1);
     });
@@ -150,33 +153,35 @@ export function routes({ poses, u }, { signs }) {
   };
 }
 
-/** The curve of Section 5 with the shortest way between two matrices as its arc: `shortest_way`. */
-function shortestWay(given) {
-  const n = given.length;
-  const ends = given.map((here, i) => {
-    const doubled = product(product(here, transpose(given.at(i - 1))), here);
-    const a = slerpRotations(here, slerpRotations(doubled, given[(i + 1) % n], 1 / 2), 1 / 2);
-    return [here, a, product(product(here, transpose(a)), here)];
+/** Of a quaternion and its opposite, the one nearer to another. */
+const nearer = (p, q) => (dot(p, q) < 0 ? q.map((x) => -x) : q);
+
+/**
+ * The curve of Section 5 with the shortest way between two matrices as its arc: `shortest_way`. Here
+ * quaternions compute it, faster, with the sign of each chosen anew for every arc.
+ */
+function shortestWay(q) {
+  const shortest = (p, q, t) => slerp(p, nearer(p, q), t);
+  const next = (i) => (i + 1) % q.length;
+  const a = q.map((here, i) => {
+    return shortest(here, shortest(double(q.at(i - 1), here), q[next(i)], 1 / 2), 1 / 2);
   });
-  return ends.flatMap(([here, a], i) => {
-    const [next, , b] = ends[(i + 1) % n];
-    return Array.from({ length: SAMPLES }, (_, k) => {
-      let level = [here, a, b, next];
+  return q.flatMap((here, i) =>
+    Array.from({ length: SAMPLES }, (_, k) => {
+      let level = [here, a[i], double(a[next(i)], q[next(i)]), q[next(i)]];
       while (level.length > 1) {
-        level = level.slice(1).map((r, j) => slerpRotations(level[j], r, k / SAMPLES));
+        level = level.slice(1).map((end, j) => shortest(level[j], end, k / SAMPLES));
       }
       return level[0];
-    });
-  });
+    }),
+  );
 }
 
 /** How far it is, along the route, from Double of two poses to the next: `turns_from_double`. */
 function turnsFromDouble(q) {
   return q.map((here, i) => {
-    const [before, after] = [q.at(i - 1), q[(i + 1) % q.length]].map((pose) => {
-      return pose.map((x) => Math.sign(dot(pose, here)) * x);
-    });
-    return 2 * angleBetween(double(before, here), after);
+    const after = nearer(here, q[(i + 1) % q.length]);
+    return 2 * angleBetween(double(nearer(here, q.at(i - 1)), here), after);
   });
 }
 

@@ -207,7 +207,7 @@ ROUTE = (
     (-0.18, -0.04, -0.88, 0.44),
     (0.1, -0.1, -0.86, 0.48),
 )
-SAMPLES = 25
+SAMPLES = 20
 PLACES = np.array([(-1.62, 0, 0.9), (1.62, 0, 0.9), (1.62, 0, -0.9), (-1.62, 0, -0.9)])
 """Where the given poses are turned, round the ball."""
 MOUNTED = 0.28
@@ -219,14 +219,14 @@ SIGNS = ("cannot agree", "can agree")
     model="routes",
     constants={"signs": SIGNS},
     tries={
-        "a swing to 90°": {"poses": about_v(0, 90, 10, -60), "u": 0.16},
-        "a swing to 100°": {"poses": about_v(0, 100, 10, -60), "u": 0.16},
-        "once right round": {"poses": about_v(0, 90, 180, 270), "u": 0.16},
+        "a swing to 90°": {"poses": about_v(0, 90, 10, -60), "u": 0.1625},
+        "a swing to 100°": {"poses": about_v(0, 100, 10, -60), "u": 0.1625},
+        "once right round": {"poses": about_v(0, 90, 180, 270), "u": 0.1625},
     },
     poses=Poses([f"spoon {k}" for k in range(4)]),
-    u=Slider(0, 1, "once round, u", step=0.01, plays=10),
+    u=Slider(0, 1, "once round, u", step=0.0125, plays=10),
 )
-def routes_by_hand(poses: ArrayLike = ROUTE, u: float = 0.36) -> pyvista.Plotter:
+def routes_by_hand(poses: ArrayLike = ROUTE, u: float = 0.3625) -> pyvista.Plotter:
     """Draw a closed curve of orientations along its route, and by shortest ways of matrices.
 
     Parameters

@@ -554,6 +554,21 @@ def test_a_mirror_is_grabbed_by_its_sheet(open_figure: Callable[..., Any]) -> No
     assert 90 < after["second"] < 150
 
 
+def test_a_chart_is_dragged_wherever_its_names_stand(open_figure: Callable[..., Any]) -> None:
+    figure = live(open_figure("closed_curve_by_hand"))
+    chart = figure.locator("svg[data-handle]").first
+    chart.evaluate("chart => chart.scrollIntoView({block: 'end', behavior: 'instant'})")
+    box, mouse = chart.bounding_box(), figure.page.mouse
+    # Where the name of the second point stands, and a quarter further
+    for share, height in ((0.26, 0.92), (0.51, 0.5)):
+        mouse.move(box["x"] + share * box["width"], box["y"] + height * box["height"])
+        mouse.down()
+        mouse.move(box["x"] + (share + 0.1) * box["width"], box["y"] + 0.5 * box["height"])
+        mouse.up()
+        assert values(figure)["u"] == pytest.approx(share + 0.1, abs=0.01)
+    assert figure.page.evaluate("getSelection().toString()") == ""
+
+
 def test_a_scene_of_three_turns_only_so_far(open_figure: Callable[..., Any]) -> None:
     figure = live(open_figure("euler_angles_by_hand"))
     canvas = figure.locator("canvas")

@@ -29,6 +29,8 @@ const TURN = 2.5 * STEP;
 const RIM = -1e-3;
 // How much of a path is searched to both sides of a finger: it can jump, but not to the next turn.
 const REACH = 0.2;
+// Share of the picture from its border to a handle.
+const BORDER = 0.02;
 const SVG = "http://www.w3.org/2000/svg";
 
 /**
@@ -272,10 +274,12 @@ function scaled(point, factor) {
   return factor === 1 ? point : point.map((x) => x * factor);
 }
 
-/** Put a handle to a place of the picture, in fractions of its size. */
-function put2d({ style }, left, top) {
-  style.left = `${100 * left}%`;
-  style.top = `${100 * top}%`;
+/**
+ * Put a handle to a place of the picture, in fractions of its size. What has left the picture can be
+ * caught at its border.
+ */
+function put2d({ style }, ...place) {
+  [style.left, style.top] = place.map((x) => `${100 * Math.min(1 - BORDER, Math.max(BORDER, x))}%`);
 }
 
 /** Let some keys move a handle, with others by larger and smaller steps. */

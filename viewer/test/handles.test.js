@@ -170,6 +170,14 @@ test("a point at the rim can be caught, whatever rounding says, and one beyond i
   assert.ok(behind(0.5));
 });
 
+test("a handle whose point has left the picture waits at its border", () => {
+  const { live, state, handle } = scene();
+  live.project = ([x, , z]) => ({ left: 0.5 + x, top: 0.5 - z, riding: false });
+  state.inputs.points[0] = [0.8, -0.6, 0];
+  live.draw();
+  assert.deepEqual(place(handle("points-0")), [98, 50]);
+});
+
 test("a near eye sees less than half of the sphere", () => {
   const { live, state, handle } = scene();
   live.eye = () => [0, -2, 0];

@@ -22,6 +22,7 @@ import {
 
 const RINGS = [["u", 0.67], ["v", 0.885], ["w", 1.1]];
 const SPOON = 0.58;
+const SIZES = [0.9, 0.97];
 const STEP = 1e-4;
 const SAME = 1e-9;
 const IDENTITY = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
@@ -151,7 +152,8 @@ export function threeTurns({ u, v, w, order, axes }, { factors, carried }) {
       parts[`${row} turn ${k}, head`] = head;
       if (row === "upper") {
         labels[letter] = at(1.4);
-        grips[letter.toLowerCase()] = { path };
+        const spoon = [-1, 1].map((end) => combine(1, place(k), end, column(soFar, 0)));
+        grips[letter.toLowerCase()] = { path, body: [...path, ...spoon] };
       } else {
         for (const primes of [0, 1, 2]) {
           labels[`${letter} ${primes}`] = primes === (along ? i : 0) ? at(1.4) : null;
@@ -196,7 +198,7 @@ export function eulerAngles({ u, v, w, spoon, t }, { noWay }, changed) {
     if (!ways[k]) return;
     const here = ways[k](t);
     const [body, path, point] = three.map((part) => parts[part]);
-    body.matrix = placed(here.map((row) => scaled(0.97, row)), ORIGIN);
+    body.matrix = placed(here.map((row) => scaled(SIZES[k], row)), ORIGIN);
     path.paths = [PIECES.map((x) => column(ways[k](x), 0))];
     point.at = column(here, 0);
   });

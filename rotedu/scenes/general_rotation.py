@@ -118,7 +118,9 @@ def three_turns_by_hand(
             dial = add_dial(plotter, place - 0.7 * n, n, angles[letter], f"{row} turn {k}")
             if row == "upper":
                 add_label(plotter, place + 1.4 * n, f"${letter}$", AXIS, name=letter)
-                place_grip(plotter, letter.lower(), path=dial)
+                # The dial or the spoon, from end to end.
+                body = np.vstack([dial, place + np.outer([-1, 1], so_far[:, 0])])
+                place_grip(plotter, letter.lower(), path=dial, body=body)
             # Of the names of an axis, one for each number of turns that have carried it, one shows.
             for primes in range(3 if row == "lower" else 0):
                 shown = place + 1.4 * n if primes == carried * (k - 1) else None
@@ -239,6 +241,8 @@ RINGS = {"u": 0.67, "v": 0.885, "w": 1.1}
 """Radii of the rings of `euler_angles_by_hand`; each turns with its angle within the next."""
 SPOON = 0.58
 """Half the length of the spoon within the rings."""
+# Spoons of two sizes: where they lie alike, one is seen.
+SIZES = (0.9, 0.97)
 STEP = 1e-4
 NO_WAY = "no unique path: start and end are half a turn apart"
 DOWNWARDS = (np.sqrt(1 / 2), 0, np.sqrt(1 / 2), 0)
@@ -296,8 +300,8 @@ def euler_angles_by_hand(
     times = np.concatenate([[t], steps, steps - STEP, steps + STEP])
     here, ways, before, after = np.split(two_ways(angles, times), (1, 34, 67), axis=1)
     unique = len(ways) == len(names)
-    for name, turn, color in zip(names, here[[0, -1], 0], colors, strict=True):
-        body = add_moved(plotter, f"{name} spoon", teaspoon(41, 16), 0.97 * turn, ORIGIN, color)
+    for name, turn, color, size in zip(names, here[[0, -1], 0], colors, SIZES, strict=True):
+        body = add_moved(plotter, f"{name} spoon", teaspoon(41, 16), size * turn, ORIGIN, color)
         body.visibility = unique or name == "angles"
     # What turns as a whole has come before the ball, behind which only lines are pale.
     add_sphere(plotter)

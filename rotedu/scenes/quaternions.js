@@ -67,7 +67,7 @@ export function twoMirrors({ first, second, both, letter }, { lamp }) {
       path: round(out(-180, OUTER)),
       body: [-0.24, 0.24].map((far) => out(letter, OUTER + far)),
     },
-    both: { path: round(out(first + between / 2 + 180, INNER)) },
+    both: { path: round(out(first + between / 2 + 130, INNER)) },
   };
   angles.forEach((angle, k) => {
     const name = k + 1;

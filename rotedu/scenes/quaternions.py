@@ -158,8 +158,8 @@ def two_mirrors_by_hand(
         ring.prop.opacity = 0.4
     stem = np.stack([out(letter, OUTER + far) for far in (-0.24, 0.24)])
     place_grip(plotter, "letter", path=turning(out(-180, OUTER), W, 2 * np.pi), body=stem)
-    opposite = out(first + between / 2 + 180, INNER)
-    place_grip(plotter, "both", path=turning(opposite, W, 2 * np.pi))
+    aside = out(first + between / 2 + 130, INNER)
+    place_grip(plotter, "both", path=turning(aside, W, 2 * np.pi))
     # The second mirror is longer: both show where they coincide.
     for name, angle, m, k, size in zip(
         ("first", "second"), angles, (m1, m2), (1, 2), (1.4, 1.65), strict=True

@@ -48,6 +48,7 @@ from rotedu.scenes.parts import (
     add_thin,
     fan,
     new_scene,
+    sphere_scene,
     teaspoon,
     triangle_mesh,
     turning,
@@ -116,8 +117,7 @@ def carried_around_by_hand(
     nearness = 1 + np.sum(p * after)
     area = 2 * np.arctan2(np.linalg.det(p), nearness)
 
-    plotter = new_scene(eye=(3.3, 3.3, 3.5), target=ORIGIN)
-    add_sphere(plotter)
+    plotter = sphere_scene(eye=(3.3, 3.3, 3.5))
     inside = spherical_triangle(p)
     name = place_part(plotter, "inside", points=inside.points)
     plotter.add_mesh(inside, color=RESULT, opacity=0.3, lighting=False, pickable=False, name=name)
@@ -374,8 +374,7 @@ def four_ways_between(
     euler = matrix_from_euler_angles(*(angles[0] + t[:, np.newaxis] * (angles[1] - angles[0])).T)
     short, long = slerp_rotations(r1, r2, t)[:, :, 0], tips(slerp(q1, -q2, t))
 
-    plotter = new_scene(eye=(1.15, 3.3, 4.3), target=(0, 0, 0.05))
-    add_sphere(plotter)
+    plotter = sphere_scene(eye=(1.15, 3.3, 4.3), target=(0, 0, 0.05))
     for turn, name in ((r1, "$R_1$"), (r2, "$R_2$")):
         spoon = teaspoon(stations=41, around=12)
         spoon.points = transform(turn, spoon.points)

@@ -140,3 +140,31 @@ test("who turns the spoon of Picture 4-e takes its rings along, by the nearest a
   const wanted = quaternionFromMatrix(matrixFromEulerAngles(...radians([20, 90, 90])));
   assert.equal(difference(rings.spoon, wanted, () => 1e-12), "");
 });
+
+test("a spoon follows what the hand has set last", () => {
+  const { spec } = figures.find(({ spec }) => spec.model === "grabTheSpoon");
+  const after = (inputs, changed) => {
+    const given = { ...spec.start, ...inputs };
+    return { ...given, ...models.grabTheSpoon(given, spec.constants, changed).inputs };
+  };
+  const pose = [0.5, 0.5, -0.5, 0.5];
+  const turned = after({ spoon: pose }, ["spoon"]);
+  assert.deepEqual([turned.way, turned.along, turned.left], ["by hand", 0, pose]);
+  const begun = after({ ...turned, way: "home by nlerp" }, ["way"]);
+  assert.equal(begun.along, 0);
+  assert.equal(difference(begun.spoon, pose, allowed), "");
+  const slid = after({ ...turned, along: 1 }, ["along"]);
+  assert.equal(slid.way, "home by slerp");
+  assert.equal(difference(slid.spoon, [1, 0, 0, 0], allowed), "");
+  // All ways home begin where the hand has left the spoon.
+  const other = after({ ...slid, way: "home by Euler angles" }, ["way"]);
+  assert.equal(difference(other.spoon, pose, allowed), "");
+});
+
+test("a trail is drawn by hand alone, and the ways of opposites differ by the axis", () => {
+  const { spec } = figures.find(({ spec }) => spec.model === "grabTheSpoon");
+  const frame = (inputs) => models.grabTheSpoon({ ...spec.start, ...inputs }, spec.constants, []);
+  assert.equal(frame({}).trails, undefined);
+  const { trails } = frame({ way: "by hand", spoon: [0, 0.6, 0, 0.8] });
+  assert.equal(difference(trails, { trail: [0.3, 0, 0.4], "opposite trail": [-0.3, 0, -0.4] }, allowed), "");
+});

@@ -189,7 +189,8 @@ const FILMS = ["slerp", "squad", "spline of q", "the paper's", "spline of M"];
 const JUMPY = ["squad", "the paper's"];
 const MOST_POSES = 6;
 const PICTURES = 24;
-const [ROW, RAIL, SHELF] = [1.55, 0.72, -0.9];
+const [ROW, RAIL, SHELF] = [1.12, 0.42, -0.96];
+const TICK = 0.07;
 const FILMED = 0.63;
 
 /** `animate` */
@@ -233,7 +234,7 @@ function timeline(q) {
   const stop = (k, height) => [-2.75 + (5.5 * k) / n, 0, height];
   const given = q.map(quaternionMatrix);
   const every = Array.from({ length: n + 1 }, (_, k) => k);
-  const ticks = every.map((k) => [stop(k, 0.9 * RAIL), stop(k, 1.1 * RAIL)]);
+  const ticks = every.map((k) => [stop(k, RAIL - TICK), stop(k, RAIL + TICK)]);
   const parts = {
     ticks: { paths: ticks },
     again: { matrix: spoon(given[0], stop(n, ROW), size) },
@@ -243,7 +244,7 @@ function timeline(q) {
     const used = k < n;
     const i = Math.min(k, n - 1);
     parts[`R_${k}`] = { matrix: spoon(given[i], stop(i, ROW), size), hidden: !used };
-    labels[`R_${k}`] = used ? stop(k, 0.6 * RAIL) : null;
+    labels[`R_${k}`] = used ? stop(k, RAIL - 4 * TICK) : null;
   }
   return { parts, labels, grips: { poses: { at: given.map((_, k) => stop(k, ROW)), size } } };
 }

@@ -443,8 +443,9 @@ FILMS = {
 """The curves of `animate`, and their colours."""
 JUMPY = ("squad", "the paper's")
 """Those whose velocity does not jump, but whose acceleration does."""
-ROW, RAIL, SHELF = 1.55 * W, 0.72 * W, -0.9 * W
-"""Where the given poses, the line of time and the films are."""
+ROW, RAIL, SHELF = 1.12 * W, 0.42 * W, -0.96 * W
+"""Where the given poses, the line of time and the films are, below the buttons of a phone."""
+TICK = 0.07 * W
 FILMED = 0.63
 """The radius of a ball around a film; on its line, a spoon has as much room as there is."""
 
@@ -552,7 +553,7 @@ def add_timeline(plotter: pyvista.Plotter, q: NDArray[np.float64]) -> None:
     rail = stops[[0, -1]] + RAIL
     add_line(plotter, rail, NEUTRAL, 0.012, name="rail")
     place_grip(plotter, "t", path=rail)
-    ticks = [[stop + 0.9 * RAIL, stop + 1.1 * RAIL] for stop in stops]
+    ticks = [[stop + RAIL - TICK, stop + RAIL + TICK] for stop in stops]
     add_lines(plotter, ticks, NEUTRAL, 0.012, name="ticks")
     place_grip(plotter, "poses", at=stops[:-1] + ROW, size=size)
     given = matrices(q)
@@ -560,10 +561,10 @@ def add_timeline(plotter: pyvista.Plotter, q: NDArray[np.float64]) -> None:
         used, i = k < n, min(k, n - 1)
         actor = add_spoon(plotter, given[i], stops[i] + ROW, size, VECTOR, f"R_{k}")
         actor.visibility = used
-        place = stops[i] + 0.6 * RAIL if used else None
+        place = stops[i] + RAIL - 4 * TICK if used else None
         add_label(plotter, place, f"$R_{k}$", VECTOR, name=f"R_{k}")
     add_spoon(plotter, given[0], stops[-1] + ROW, size, VECTOR, "again").prop.opacity = 0.3
-    add_label(plotter, stops[-1] + 0.6 * RAIL, "$R_0$", VECTOR, name="again")
+    add_label(plotter, stops[-1] + RAIL - 4 * TICK, "$R_0$", VECTOR, name="again")
 
 
 def add_spoon(

@@ -128,6 +128,8 @@ SPECIAL = {
         {"p": P, "q": P},
         {"p": P, "q": [-0.6, 0, -0.8], "flip": True},
     ],
+    # Arrows too short to be drawn.
+    "three_turns_by_hand": [{"u": 0.0, "v": -5.0, "axes": "carried along"}],
     # Without arrows and with the first of them; at home, almost and quite; the shorter way.
     "two_mirrors_by_hand": [
         *({"second": angle} for angle in (1.0, 4.0, 180.0)),

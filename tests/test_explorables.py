@@ -116,6 +116,8 @@ SPECIAL = {
         ON_ONE_CIRCLE,
         {"step": 1.0},
         {"printed_double": True, "step": 3.5},
+        {"printed_double": True},
+        {"printed_axis": True},
     ],
     "double_cover_by_hand": [
         {"turns": n, "passed": passed} for n, passed in ((0, 0), (1, 0.3), (2, 1), (3, 1), (4, 2))

@@ -21,26 +21,21 @@ const FLOOR = 1e-8;
 const ACROSS = [0.93, 0.36, 0].map((x) => 0.88 * x);
 const IDENTITY = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
 const ROUNDED = {
-  "2 decimals": (x) => toWhole(100 * x) / 100,
-  "3 decimals": (x) => toWhole(1000 * x) / 1000,
+  // Ties, which Python rounds to even, do not occur.
+  "2 decimals": (x) => Math.round(100 * x) / 100,
+  "3 decimals": (x) => Math.round(1000 * x) / 1000,
   "16 bits": to16Bits,
   "32 bits": Math.fround,
 };
 const EDGES = edges();
 const known = new Map();
 
-/** The nearest whole number; of two, the even one. */
-function toWhole(x) {
-  const near = Math.round(x);
-  return near - x === 0.5 && near % 2 ? near - 1 : near;
-}
-
 /** A number with the eleven significant bits of 16-bit numbers, fewer near zero. */
 function to16Bits(x) {
   const [, high] = new Uint32Array(new Float64Array([x]).buffer);
   const exponent = ((high >>> 20) & 2047) - 1023;
   const step = 2 ** (Math.max(exponent, -14) - 10);
-  return toWhole(x / step) * step;
+  return Math.round(x / step) * step;
 }
 
 /** The edges of a cube, from corner to corner. */

@@ -17,7 +17,7 @@ from test_explorables_in_browser import (
     turn,
     values,
 )
-from test_figures_in_browser import CONTEXTS, SAVE_DATA, Open, loaded, open_page, settle
+from test_figures_in_browser import CONTEXTS, SAVE_DATA, WAITS, Open, loaded, open_page, settle
 
 __all__ = ["off_screen", "open_figure", "open_page", "pages"]
 
@@ -51,12 +51,6 @@ LATE = """
 LOSE = """() => {
     window.lose = contexts[0].getExtension("WEBGL_lose_context");
     lose.loseContext();
-}"""
-# How long after the page's load event the browser has asked for each file, in milliseconds.
-WAITS = """() => {
-    const [{ loadEventStart }] = performance.getEntriesByType("navigation");
-    return performance.getEntriesByType("resource")
-        .map(({ name, startTime }) => [name, startTime - loadEventStart]);
 }"""
 NO_CLIPBOARD = "Object.defineProperty(navigator, 'clipboard', { value: undefined });"
 

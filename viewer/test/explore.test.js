@@ -221,6 +221,19 @@ test("a link is copied, or else shown to be copied by hand", async () => {
   history.replaceState(null, "", "/");
 });
 
+test("what is said of a link is not talked over by what came before", async ({ mock }) => {
+  mock.timers.enable({ apis: ["setTimeout"] });
+  const { write, find, status } = shown();
+  write("u", "0.5");
+  find("[data-action=link]").click();
+  await Promise.resolve();
+  const said = status();
+  assert.match(said, /link/i);
+  mock.timers.tick(500);
+  assert.equal(status(), said);
+  history.replaceState(null, "", "/");
+});
+
 test("the history keeps the state for Back and for a reload, until Reset", () => {
   const { write, find } = shown();
   write("u", "0.5");

@@ -116,7 +116,7 @@ SHOWN: list[tuple[str, str, dict[str, str]]] = [
     ),
     (
         "camera_by_hand",
-        "along the curve",
+        "once round along the curve",
         {"rolled": "166°", "bends": "door 0°, clock 0°, window 0°, desk 0°"},
     ),
     (

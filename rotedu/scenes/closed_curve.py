@@ -350,17 +350,16 @@ ANGLE = 56.0
     constants={"seen": CAMERA_SEES},
     tries={
         "the corner at the clock": {"u": 0.25},
-        "along the curve": {"path": "curve"},
+        "once round along the curve": {"path": "curve", "u": 1.0},
         "who turns it past the window?": {"path": "curve", "roll": "kept upright", "u": 0.54},
     },
-    # The ring of a target lies on that of the camera.
     u=Slider(0, 1, "once round, u", plays=12),
     targets=Handles(CAMERA_SEES),
     path=Choice("path", ["arcs", "curve"]),
     roll=Choice("camera", ["kept upright", "carried along"]),
 )
 def camera_by_hand(
-    u: float = 1.0,
+    u: float = 0.9,
     targets: ArrayLike = CAMERA_TARGETS,
     path: str = "arcs",
     roll: str = "carried along",

@@ -85,7 +85,7 @@ def page(browser: Any, site: str) -> Iterator[Any]:
     complaints: list[str] = []
     page.on("pageerror", lambda error: complaints.append(str(error)))
     page.goto(f"{site}/book/03-ordinary-rotation.html")
-    present = page.get_by_role("button", name="Present")
+    present = page.get_by_role("button", name="Slides")
     present.focus()
     page.keyboard.press("Enter")
     yield page
@@ -147,7 +147,7 @@ def test_escape_leaves_where_the_reader_was(page: Any) -> None:
     assert -1 < page.locator("#rodrigues-formula > h2").bounding_box()["y"] < 200
     page.keyboard.press("ArrowRight")
     assert len(page.evaluate(VISIBLE)) > 1
-    page.get_by_role("button", name="Present").click()
+    page.get_by_role("button", name="Slides").click()
     assert place(page) == 2
 
 
@@ -196,7 +196,7 @@ def test_the_buttons_of_the_view(page: Any) -> None:
 
 def test_formulas_in_titles_are_announced_once(page: Any) -> None:
     page.goto(page.url.replace("03-ordinary-rotation", "05-control-points"))
-    page.get_by_role("button", name="Present").click()
+    page.get_by_role("button", name="Slides").click()
     for number in range(2, 7):
         assert press(page, "ArrowRight") == number
     said = page.locator("nav[aria-label=Sections] [role=status]").inner_text()
@@ -209,7 +209,7 @@ def test_paper_shows_the_whole_page(page: Any) -> None:
     page.emulate_media(media="print")
     assert len(page.evaluate(VISIBLE)) == page.locator("article section").count()
     assert not page.get_by_role("navigation", name="Sections").is_visible()
-    assert not page.get_by_role("button", name="Present").is_visible()
+    assert not page.get_by_role("button", name="Slides").is_visible()
 
 
 @pytest.mark.parametrize("width", [1280, 390])
@@ -219,7 +219,7 @@ def test_type_is_large_and_nothing_sticks_out(browser: Any, site: str, width: in
         page.goto(f"{site}/book/{name}.html")
         size = "parseFloat(getComputedStyle(document.querySelector('article')).fontSize)"
         before = page.evaluate(size)
-        page.get_by_role("button", name="Present").click()
+        page.get_by_role("button", name="Slides").click()
         assert page.evaluate(size) >= (27 if width == 1280 else before)
         for _ in range(page.locator("article section").count()):
             page.evaluate(UNFOLD)
@@ -232,7 +232,7 @@ def test_the_late_button_does_not_move_the_page(browser: Any, site: str) -> None
     page = browser.new_page()
     page.goto(f"{site}/book/03-ordinary-rotation.html")
     height = "document.querySelector('.page-head').offsetHeight"
-    assert page.get_by_role("button", name="Present").count() == 1
+    assert page.get_by_role("button", name="Slides").count() == 1
     with_button = page.evaluate(height)
     page.evaluate("document.querySelector('.page-head button').remove()")
     assert page.evaluate(height) == with_button
@@ -242,8 +242,8 @@ def test_the_late_button_does_not_move_the_page(browser: Any, site: str) -> None
 def test_only_chapters_with_scripts_offer_to_present(browser: Any, site: str, book: Path) -> None:
     for name in CHAPTERS:
         text = (book / "book" / f"{name}.html").read_text("utf-8")
-        assert "Present" not in re.search(r'<p class="page-head">.*?</p>', text, re.DOTALL)[0]
+        assert "Slides" not in re.search(r'<p class="page-head">.*?</p>', text, re.DOTALL)[0]
     page = browser.new_page()
     page.goto(f"{site}/book/glossary.html")
-    assert page.get_by_role("button", name="Present").count() == 0
+    assert page.get_by_role("button", name="Slides").count() == 0
     page.close()

@@ -34,7 +34,7 @@ if (pageHead) {
   const ends = { Home: 0, End: sections.length - 1 };
   let place = 0;
 
-  pageHead.insertAdjacentHTML("beforeend", ' <button type="button">Present</button>');
+  pageHead.insertAdjacentHTML("beforeend", ' <button type="button">Slides</button>');
   document.body.insertAdjacentHTML(
     "beforeend",
     `<nav class="present-bar" aria-label="Sections">

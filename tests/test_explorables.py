@@ -39,7 +39,7 @@ from rotedu.scenes import quaternions as chapter_2
 
 ROOT = Path(__file__).parents[1]
 SEED = int(os.environ.get("EXPLORE_SEED") or secrets.randbits(32))
-TRIES = 5
+TRIES = 3
 BY_HAND = {name: f for name, f in vars(scenes).items() if hasattr(f, "inputs")}
 WITH_MODEL = {name: f for name, f in BY_HAND.items() if f.model}
 

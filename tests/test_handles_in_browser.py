@@ -161,7 +161,7 @@ def test_on_a_phone_scene_and_charts_are_seen_together(open_figure: Callable[...
 
 
 @pytest.mark.parametrize("size", [(844, 390), (667, 375), (640, 400), (720, 450)])
-@pytest.mark.parametrize("name", [CURVE, "camera_by_hand"])
+@pytest.mark.parametrize("name", [CURVE, pytest.param("camera_by_hand", marks=pytest.mark.slow)])
 def test_a_whole_scene_fits_a_low_screen(
     name: str, size: tuple[int, int], open_figure: Callable[..., Any]
 ) -> None:

@@ -115,9 +115,8 @@ def test_a_drag_that_begins_on_the_poster_goes_on(open_figure: Callable[..., Any
     page.route("**/*.glb", lambda route: held.append(route))
     page.goto(url, wait_until="domcontentloaded")
     figure = page.locator('.explorable[data-name="closed-curve-by-hand"]')
-    figure.locator(".scene").evaluate(
-        "element => element.scrollIntoView({block: 'center', behavior: 'instant'})"
-    )
+    # A page that scrolls would end the drag.
+    in_sight(figure)
     page.mouse.move(x, y)
     page.mouse.down()
     page.mouse.move(x + 4, y + 3, steps=2)

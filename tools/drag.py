@@ -22,14 +22,17 @@ BLOCKS, FRAMES = 4, 20
 
 # Frame after frame does one thing; the intervals between frames and the work in them are returned.
 RUN = """async ([figure, kind, frames]) => {
-    const handle = figure.querySelector('.scene [data-handle]');
     const canvas = figure.querySelector('canvas');
-    const box = (handle ?? canvas).getBoundingClientRect();
-    const [x, y] = [box.left + box.width / 2, box.top + box.height / 2];
+    const middle = ({ left, top, width, height }) => [left + width / 2, top + height / 2];
+    const first = (figure.querySelector('.scene [data-handle]') ?? canvas).getBoundingClientRect();
+    // What the mouse holds may lie over the first handle.
+    figure.held ??= document.elementFromPoint(...middle(first));
+    const { held } = figure;
+    const [x, y] = middle(held.getBoundingClientRect());
     const act = (i) => {
         const angle = i / 4;
         const place = { clientX: x + 9 * Math.cos(angle) - 9, clientY: y + 9 * Math.sin(angle) };
-        if (kind === "drag") handle?.dispatchEvent(new PointerEvent("pointermove", place));
+        if (kind === "drag") held.dispatchEvent(new PointerEvent("pointermove", place));
         else {
             const key = i % 2 ? "ArrowLeft" : "ArrowRight";
             canvas.dispatchEvent(new KeyboardEvent("keydown", { key }));

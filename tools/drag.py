@@ -101,7 +101,9 @@ def figures(browser: Browser, host: str, html: Path, path: str) -> Iterator[tupl
 
 def frames(page: Page, figure: Locator) -> tuple[float, float, float]:
     """Return milliseconds: a frame of turning, a frame of a drag, and the work for a drag."""
-    figure.locator(".scene").evaluate("element => element.scrollIntoView({block: 'center'})")
+    figure.locator(".scene").evaluate(
+        "element => element.scrollIntoView({block: 'center', behavior: 'instant'})"
+    )
     page.mouse.move(3, 3)
     page.mouse.move(9, 9)
     figure.locator(".scene[data-state=live]").wait_for(timeout=60_000)

@@ -34,6 +34,7 @@ from rotedu.scenes.parts import (
     add_point,
     add_sphere,
     new_scene,
+    normalised,
     sphere_scene,
     teaspoon,
     turning,
@@ -76,7 +77,7 @@ def camera_arcs(
     pyvista.Plotter
         The scene.
     """
-    points = np.asarray(targets, float) / np.linalg.norm(targets, axis=-1, keepdims=True)
+    points = normalised(targets)
 
     plotter = sphere_scene(eye=(4.3, -1.9, 3.2), target=(0, 0, 0.06))
     plotter.add_mesh(camera(points[0]), color=NEUTRAL, pickable=False)

@@ -36,6 +36,7 @@ from rotedu.scenes.parts import (
     add_point,
     add_sphere,
     new_scene,
+    normalised,
     sphere_scene,
     turning,
 )
@@ -59,8 +60,7 @@ def figure_8(points: ArrayLike = FIGURE_8, fraction: float = 1 / 2) -> pyvista.P
     pyvista.Plotter
         The scene.
     """
-    p = np.asarray(points, float)
-    p = p / np.linalg.norm(p, axis=1, keepdims=True)
+    p = normalised(points)
     a, b = control_points(p, fraction)
     curve = closed_curve(p, 30, fraction)
 
@@ -172,8 +172,7 @@ def closed_curve_by_hand(
     pyvista.Plotter
         The scene.
     """
-    p = np.asarray(points, float)
-    p = p / np.linalg.norm(p, axis=1, keepdims=True)
+    p = normalised(points)
     n = len(p)
     a, b = control_points(p, fraction)
     control = np.stack([p, a, np.roll(b, -1, axis=0), np.roll(p, -1, axis=0)], axis=1)
@@ -383,8 +382,7 @@ def camera_by_hand(
     pyvista.Plotter
         The scene.
     """
-    p = np.asarray(targets, float)
-    p = p / np.linalg.norm(p, axis=1, keepdims=True)
+    p = normalised(targets)
     legs = legs_between(p)
     ways = {
         "arcs": de_casteljau(legs["arcs"][:, np.newaxis], np.arange(LEG) / LEG).reshape(-1, 3),

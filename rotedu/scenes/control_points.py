@@ -20,6 +20,7 @@ from rotedu.scenes.parts import (
     add_label,
     add_line,
     add_point,
+    normalised,
     sphere_scene,
     turning,
 )
@@ -54,7 +55,7 @@ def neighbours(points: ArrayLike) -> dict[str, NDArray[np.float64]]:
         The three points, the two auxiliary points and the two control points. Their names are the
         labels in figures 3 to 7.
     """
-    before, here, after = np.asarray(points, float) / np.linalg.norm(points, axis=1, keepdims=True)
+    before, here, after = normalised(points)
     reflected = double(before, here)
     middle = bisect(reflected, after)
     a = bisect(here, middle)
@@ -331,7 +332,7 @@ def control_points_by_hand(
     pyvista.Plotter
         The scene.
     """
-    before, here, held = np.asarray(points, float) / np.linalg.norm(points, axis=1, keepdims=True)
+    before, here, held = normalised(points)
     axis = arc_axis(before, here) if one_circle else np.eye(3)[2]
     after = np.cross(arc_axis(axis, held), axis) if one_circle else held
     ahead = step - np.arange(4)
@@ -450,7 +451,7 @@ def reversed_axis(points: ArrayLike = LOOP, samples: int = 24) -> pyvista.Plotte
     pyvista.Plotter
         The scene.
     """
-    p = np.asarray(points, float) / np.linalg.norm(points, axis=1, keepdims=True)
+    p = normalised(points)
     a, b = astray(p)
     after = np.roll(p, -1, axis=0)
     control = np.stack([p, a, np.roll(b, -1, axis=0), after], axis=1)

@@ -48,6 +48,7 @@ from rotedu.scenes.parts import (
     add_thin,
     fan,
     new_scene,
+    normalised,
     sphere_scene,
     teaspoon,
     triangle_mesh,
@@ -101,8 +102,7 @@ def carried_around_by_hand(
     pyvista.Plotter
         The scene.
     """
-    p = np.asarray(corners, float)
-    p = p / np.linalg.norm(p, axis=1, keepdims=True)
+    p = normalised(corners)
     after = np.roll(p, -1, axis=0)
     axes, angles = arc_axis(p, after), angle_between(p, after)
     start, ahead = p[0], np.cross(axes[0], p[0])
@@ -246,8 +246,7 @@ def routes_by_hand(poses: ArrayLike = ROUTE, u: float = 0.3625) -> pyvista.Plott
     rotedu.errors.DegenerateError
         If two turns are equally short.
     """
-    q = np.asarray(poses, float)
-    q = q / np.linalg.norm(q, axis=1, keepdims=True)
+    q = normalised(poses)
     given = matrices(q)
     ways = {
         "route": closed_rotation_curve(given, SAMPLES),
@@ -479,8 +478,7 @@ def animate(poses: ArrayLike = POSES, t: float = 0.885, fraction: float = 1 / 2)
     pyvista.Plotter
         The scene.
     """
-    q = np.asarray(poses, float)
-    q = q / np.linalg.norm(q, axis=1, keepdims=True)
+    q = normalised(poses)
     n = len(q)
     films = films_through(q, fraction)
 

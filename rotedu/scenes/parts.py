@@ -239,6 +239,11 @@ def add_angle(
     add_label(plotter, place * rim[len(rim) // 2], text)
 
 
+def normalised(vectors: ArrayLike) -> NDArray[np.float64]:
+    """Scale points or quaternions, shape (..., k), to length 1."""
+    return np.asarray(np.divide(vectors, np.linalg.norm(vectors, axis=-1, keepdims=True)))
+
+
 def turning(
     point: ArrayLike, axis: ArrayLike, angle: float, steps: int = 48
 ) -> NDArray[np.float64]:

@@ -45,7 +45,7 @@ async function forPages(folder) {
     entryPoints: [join(here, "src/loader.js")],
     outdir: folder,
     format: "iife",
-    define: { BALL, VIEWER: JSON.stringify(viewer), BY_HAND: JSON.stringify(byHand) },
+    define: { VIEWER: JSON.stringify(viewer), BY_HAND: JSON.stringify(byHand) },
   });
   await copyFile(join(here, "scene.css"), join(folder, "scene.css"));
 }

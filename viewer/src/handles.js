@@ -4,6 +4,7 @@
  * picture; a path can be grabbed anywhere, or in its place a body that turns with the number.
  */
 import { alongSphere, carried, isClosed, nearest, pointOf, rolling } from "./drag.js";
+import { ALONG, drag, stepped } from "./hold.js";
 import { numberText, titleOf } from "./speak.js";
 
 const HINTS = {
@@ -142,7 +143,7 @@ function addBody({ layer, live, now, change, grips }, { name, spec }, i) {
     const [right] = live.axes();
     const { left, top } = live.project(middle);
     const rim = live.project(middle.map((x, k) => x + size * right[k]));
-    return { left, top, width: Math.hypot(rim.left - left, 0) };
+    return { left, top, width: Math.abs(rim.left - left) };
   };
   /** A place in radii from the middle of the body. */
   const within = ({ share, aspect }) => {
@@ -194,8 +195,7 @@ function addPath({ layer, live, now, change, grips }, { name, spec }) {
     const beyond = number < low || number > high;
     const lap = high - low;
     const within = beyond && isClosed(path()) ? number - lap * Math.floor((number - low) / lap) : number;
-    const whole = low + step * Math.round((within - low) / step);
-    change({ [name]: Math.min(high, Math.max(low, whole)) });
+    change({ [name]: stepped(spec, within) });
   };
   /** A path in the picture, in units of its width. */
   const flat = (points, aspect) =>
@@ -228,8 +228,7 @@ function addPath({ layer, live, now, change, grips }, { name, spec }) {
     }),
   });
   drag(line, layer, { ...hands, focus: handle });
-  const steps = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1 };
-  keys(handle, steps, (way, size) => put(now()[name] + way * Math.max(step, step * size)));
+  keys(handle, ALONG, (way, size) => put(now()[name] + way * Math.max(step, step * size)));
   return {
     name() {
       handle.setAttribute("aria-valuenow", now()[name]);
@@ -291,36 +290,4 @@ function keys(handle, ways, move) {
     event.stopPropagation();
     move(way, (event.shiftKey ? STEPS.Shift : 1) * (event.altKey ? STEPS.Alt : 1));
   });
-}
-
-/**
- * Let a pointer drag an element over the picture.
- * @param {{grab: function, move: function, drop?: function, focus?: HTMLElement}} hands what to do; a
- *   place is given in fractions of the picture, whose aspect is its width over its height
- * @returns a function that tells whether it is held
- */
-function drag(element, layer, { grab, move, drop, focus = element }) {
-  let grip = null;
-  const at = ({ clientX, clientY }) => {
-    const { left, top, width, height } = layer.getBoundingClientRect();
-    return { share: [(clientX - left) / width, (clientY - top) / height], aspect: width / height };
-  };
-  element.addEventListener("pointerdown", (event) => {
-    if (event.button !== 0) return;
-    event.preventDefault();
-    focus.focus({ preventScroll: true });
-    element.setPointerCapture(event.pointerId);
-    grip = grab(at(event));
-  });
-  element.addEventListener("pointermove", (event) => {
-    if (grip) move(grip, at(event));
-  });
-  for (const kind of ["pointerup", "pointercancel"]) {
-    element.addEventListener(kind, () => {
-      const held = grip;
-      grip = null;
-      if (held) drop?.();
-    });
-  }
-  return () => grip !== null;
 }

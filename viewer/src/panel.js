@@ -1,4 +1,5 @@
 /* The controls, numbers and charts below a figure, as `rotedu.figures.panel` writes them. */
+import { ALONG, drag, stepped } from "./hold.js";
 import { numberText, statement } from "./speak.js";
 
 const ROUNDING = 1e-9;
@@ -36,10 +37,8 @@ export function bindPanel(element, specs, now, { change, reset, link, follow }) 
 
   const player = playing(element, specs, now, change);
   const scrub = (name, value) => {
-    const { low, high, step } = specs[name];
     player.stop();
-    const whole = low + step * Math.round((value - low) / step);
-    change({ [name]: Math.min(high, Math.max(low, whole)) });
+    change({ [name]: stepped(specs[name], value) });
   };
   const charts = new Map(
     all("[data-chart]").map((chart) => [chart.dataset.chart, bindChart(chart, specs, now, scrub)]),
@@ -153,24 +152,16 @@ function grabbed(plot, name, { low, high }, { to, by }) {
   const attributes = { role: "slider", tabindex: 0, "aria-valuemin": low, "aria-valuemax": high };
   for (const [key, value] of Object.entries(attributes)) plot.setAttribute(key, value);
   plot.dataset.handle = `chart-${name}`;
-  let held = false;
-  const follow = ({ clientX }) => {
-    const { left, width } = plot.getBoundingClientRect();
-    to((clientX - left) / width);
-  };
-  plot.addEventListener("pointerdown", (event) => {
-    if (event.button !== 0) return;
-    held = true;
-    plot.setPointerCapture(event.pointerId);
-    follow(event);
+  const follow = ({ share }) => to(share[0]);
+  drag(plot, plot, {
+    grab(place) {
+      follow(place);
+      return place;
+    },
+    move: (_, place) => follow(place),
   });
-  plot.addEventListener("pointermove", (event) => held && follow(event));
-  for (const kind of ["pointerup", "pointercancel"]) {
-    plot.addEventListener(kind, () => (held = false));
-  }
-  const ways = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1 };
   plot.addEventListener("keydown", (event) => {
-    const way = ways[event.key];
+    const way = ALONG[event.key];
     if (!way || event.ctrlKey || event.metaKey) return;
     event.preventDefault();
     by(way * (event.shiftKey ? 10 : 1));

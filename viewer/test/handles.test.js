@@ -304,6 +304,8 @@ test("keys move a number by its steps, within its bounds or round", () => {
   assert.equal(state.inputs.angle, 35);
   tell(ring, "keydown", { key: "ArrowDown", shiftKey: true });
   assert.equal(state.inputs.angle, 10);
+  tell(ring, "keydown", { key: "ArrowLeft" });
+  assert.equal(state.inputs.angle, 5);
   state.inputs.angle = 180;
   tell(ring, "keydown", { key: "ArrowUp" });
   assert.equal(state.inputs.angle, -175);

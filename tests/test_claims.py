@@ -85,7 +85,10 @@ def test_the_first_page_answers_the_title() -> None:
 def test_table_has_a_row_for_each_claim_that_is_asked_for() -> None:
     heads, _, *rows = claim_table([2, 25]).markdown.splitlines()
     assert heads.count(" | ") == 4
-    assert [row.split(" | ")[0] for row in rows] == ["| 2", "| 25"]
+    assert [row.split(" | ")[0] for row in rows] == [
+        "| [2]{#claim-2}",
+        "| [25]{#claim-25}",
+    ]
     assert all(row.count(" | ") == 4 for row in rows)
 
 
@@ -116,11 +119,12 @@ def test_verdicts_are_counted_without_what_the_paper_does_not_say() -> None:
 
 
 def test_the_page_of_claims_lists_each_claim_once() -> None:
-    numbers = re.findall(r"^\| (\d+) \| ", listed(), re.MULTILINE)
-    assert sorted(map(int, numbers)) == [claim.number for claim in CLAIMS]
+    rows = re.findall(r"^\| \[(\d+)\]\{#claim-(\d+)\} \| ", listed(), re.MULTILINE)
+    assert all(number == target for number, target in rows)
+    assert sorted(int(number) for number, _ in rows) == [claim.number for claim in CLAIMS]
 
 
 def test_the_page_of_claims_says_why_where_a_claim_does_not_simply_hold() -> None:
-    bare = re.findall(r"^\| (\d+) \| .*\*\* \| ", listed(), re.MULTILINE)
+    bare = re.findall(r"^\| \[(\d+)\].* \| .*\*\* \| ", listed(), re.MULTILINE)
     assert bare
     assert set(map(int, bare)) <= HOLD

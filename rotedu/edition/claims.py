@@ -677,19 +677,19 @@ def claim_table(numbers: Iterable[int]) -> Table:
     Returns
     -------
     Table
-        Numbers of equations and errata are links.
+        Numbers of equations and errata are links; other pages can link to a row, ``#claim-3``.
 
     Examples
     --------
     >>> claim_table([3])
     | No. | The claim | In | Verdict | Shown in |
     | --- | --- | --- | --- | --- |
-    | 3 | Four of the nine entries of a rotation matrix are independent | 1 | **does not hold**: three are, [E6](#erratum-e6) | [Chapter\N{NO-BREAK SPACE}1](01-introduction.ipynb) |
+    | [3]{#claim-3} | Four of the nine entries of a rotation matrix are independent | 1 | **does not hold**: three are, [E6](#erratum-e6) | [Chapter\N{NO-BREAK SPACE}1](01-introduction.ipynb) |
     """  # noqa: E501
     chosen = set(numbers)
     rows = [
         [
-            str(claim.number),
+            f"[{claim.number}]{{#claim-{claim.number}}}",
             linked(claim.claim),
             ", ".join(claim.where),
             linked(claim.judgement),

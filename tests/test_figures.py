@@ -16,9 +16,11 @@ from nbclient import NotebookClient
 from PIL import Image
 
 from rotedu import scenes
-from rotedu.figures import backend, describe
+from rotedu.figures import backend, describe, stack_on_phone
 from rotedu.figures.backend import MIME_TYPE, POSTER_SCALE, book_figure, scene_labels, take_poster
+from rotedu.figures.frames import in_stack
 from rotedu.figures.gltf import scene_gltf
+from rotedu.figures.pages import stacked_poster
 from rotedu.scenes import parts
 
 TYPES = {5120: np.int8, 5123: np.uint16, 5125: np.uint32, 5126: np.float32}
@@ -342,6 +344,36 @@ class TestFigure:
         poster = take_poster(plotter)
         assert state(plotter) == before
         assert take_poster(plotter) == poster
+
+
+class TestStack:
+    def test_parts_of_a_picture_stand_one_above_the_other(self) -> None:
+        plotter = pyvista.Plotter(window_size=[300, 200])
+        plotter.camera_position = ((0, -10, 0), (0, 0, 0), (0, 0, 1))
+        inks = {"red": (-2.5, 0, 0.3), "blue": (2.4, 0, -0.4)}
+        for ink, place in inks.items():
+            plotter.add_mesh(pyvista.Sphere(radius=0.2, center=place), color=ink, lighting=False)
+            plotter.add_point_labels([place], [ink], show_points=False, always_visible=True)
+        stack_on_phone(plotter, (-20, 0, 140, 170, 1), (150, 50, 150, 150, 0.5))
+        describe(plotter, "Two balls.")
+        scene = book_figure(plotter)._repr_mimebundle_()[MIME_TYPE]
+        stack = scene["stack"]
+        assert stack["aspect"] == pytest.approx(1 / (170 / 140 + 0.5))
+        picture = stacked_poster(base64.b64decode(scene["poster"]), stack)
+        poster = Image.open(io.BytesIO(picture))
+        assert poster.height == round(poster.width / stack["aspect"])
+        alpha = np.asarray(poster)[..., 3] > 128
+        for label, first, last in zip(scene["labels"], (0, 170), (170, 240), strict=True):
+            left, top = in_stack(stack, label["left"], label["top"])
+            place = round(left * poster.width), round(top * poster.height)
+            *color, opacity = poster.getpixel(place)
+            assert (*color, opacity) == (*pyvista.Color(label["text"]).int_rgb, 255)
+            # The ball lies about its label, as large as its row shows it.
+            rows = slice(*(round(y / 140 * poster.width) for y in (first, last)))
+            down, across = np.nonzero(alpha[rows])
+            assert np.mean(across) == pytest.approx(place[0], abs=2)
+            assert np.mean(down) + rows.start == pytest.approx(place[1], abs=2)
+        assert not book_figure(demanding_scene()).scene["stack"]
 
 
 class TestStillPicture:

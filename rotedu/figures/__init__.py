@@ -49,6 +49,7 @@ from rotedu.figures.frames import (
     place_grip,
     place_part,
     read_out,
+    stack_on_phone,
 )
 from rotedu.figures.inputs import Choice, Handles, Poses, Slider, Switch
 
@@ -67,6 +68,7 @@ __all__ = [
     "place_grip",
     "place_part",
     "read_out",
+    "stack_on_phone",
 ]
 
 announce_backend()

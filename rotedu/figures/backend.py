@@ -158,9 +158,11 @@ def book_figure(plotter: pyvista.Plotter, **_: object) -> BookFigure:
 
 
 def described(plotter: pyvista.Plotter, view: str = "") -> dict[str, Any]:
-    """Return the size of a picture and its labels."""
+    """Return the size of a picture, its labels, and how it is stacked on a phone."""
     width, height = plotter.window_size
-    return {"width": width, "height": height, "labels": scene_labels(plotter, view)}
+    stack = {} if view else shown(plotter).stack
+    labels = scene_labels(plotter, view)
+    return {"width": width, "height": height, "labels": labels, "stack": stack}
 
 
 def views_of(plotter: pyvista.Plotter, *, with_poster: bool = False) -> list[dict[str, Any]]:

@@ -79,6 +79,7 @@ class Shown:
     views: dict[str, View] = field(default_factory=dict)
     seen_in: dict[str, str] = field(default_factory=dict)
     swing: float = 0
+    stack: dict[str, Any] = field(default_factory=dict)
 
 
 def shown(plotter: pyvista.Plotter) -> Shown:
@@ -280,6 +281,43 @@ def draw_chart(
 def limit_turning(plotter: pyvista.Plotter, degrees: float) -> None:
     """Let the reader turn a scene by so many degrees only: parts in a row then stay apart."""
     shown(plotter).swing = degrees
+
+
+def stack_on_phone(
+    plotter: pyvista.Plotter, *parts: tuple[float, float, float, float, float]
+) -> None:
+    """Show parts of a wide picture one above the other where there is no room for it.
+
+    Parameters
+    ----------
+    plotter : pyvista.Plotter
+        The scene.
+    *parts
+        From above: left, top, width and height in pixels of the picture, beyond whose border there
+        may be more to see, and the width of the part as a share of that of the stack. What is in a
+        part moves beside that of no other.
+    """
+    size = (*plotter.window_size, *plotter.window_size)
+    heights = [share * height / width for _, _, width, height, share in parts]
+    rows, above = [], 0.0
+    for (*part, share), height in zip(parts, heights, strict=True):
+        to = ((1 - share) / 2, above / sum(heights), share, height / sum(heights))
+        rows.append({"from": np.divide(part, size).tolist(), "to": list(to)})
+        above += height
+    shown(plotter).stack = {"rows": rows, "aspect": 1 / sum(heights)}
+
+
+def in_stack(stack: Mapping[str, Any], left: float, top: float) -> tuple[float, float]:
+    """Return where a place of the picture is in its stack, both as shares of their sizes."""
+
+    def beyond(row: Mapping[str, list[float]]) -> float:
+        """Return how far to the side of a row the place is."""
+        x, _, width, _ = row["from"]
+        return max(x - left, left - x - width)
+
+    row = min(stack["rows"], key=beyond)
+    (x, y, width, height), to = row["from"], row["to"]
+    return to[0] + (left - x) / width * to[2], to[1] + (top - y) / height * to[3]
 
 
 def frame_of(plotter: pyvista.Plotter) -> dict[str, Any]:

@@ -23,6 +23,7 @@ from sphinx import addnodes
 from sphinx.application import Sphinx
 
 from rotedu.figures.backend import MIME_TYPE
+from rotedu.figures.frames import in_stack
 
 NO_SCRIPT = "With JavaScript on, this figure can be turned."
 ON_PAPER = "Online, the points and sliders of this figure can be moved."
@@ -31,6 +32,8 @@ ON_PAPER = "Online, the points and sliders of this figure can be moved."
 # Chromium 156 reads its opacity as if it went from 16 to 235.
 OPACITIES = np.rint([*range(10), *np.geomspace(10, 255, 35)]).astype(int)
 NEAREST = OPACITIES[np.abs(np.arange(256)[:, np.newaxis] - OPACITIES).argmin(axis=1)]
+# Width in pixels of a stacked poster, which is seen on phones only.
+STACKED = 600
 Filled = TypeVar("Filled", bound=nodes.Element)
 BUILDERS = ("html", "singlehtml", "epub")
 
@@ -45,6 +48,10 @@ class scene_view(nodes.Element):  # noqa: N801
 
 class scene_poster(nodes.image):  # noqa: N801
     """The picture of a scene at rest."""
+
+
+class scene_stacked(nodes.image):  # noqa: N801
+    """The same picture, with its parts one above the other."""
 
 
 class scene_label(nodes.inline):  # noqa: N801
@@ -88,7 +95,7 @@ def scene_by_hand_node(
 def scene_node(renderer: Any, content: dict[str, Any]) -> scene:
     """Write the files of a scene and build its node."""
     gltf = write_file(renderer, base64.b64decode(content["gltf"]), "glb")
-    return filled(renderer, scene(reftarget=gltf), content)
+    return filled(renderer, scene(reftarget=gltf, stack=content["stack"]), content)
 
 
 def view_node(renderer: Any, content: dict[str, Any]) -> scene_view:
@@ -101,10 +108,16 @@ def filled(renderer: Any, node: Filled, content: dict[str, Any]) -> Filled:
     """Put a poster and its labels into a node."""
     size = {key: content[key] for key in ("width", "height")}
     node.attributes |= size
-    uri = write_file(renderer, light_poster(base64.b64decode(content["poster"])), "webp")
+    poster, stack = base64.b64decode(content["poster"]), content["stack"]
+    uri = write_file(renderer, light_poster(poster), "webp")
     node += scene_poster(uri=uri, alt=content["alt"], **size)
+    if stack:
+        uri = write_file(renderer, light_poster(stacked_poster(poster, stack)), "webp")
+        node += scene_stacked(uri=uri, alt=content["alt"])
     for label in content["labels"]:
         text = label.pop("text")
+        if stack:
+            label["stacked"] = in_stack(stack, label["left"], label["top"])
         if text.startswith("$") and text.endswith("$"):
             child: nodes.Node = nodes.math(text, text.strip("$"))
         else:
@@ -119,6 +132,23 @@ def light_poster(png: bytes) -> bytes:
     poster.putalpha(poster.getchannel("A").point(NEAREST.tolist()))
     file = io.BytesIO()
     poster.save(file, "WEBP", quality=70, method=5)
+    return file.getvalue()
+
+
+def stacked_poster(png: bytes, stack: dict[str, Any]) -> bytes:
+    """Return a poster whose parts stand one above the other."""
+    poster = Image.open(io.BytesIO(png)).convert("RGBA")
+    stacked = Image.new("RGBA", (STACKED, round(STACKED / stack["aspect"])))
+    for row in stack["rows"]:
+        (left, top, across, down), to = (
+            np.multiply(place, [*size, *size])
+            for place, size in ((row["from"], poster.size), (row["to"], stacked.size))
+        )
+        part = poster.crop(tuple(np.rint([left, top, left + across, top + down]).astype(int)))
+        x, y, *size = np.rint(to).astype(int).tolist()
+        stacked.paste(part.resize(size, Image.Resampling.LANCZOS), (x, y))
+    file = io.BytesIO()
+    stacked.save(file, "PNG")
     return file.getvalue()
 
 
@@ -142,6 +172,9 @@ def visit_scene(writer: Any, node: scene) -> None:
         "style": shape(node),
         "data-scene": posixpath.join(writer.builder.dlpath, node["filename"]),
     }
+    if node["stack"]:
+        attributes["style"] += f"; --stacked: {node['stack']['aspect']:.4f}"
+        attributes["data-stack"] = json.dumps(node["stack"])
     writer.body.append(writer.starttag(node, "div", CLASS="scene", **attributes))
 
 
@@ -200,6 +233,16 @@ def visit_scene_poster(writer: Any, node: scene_poster) -> None:
     raise nodes.SkipNode
 
 
+def visit_scene_stacked(writer: Any, node: scene_stacked) -> None:
+    """Write the picture for a phone, which only a phone loads."""
+    if is_live(writer):
+        source = posixpath.join(writer.builder.imgpath, writer.builder.images[node["uri"]])
+        names = {"src": source, "alt": node["alt"], "loading": "lazy"}
+        kind = "scene-poster scene-stacked"
+        writer.body.append(writer.emptytag(node, "img", CLASS=kind, **names))
+    raise nodes.SkipNode
+
+
 def visit_scene_label(writer: Any, node: scene_label) -> None:
     """Open a label at its place over the poster."""
     if is_live(writer):
@@ -208,6 +251,9 @@ def visit_scene_label(writer: Any, node: scene_label) -> None:
             "data-position": " ".join(f"{coordinate:.6g}" for coordinate in node["position"] or ()),
             "data-label": node["name"],
         }
+        if "stacked" in node:
+            left, top = node["stacked"]
+            attributes["style"] += f"; --stacked-left: {left:.2%}; --stacked-top: {top:.2%}"
         if node["hidden"]:
             attributes["data-hidden"] = ""
     elif node["hidden"]:
@@ -246,6 +292,7 @@ def setup(app: Sphinx) -> dict[str, Any]:
     app.add_node(scene_by_hand, html=(visit_scene_by_hand, depart_scene_by_hand))
     app.add_node(scene_view, html=(visit_scene_view, depart_scene_view))
     app.add_node(scene_poster, html=(visit_scene_poster, None))
+    app.add_node(scene_stacked, html=(visit_scene_stacked, None))
     app.add_node(scene_label, html=(visit_scene_label, depart_scene_label))
     app.connect("html-page-context", add_viewer)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -20,6 +20,7 @@ from rotedu.figures import (
     place_grip,
     place_part,
     read_out,
+    stack_on_phone,
 )
 from rotedu.quaternions import Quaternion
 from rotedu.scenes.parts import (
@@ -264,7 +265,8 @@ def slerp_by_hand(
         return np.asarray(by @ held)
 
     plotter = new_scene(eye=EYE, target=LOOK_AT, view_angle=16, size=(720, 400))
-    limit_turning(plotter, 30)
+    limit_turning(plotter, 20)
+    stack_on_phone(plotter, (10, 34, 374, 330, 1), (358, 52, 370, 296, 0.75))
     add_sphere(plotter)
     add_line(plotter, arc, RESULT, radius=0.014, name="arc")
     place_grip(plotter, "t", path=arc)

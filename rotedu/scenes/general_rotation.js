@@ -32,7 +32,8 @@ const ROUND = spread(49).map((x) => [Math.cos(2 * Math.PI * x), Math.sin(2 * Mat
 const WHOLE = spread(73).map((x) => 360 * x - 180);
 // Each ring in its own pose, and the place on it that can be seen to be grabbed.
 const FLAT = [([c, s]) => [c, s, 0], ([c, s]) => [c, s, 0], ([c, s]) => [0, c, s]];
-const GRABBED = [[1, 1, 0], [1, 1, 0], [0, 1, 1]];
+// Far from each other in most poses.
+const GRABBED = [[1, 1, 0], [-1, 1, 0], [0, -1, -1]];
 const BACK = [0.48, -0.74, 0.47];
 const RIGHT = unit(cross([0, 0, 1], BACK));
 const SHORT = 0.05;

@@ -18,6 +18,7 @@ from rotedu.figures import (
     explorable,
     limit_turning,
     read_out,
+    stack_on_phone,
 )
 from rotedu.figures.frames import place_grip, place_part
 from rotedu.general_rotation import (
@@ -289,7 +290,8 @@ def euler_angles_by_hand(
     right /= np.linalg.norm(right)
     up = np.cross(back, right)
     plotter = new_scene(eye=24 * back + 1.37 * right, target=1.37 * right, view_angle=8.05)
-    limit_turning(plotter, 35)
+    limit_turning(plotter, 20)
+    stack_on_phone(plotter, (-18, 92, 366, 322, 1), (335, 44, 406, 412, 0.65))
 
     place = 2.6 * right
     add_gimbals(plotter, angles, place, right, back)
@@ -316,7 +318,7 @@ def euler_angles_by_hand(
             add_point(plotter, turn[:, 0], color, 0.055, name=f"{name} tip"),
         ):
             part.visibility = exists
-        add_label(plotter, side * right - 1.2 * up, text, color)
+        add_label(plotter, side * right - 1.14 * up, text, color)
 
     read_out(plotter, "rings", angles, "u, v, w", 0, "°", where="picture")
     turned = degrees_between(ways[0, :-1], ways[0, 1:]).sum()
@@ -342,8 +344,8 @@ def euler_angles_by_hand(
     )
     describe(
         plotter,
-        "On the right a teaspoon is held by three rings, one in the other, which turn about axes"
-        " W, V' and U''. On the left, inside a glass ball, two spoons are on their way from a level"
+        "A teaspoon is held by three rings, one in the other, which turn about axes"
+        " W, V' and U''. Beside it, inside a glass ball, two spoons are on their way from a level"
         " start to the same pose, one by its three angles and one by a single turn. Lines on the"
         " ball show the paths of their tips, which part and meet again.",
     )
@@ -432,7 +434,8 @@ def add_gimbals(
     round_about = np.linspace(0, 2 * np.pi, 49)
     cos, sin, none = np.cos(round_about), np.sin(round_about), np.zeros(49)
     flat = {"u": (cos, sin, none), "v": (cos, sin, none), "w": (none, cos, sin)}
-    grabbed = {"u": (1, 1, 0), "v": (1, 1, 0), "w": (0, 1, 1)}
+    # Far from each other in most poses.
+    grabbed = {"u": (1, 1, 0), "v": (-1, 1, 0), "w": (0, -1, -1)}
     whole = np.linspace(-180, 180, 73)
     for k, (name, radius) in enumerate(RINGS.items()):
         ring = radius * np.stack(flat[name], axis=-1)

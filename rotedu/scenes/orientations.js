@@ -98,7 +98,7 @@ function triangle([p, q, r]) {
 }
 
 const SAMPLES = 20;
-const PLACES = [[-1.62, 0, 0.9], [1.62, 0, 0.9], [1.62, 0, -0.9], [-1.62, 0, -0.9]];
+const PLACES = [[-0.8, 0, 1.42], [0.8, 0, 1.42], [0.8, 0, -1.42], [-0.8, 0, -1.42]];
 const MOUNTED = 0.28;
 const SAME = 1e-6;
 
@@ -137,7 +137,7 @@ export function routes({ poses, u }, { signs }) {
     const [x, y, z] = PLACES[k];
     parts[`mounted ${k}`] = mounted(turn, 1);
     parts[`R_${k}`] = { matrix: spoon(turn, PLACES[k], 0.5) };
-    labels[`R_${k}`] = [1.27 * x, y, 1.3 * z];
+    labels[`R_${k}`] = [1.46 * x, y, 0.7 * z];
   });
   const agree = q.reduce((sign, one, i) => sign * dot(q.at(i - 1), one), 1) > 0;
   return {

@@ -38,7 +38,6 @@ from rotedu.orientations import (
 from rotedu.quaternions import Quaternion
 from rotedu.scenes.parts import (
     JUST_INSIDE,
-    ORIGIN,
     add_arrow,
     add_label,
     add_line,
@@ -208,7 +207,7 @@ ROUTE = (
     (0.1, -0.1, -0.86, 0.48),
 )
 SAMPLES = 20
-PLACES = np.array([(-1.62, 0, 0.9), (1.62, 0, 0.9), (1.62, 0, -0.9), (-1.62, 0, -0.9)])
+PLACES = np.array([(-0.8, 0, 1.42), (0.8, 0, 1.42), (0.8, 0, -1.42), (-0.8, 0, -1.42)])
 """Where the given poses are turned, round the ball."""
 MOUNTED = 0.28
 SAME = 1e-6
@@ -257,7 +256,7 @@ def routes_by_hand(poses: ArrayLike = ROUTE, u: float = 0.3625) -> pyvista.Plott
     here = round(count * u) % count
     _, apart = axis_angle(ways["route"].swapaxes(1, 2) @ ways["shortest"])
 
-    plotter = new_scene(eye=-16 * V, target=ORIGIN, view_angle=11)
+    plotter = new_scene(eye=0.06 * W - 16 * V, target=0.06 * W, view_angle=14.25, size=(400, 620))
     limit_turning(plotter, 25)
     add_sphere(plotter)
     # Where both are the same, the route is seen.
@@ -273,7 +272,7 @@ def routes_by_hand(poses: ArrayLike = ROUTE, u: float = 0.3625) -> pyvista.Plott
     for k, turn in enumerate(given):
         add_mounted(plotter, turn, MOUNTED, VECTOR, f"mounted {k}")
         add_spoon(plotter, turn, PLACES[k], 0.5, VECTOR, f"R_{k}")
-        add_label(plotter, PLACES[k] * (1.27, 1, 1.3), f"$R_{k}$", VECTOR)
+        add_label(plotter, PLACES[k] * (1.46, 1, 0.7), f"$R_{k}$", VECTOR)
     place_grip(plotter, "poses", at=PLACES, size=0.5)
 
     turn = max(turns_from_double(q))

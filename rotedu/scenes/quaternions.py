@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 from rotedu.arcs import nlerp, slerp
 from rotedu.colors import AXIS, CROSS, NEUTRAL, RESULT, VECTOR
 from rotedu.figures import Choice, Poses, Slider, describe, explorable, limit_turning, read_out
-from rotedu.figures.frames import LAMP, place_grip, place_part
+from rotedu.figures.frames import LAMP, place_grip, place_part, stack_on_phone
 from rotedu.general_rotation import (
     euler_angles,
     homogeneous,
@@ -277,7 +277,8 @@ def grab_the_spoon(
 
     between = -1.02 * ACROSS
     plotter = new_scene(eye=between + EYE, target=between, view_angle=19.2)
-    limit_turning(plotter, 25)
+    limit_turning(plotter, 20)
+    stack_on_phone(plotter, (8, 78, 320, 326, 0.66), (318, 74, 410, 332, 1))
     # The letters leave room for the name of an axis along theirs.
     for direction, aside, letter in zip(np.eye(3), [-W, -W, ACROSS], "UVW", strict=True):
         add_arrow(plotter, TABLE, TABLE + 0.9 * direction, NEUTRAL, 0.006, f"axis {letter}")
@@ -322,9 +323,9 @@ def grab_the_spoon(
     read_out(plotter, "home", home, "spoon is as at the start", loud="yes")
     describe(
         plotter,
-        "Left, a spoon, which can be turned, and pale the same spoon as it lay at the start."
+        "A spoon, which can be turned, and pale the same spoon as it lay at the start."
         f" One turn by {360 * share:.0f} degrees about an axis n leads from the pale one to the"
-        " other. Right, a see-through ball with 1 in its middle and a smaller ball of half turns."
+        " other. Beside them, a see-through ball with 1 in its middle and one of half turns."
         " On a line in the direction of n lie q, as far from the middle as the angle is large, and"
         " the opposite quaternion on the other side."
         + (" A green and a purple line show the ways of both." if going else ""),
@@ -365,7 +366,8 @@ def double_cover_by_hand(turns: float = 2, passed: float = 0.44) -> pyvista.Plot
     matrix = rotation_matrix(W, angle)
 
     plotter = new_scene(eye=MIDDLE + EYE, target=MIDDLE, view_angle=19.2)
-    limit_turning(plotter, 25)
+    limit_turning(plotter, 20)
+    stack_on_phone(plotter, (5, 44, 335, 382, 0.6), (336, 88, 407, 332, 1))
     bar = HOME + BAR * W
     add_line(plotter, [bar - 2.5 * WIDTH * U, bar + 2.5 * WIDTH * U], NEUTRAL, 0.025)
     spoon = teaspoon(stations=41, around=16)
@@ -417,10 +419,10 @@ def double_cover_by_hand(turns: float = 2, passed: float = 0.44) -> pyvista.Plot
     read_out(plotter, "matrix", matrix, "matrix", 2, where="folded")
     describe(
         plotter,
-        "Left, a spoon hangs on a ribbon from a fixed bar, which is blue on one side of its middle"
+        "A spoon hangs on a ribbon from a fixed bar, which is blue on one side of its middle"
         f" and pale on the other. The spoon has turned {turns:g} times, and the ribbon"
         + (f" has {twists:g} twists." if hangs else " is on its way round below the spoon.")
-        + " Right, a see-through ball. A green path leads in it from the middle, 1, to q: the"
+        + " Beside it, a see-through ball. A green path leads in it from the middle, 1, to q: the"
         " rotations of the ribbon from the bar to the spoon."
         + (
             " A band with half a twist lies about the spoon, with q on its edge and -q opposite."

@@ -107,7 +107,7 @@ function addPoint({ layer, live, now, change }, { name, spec }, i) {
       return { shift: [left - place.share[0], top - place.share[1]], radius: Math.hypot(...point()) };
     },
     move({ shift, radius }, { share }) {
-      const { eye, direction } = live.sight(share[0] + shift[0], share[1] + shift[1]);
+      const { eye, direction } = live.sight(share[0] + shift[0], share[1] + shift[1], point());
       put(alongSphere(eye, direction, radius), false);
     },
     drop: () => put(point(), true),

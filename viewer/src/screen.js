@@ -3,6 +3,7 @@
  * Browsers allow few contexts and may take one back at any time.
  */
 import { LinearSRGBColorSpace, WebGLRenderer } from "three";
+import { extent, WHOLE } from "./stack.js";
 
 let renderer;
 const restored = new Set();
@@ -37,16 +38,30 @@ export function onRestored(redraw) {
   return () => restored.delete(redraw);
 }
 
-/** Draw a scene into its canvas. */
-export function draw(scene, camera, canvas) {
+/** Draw a scene into its canvas, as a whole or in rows. */
+export function draw(scene, camera, canvas, rows = WHOLE) {
   if (renderer.getContext().isContextLost()) return;
   const { width, height } = canvas;
   const shared = renderer.domElement;
   if (shared.width < width || shared.height < height) {
     renderer.setSize(Math.max(shared.width, width), Math.max(shared.height, height), false);
   }
-  renderer.setViewport(0, 0, width, height);
-  renderer.render(scene, camera);
+  renderer.clear();
+  renderer.setScissorTest(true);
+  for (const row of rows) {
+    const { from, to } = row;
+    const [x, y, across, down] = to.map((value, i) => Math.round(value * (i % 2 ? height : width)));
+    const [first, last] = extent(rows, row).map((share) => Math.round(share * across));
+    const above = height - y - down;
+    renderer.setViewport(x, above, across, down);
+    renderer.setScissor(x + first, above, last - first, down);
+    const [left, top, wide, high] = from;
+    const { aspect } = camera;
+    camera.setViewOffset(aspect, 1, left * aspect, top, wide * aspect, high);
+    renderer.render(scene, camera);
+  }
+  renderer.setScissorTest(false);
+  camera.clearViewOffset();
   const paper = canvas.getContext("2d");
   paper.globalCompositeOperation = "copy";
   paper.drawImage(shared, 0, shared.height - height, width, height, 0, 0, width, height);

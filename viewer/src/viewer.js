@@ -7,6 +7,7 @@ import { scaleWidths, sortSeeThrough } from "./looks.js";
 import { pixels } from "./startup.js";
 import { move } from "./parts.js";
 import { read } from "./read.js";
+import { rowOf, stacked, toBox, toPicture, WHOLE } from "./stack.js";
 import { secondPicture } from "./view.js";
 import { draw, onRestored, prepare } from "./screen.js";
 import { createCanvas, createTools } from "./elements.js";
@@ -49,12 +50,26 @@ export async function show(element, file, context, { width, height, alt }) {
   const atRest = axes(camera);
 
   const watchers = [];
+  const stack = JSON.parse(element.dataset.stack ?? "{}");
+  const middles = stack.rows?.map(({ from }) => middleOf(from, pose, distance, atRest));
+  let fixed = WHOLE;
+  let rows = WHOLE;
   let resting = false;
+  /** A row that shows what it showed at rest, in its middle and as large, wherever the camera has gone. */
+  const followed = ({ from, to }, i) => {
+    const [far, near] = [pose.target, middles[i]].map(
+      (point) => -new Vector3(...point).applyMatrix4(camera.matrixWorldInverse).z,
+    );
+    const { left, top } = project(lens(camera), middles[i]);
+    const [width, height] = from.slice(2).map((size) => (size * far) / near);
+    return { from: [left - width / 2, top - height / 2, width, height], to };
+  };
   /** Fit the lens to where the camera has gone and to the shape of the picture. */
   const aim = () => {
     camera.updateMatrixWorld();
     const { near, far } = clipping(camera.position.distanceTo(around.center), around.radius);
-    const aspect = canvas.width / canvas.height;
+    // A stack consists of parts of the picture as it was made.
+    const aspect = fixed === WHOLE ? canvas.width / canvas.height : pose.aspect;
     Object.assign(camera, { near, far, aspect });
     const angle = fieldOfView(pose.viewAngle, pose.aspect, aspect);
     const half = Math.tan((angle * Math.PI) / 360);
@@ -63,16 +78,17 @@ export async function show(element, file, context, { width, height, alt }) {
     );
     camera.fov = widened(angle, now, before);
     camera.updateProjectionMatrix();
+    rows = fixed === WHOLE ? WHOLE : fixed.map(followed);
   };
   const drawNow = () => {
     if (resting) return;
-    for (const [eye, take, named] of [
-      ...[...views.values()].map((view) => [view.camera, view.draw, view.labels]),
-      [camera, (scene) => draw(scene, camera, canvas), labels],
+    for (const [eye, take, named, parted] of [
+      ...[...views.values()].map((view) => [view.camera, view.draw, view.labels, WHOLE]),
+      [camera, (scene) => draw(scene, camera, canvas, rows), labels, rows],
     ]) {
       sortSeeThrough(objects, eye);
       take(scene);
-      placeLabels(named, eye, surfaces);
+      placeLabels(named, eye, surfaces, parted);
     }
     for (const watch of watchers) watch();
   };
@@ -93,7 +109,10 @@ export async function show(element, file, context, { width, height, alt }) {
     Object.assign(canvas, size);
     measure(element, labels);
     for (const box of boxes) measure(box, views.get(box.dataset.view).labels);
-    scaleWidths(objects, Math.min(canvas.width / width, canvas.height / height));
+    fixed = stacked(stack.rows, stack.aspect, canvas);
+    const [{ from, to }] = fixed;
+    const scales = [canvas.width / width, canvas.height / height].map((x, i) => (x * to[i + 2]) / from[i + 2]);
+    scaleWidths(objects, Math.min(...scales));
     aim();
     drawNow();
   };
@@ -162,10 +181,14 @@ export async function show(element, file, context, { width, height, alt }) {
     /** Call back after each picture. */
     onDraw: (watch) => watchers.push(watch),
     /** Where a point is in the picture. */
-    project: (point) => project(lens(camera), point),
-    /** The line of sight through a place of the picture, given in fractions of its size. */
-    sight(left, top) {
-      const through = new Vector3(2 * left - 1, 1 - 2 * top, 0.5).unproject(camera);
+    project: (point) => toBox(rows, project(lens(camera), point)),
+    /**
+     * The line of sight through a place of the picture, given in fractions of its size, where it shows
+     * what is near a point.
+     */
+    sight(left, top, near) {
+      const [x, y] = toPicture(rowOf(rows, project(lens(camera), near)), left, top);
+      const through = new Vector3(2 * x - 1, 1 - 2 * y, 0.5).unproject(camera);
       const direction = through.sub(camera.position).normalize();
       return { eye: camera.position.toArray(), direction: direction.toArray() };
     },
@@ -189,6 +212,13 @@ function labelsIn(box) {
   }));
 }
 
+/** The point in the middle of a part of the picture, as far away as what the camera looks at. */
+function middleOf([left, top, width, height], { viewAngle, aspect, target }, distance, [right, up]) {
+  const half = distance * Math.tan((viewAngle * Math.PI) / 360);
+  const [x, y] = [(2 * left + width - 1) * half * aspect, (1 - 2 * top - height) * half];
+  return target.map((value, i) => value + x * right[i] + y * up[i]);
+}
+
 /** The matrix from the scene to the picture. */
 function lens(camera) {
   return camera.projectionMatrix.clone().multiply(camera.matrixWorldInverse).elements;
@@ -209,12 +239,12 @@ function measure({ clientWidth: across, clientHeight: down }, labels) {
   }
 }
 
-function placeLabels(labels, camera, surfaces) {
+function placeLabels(labels, camera, surfaces, rows) {
   const matrix = lens(camera);
   const eye = camera.position.toArray();
   const seen = [];
   for (const { label, position, width, height, across, down } of labels) {
-    const { left, top, inside } = position ? project(matrix, position) : {};
+    const { left, top, inside } = position ? toBox(rows, project(matrix, position)) : {};
     const hidden = !inside || isHidden(surfaces, eye, position);
     label.toggleAttribute("data-behind", hidden);
     if (position) {

@@ -33,13 +33,14 @@ addEventListener("keydown", share, true);
  * @returns a function that removes the figure
  */
 export function render({ model, el }, models) {
-  const { labels, views, ...made } = model.get("scene");
+  const { labels, views, stack, ...made } = model.get("scene");
   const scene = element(
     "div",
     {
       class: "scene",
       "data-state": "loading",
-      style: `--aspect: ${made.width} / ${made.height}; --scene-width: ${made.width / 16}rem`,
+      style: `--aspect: ${made.width} / ${made.height}; --scene-width: ${made.width / 16}rem; --stacked: ${stack.aspect}`,
+      ...(stack.rows && { "data-stack": JSON.stringify(stack) }),
     },
     ...labels.map(createLabel),
   );

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 from html_pages import parse
+from nightly import nightly
 
 from rotedu.edition.exercises import check
 from rotedu.edition.exercises.judging import EXERCISES
@@ -87,7 +88,7 @@ def test_every_numeric_exercise_has_its_form(pages: dict[str, str]) -> None:
     assert set(pages) == set(NUMERIC)
 
 
-@pytest.mark.parametrize("number", NUMERIC)
+@pytest.mark.parametrize("number", nightly(NUMERIC, "2.1", "5.12", "5.19"))
 def test_the_verdict_is_pythons(number: str, reader: Any, site: str, pages: dict[str, str]) -> None:
     address = f"{site}/{pages[number]}"
     if reader.url != address:

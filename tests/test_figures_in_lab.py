@@ -124,6 +124,7 @@ def wear(page: Any, theme: str) -> None:
     page.wait_for_function(f"document.body.dataset.jpThemeLight === '{light}'")
 
 
+@pytest.mark.slow
 def test_a_figure_lives_in_a_notebook(run: Open) -> None:
     page = run("one", IMPORTS, "scenes.figure_1().show()", "import time\nwhile True: time.sleep(1)")
     scene = page.locator(LIVE)

@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from nightly import nightly
 from test_explorables_in_browser import (
     PHONE,
     center,
@@ -64,8 +65,8 @@ def arrived(figure: Any) -> dict[str, Any]:
     return values(figure)
 
 
-@pytest.mark.parametrize("script", ["", LATE])
-@pytest.mark.parametrize("screen", SCREENS)
+@pytest.mark.parametrize("script", nightly(["", LATE], LATE))
+@pytest.mark.parametrize("screen", nightly(SCREENS, "wide", "phone"))
 def test_a_link_opens_on_its_state(
     screen: str, script: str, open_figure: Callable[..., Any]
 ) -> None:
@@ -197,7 +198,7 @@ def test_graphics_that_stay_away_leave_the_poster(open_figure: Callable[..., Any
     assert values(figure)["fraction"] == 0.2
 
 
-@pytest.mark.parametrize("way", ["Back", "a reload", "Back from memory"])
+@pytest.mark.parametrize("way", nightly(["Back", "a reload", "Back from memory"], "Back"))
 def test_a_figure_is_found_as_it_was_left(way: str, open_figure: Callable[..., Any]) -> None:
     figure = live(open_figure(CURVE))
     page = figure.page

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 from bs4 import BeautifulSoup
+from nightly import nightly
 from notebook_language import Page, chapters, pages
 
 from rotedu import scenes
@@ -204,7 +205,7 @@ def test_a_finger_can_hit_a_choice(browser: Any, site: str) -> None:
     assert min(heights) >= 44
 
 
-@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize("scheme", nightly(["light", "dark"], "dark"))
 def test_axe_finds_nothing(browser: Any, site: str, scheme: str) -> None:
     page = browser.new_page(color_scheme=scheme)
     page.goto(f"{site}/book/03-ordinary-rotation.html")

@@ -99,7 +99,7 @@ def test_figures_have_captions(pages: dict[str, BeautifulSoup]) -> None:
     bare = [
         f"{name}: {scene.get('class')}"
         for name, soup in pages.items()
-        for scene in soup.select("article .cell_output :is(.scene, img)")
+        for scene in soup.select("article .cell_output :is(.scene, .chart, img)")
         if not (figure := scene.find_parent("figure")) or not figure.find("figcaption")
     ]
     assert bare == []
@@ -137,6 +137,8 @@ class Visit:
     reachable: list[str]
     """On a phone, what scrolls sideways and can have the focus."""
     unreachable: list[str]
+    letters: float
+    """On a phone, the size of the smallest letters of charts, in pixels."""
 
 
 @pytest.fixture(scope="module")
@@ -177,7 +179,11 @@ def visits(browser: Any, site: str, pages: dict[str, BeautifulSoup]) -> dict[str
                     .map(({ localName, className }) => `${localName}.${className}`));
             }"""
         )
-        found[name] = Visit([*complaints, *missing], too_wide, reachable, unreachable)
+        letters = page.evaluate(
+            """() => Math.min(100, ...[...document.querySelectorAll(".chart text")].map((text) =>
+                parseFloat(getComputedStyle(text).fontSize) * text.getScreenCTM().a))"""
+        )
+        found[name] = Visit([*complaints, *missing], too_wide, reachable, unreachable, letters)
     context.close()
     return found
 
@@ -191,10 +197,16 @@ def test_no_page_scrolls_sideways(visits: dict[str, Visit]) -> None:
     assert wide == {}
 
 
+def test_letters_of_charts_are_read_on_a_phone(visits: dict[str, Visit]) -> None:
+    sizes = {name: visit.letters for name, visit in visits.items() if visit.letters < 100}
+    assert len(sizes) >= 6
+    assert {name: size for name, size in sizes.items() if size < 11} == {}
+
+
 def test_what_scrolls_sideways_can_be_reached_with_the_keyboard(visits: dict[str, Visit]) -> None:
     assert {name: visit.unreachable for name, visit in visits.items() if visit.unreachable} == {}
     seen = {box for visit in visits.values() for box in visit.reachable}
-    assert {"pre.", "span.katex-display", "div.chart docutils container"} <= seen
+    assert {"pre.", "span.katex-display"} <= seen
 
 
 def test_the_root_leads_to_the_front_page(browser: Any, site: str) -> None:
@@ -244,11 +256,12 @@ def test_the_theme_works(browser: Any, site: str) -> None:
     """A click changes the colours, of charts too, and the contents follow the reader."""
     page = browser.new_page(viewport={"width": 1440, "height": 900}, color_scheme="dark")
     page.goto(f"{site}/book/02-quaternions.html")
-    chart = "getComputedStyle(document.querySelector('.chart img')).filter"
-    assert page.evaluate(chart).startswith("invert")
+    chart = """getComputedStyle(document.querySelector(
+        ".chart [style*='stroke: currentcolor'][style*='#009e73']")).stroke"""
+    assert page.evaluate(chart) == "rgb(47, 191, 149)"
     page.locator(".theme-toggle-content .theme-toggle").click()
     assert page.evaluate("document.body.dataset.theme") == "light"
-    assert page.evaluate(chart) == "none"
+    assert page.evaluate(chart) == "rgb(0, 122, 89)"
     for name in ("from-mirrors-to-rotations", "exercises"):
         page.locator(f".toc-tree a[href='#{name}']").click()
         page.wait_for_selector(f".toc-tree .scroll-current > a[href='#{name}']")

@@ -1,5 +1,5 @@
 // Let the keyboard reach every box that scrolls sideways.
-const boxes = "article :is(pre, .table-wrapper, .text_html, .chart, .katex-display)";
+const boxes = "article :is(pre, .table-wrapper, .text_html, .katex-display)";
 
 const letReach = () => {
   for (const box of document.querySelectorAll(boxes)) {

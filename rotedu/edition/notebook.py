@@ -1,4 +1,4 @@
-"""Helpers for notebooks: show the code of a function, make a table, state a check."""
+"""Helpers for notebooks: show code, make a table, name a line of a chart, state a check."""
 
 import ast
 import inspect
@@ -89,6 +89,45 @@ def source(function: Callable[..., Any]) -> Source:
         docstring = first.body[0]
         del lines[docstring.lineno - 1 : docstring.end_lineno]
     return Source("\n".join(lines))
+
+
+# Where a name stands beside its point: the distance in points, and the part of it that is near.
+SIDES = {
+    "left": {"xytext": (-5, 0), "ha": "right", "va": "center"},
+    "right": {"xytext": (5, 0), "ha": "left", "va": "center"},
+    "above": {"xytext": (0, 5), "ha": "center", "va": "bottom"},
+    "below": {"xytext": (0, -5), "ha": "center", "va": "top"},
+}
+
+
+def named(lines: Sequence[Any], text: str, side: str = "right", at: int = -1, **style: str) -> None:
+    """Write the name of a line beside it, in its colour, instead of a legend.
+
+    Parameters
+    ----------
+    lines : sequence with one line
+        What the ``plot`` of Matplotlib returns.
+    text : str
+        The name.
+    side : str
+        Where: left, right, above or below.
+    at : int
+        Beside which of the points of the line; without it, the last one.
+    **style : str
+        More about the letters, as Matplotlib names it.
+
+    Examples
+    --------
+    >>> named(panel.plot(points, counts), "matrix", "above")  # doctest: +SKIP
+    """
+    (line,) = lines
+    line.axes.annotate(
+        text,
+        line.get_xydata()[at],
+        textcoords="offset points",
+        color=line.get_color(),
+        **SIDES[side] | style,
+    )
 
 
 class Statement(str):

@@ -127,7 +127,7 @@ def _numbers(value: Any) -> Any:
 def _chart(name: str, chart: Chart, start: Mapping[str, Any]) -> str:
     curves = "".join(
         f'<path data-curve="{escape(curve)}" d="{path_of(heights, chart.y)}"'
-        f' style="stroke: {chart.colors.get(curve, "currentcolor")}"'
+        f' style="color: {chart.colors.get(curve, "inherit")}"'
         f"{' data-dashed' if curve in chart.dashed else ''}/>"
         for curve, heights in chart.curves.items()
     )

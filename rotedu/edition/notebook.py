@@ -118,7 +118,7 @@ def named(lines: Sequence[Any], text: str, side: str = "right", at: int = -1, **
 
     Examples
     --------
-    >>> named(panel.plot(points, counts), "matrix", "above")  # doctest: +SKIP
+    ``named(panel.plot(points, counts), "matrix", "above")``
     """
     (line,) = lines
     line.axes.annotate(

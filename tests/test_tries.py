@@ -92,22 +92,22 @@ SHOWN: list[tuple[str, str, dict[str, str]]] = [
     (
         "closed_curve_by_hand",
         "where the curvature jumps most",
-        {"velocity_jump": "0.0°/s", "curvature_jumps": "0.04 0.56 0.55 1.52"},
+        {"velocity_jump": "0.0°/s", "curvature_jump": "1.52"},
     ),
     (
         "closed_curve_by_hand",
         "two points close together",
-        {"velocity_jump": "0.0°/s", "curvature_jump": "1.77", "speed": "1°/s"},
+        {"curvature_jump": "1.77", "speed_range": "1 90°/s"},
     ),
     (
         "closed_curve_by_hand",
         "points on a great circle",
-        {"velocity_jump": "0.0°/s", "curvature_jump": "0.00"},
+        {"curvature_jump": "0.00", "speed_range": "68 135°/s"},
     ),
     (
         "closed_curve_by_hand",
         "the same, a third of the way",
-        {"curvature_jump": "0.00", "speed": "90°/s"},
+        {"curvature_jump": "0.00", "speed_range": "90 90°/s"},
     ),
     (
         "camera_by_hand",

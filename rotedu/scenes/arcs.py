@@ -335,7 +335,7 @@ def slerp_by_hand(
         over="t",
         x=(0, 1),
         y=(0, 4),
-        label="weights (cut off at 4)",
+        label="weights of the ends (above 4 not shown)",
         colors={"start": VECTOR, "end": NEUTRAL},
     )
     draw_chart(
@@ -345,7 +345,7 @@ def slerp_by_hand(
         over="t",
         x=(0, 1),
         y=(0, 4),
-        label="speed (cut off at 4)",
+        label="speed (above 4 not shown)",
         colors={"slerp": RESULT, "nlerp": CROSS},
     )
     describe(

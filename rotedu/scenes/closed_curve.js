@@ -77,6 +77,7 @@ export function closedCurve({ points, u, fraction }) {
   const ends = motions.map((leaving, i) => [motions.at(i - 1).at(-1), leaving[0]]);
   const now = motion(control[segment], within);
   const jumps = ends.map(([v, w]) => length(combine(1, w.velocity, -1, v.velocity)));
+  const speeds = motions.map((row) => row.map(({ velocity }) => DEGREES * length(velocity)));
   const bends = ends.map(([v, w]) => Math.abs(w.curvature - v.curvature));
   return {
     parts,
@@ -86,11 +87,12 @@ export function closedCurve({ points, u, fraction }) {
       speed: DEGREES * length(now.velocity),
       curvature: now.curvature,
       velocity_jump: DEGREES * Math.max(...jumps),
-      curvature_jump: Math.max(...bends),
+      curvature_jump: bends[Math.floor(n * u + 1 / 2) % n],
+      speed_range: [Math.min, Math.max].map((pick) => pick(...speeds.flat())),
       curvature_jumps: bends,
     },
     charts: {
-      speeds: { curve: motions.map((row) => row.map(({ velocity }) => DEGREES * length(velocity))) },
+      speeds: { curve: speeds },
       curvatures: { curve: motions.map((row) => row.map(({ curvature }) => curvature)) },
     },
   };

@@ -212,10 +212,12 @@ def closed_curve_by_hand(
     velocity_here, curvature_here = motion(control[segment], within)
     jump = np.degrees(np.linalg.norm(leaving - arriving, axis=-1)).max()
     jumps = abs(curvature[:, 0] - np.roll(curvature[:, -1], 1))
+    nearest = int(n * u + 1 / 2) % n
     speed_here = np.degrees(np.linalg.norm(velocity_here))
     for where, name, value, text, digits, unit in (
         ("picture", "velocity_jump", jump, "velocity jumps by", 1, "°/s"),
-        ("picture", "curvature_jump", jumps.max(), "curvature by", 2, ""),
+        ("picture", "curvature_jump", jumps[nearest], "curvature, at the nearest P, by", 2, ""),
+        ("picture", "speed_range", [speed.min(), speed.max()], "speed from, to", 0, "°/s"),
         ("folded", "speed", speed_here, "speed here", 0, "°/s"),
         ("folded", "curvature", curvature_here, "curvature here (great circle: 0)", 2, ""),
         ("folded", "curvature_jumps", jumps, "jumps of curvature at P₀, P₁, …", 2, ""),
@@ -223,7 +225,12 @@ def closed_curve_by_hand(
         read_out(plotter, name, value, text, digits, unit, where=where)
     for name, values, top, text in (
         ("speeds", speed, (0.0, 150.0), "speed, degrees a second"),
-        ("curvatures", curvature, (-6.0, 6.0), "curvature, positive to the left (cut off at ±6)"),
+        (
+            "curvatures",
+            curvature,
+            (-6.0, 6.0),
+            "curvature, positive to the left (beyond ±6 not shown)",
+        ),
     ):
         draw_chart(
             plotter,

@@ -13,6 +13,7 @@ from rotedu.ordinary_rotation import rotate, rotation_matrix, transform
 from rotedu.scenes.parts import (
     NARROW,
     ORIGIN,
+    SIZE,
     add_arrow,
     add_label,
     add_line,
@@ -61,13 +62,24 @@ def figure_1(
     return plotter
 
 
-def turned_vector(r: NDArray[np.float64], n: NDArray[np.float64], angle: float) -> pyvista.Plotter:
+# Height of what Figure 1 looks at, its field of view, and its size; as drawn in the paper, and with
+# room for any axis and any vector of that length.
+AS_DRAWN, ALL_ROUND = (0.48, 21.5, SIZE), (0.05, 29.5, (600, 540))
+
+
+def turned_vector(
+    r: NDArray[np.float64],
+    n: NDArray[np.float64],
+    angle: float,
+    room: tuple[float, float, tuple[int, int]] = AS_DRAWN,
+) -> pyvista.Plotter:
     """Draw a vector turned about a unit vector, and the terms of (3-1)."""
+    height, view_angle, size = room
     center = (r @ n) * n
     turned = rotate(r, n, angle)
     spoke = r - center
 
-    plotter = new_scene(eye=(4.5, 0.95, 2.9), target=(0.0, 0.03, 0.48), view_angle=21.5)
+    plotter = new_scene((4.5, 0.95, height + 2.42), (0.0, 0.03, height), view_angle, size)
     add_label(plotter, (0, 0.05, -0.11), "$O$")
 
     add_line(plotter, turning(r, n, 2 * np.pi, 80), NEUTRAL, radius=0.005, name="circle")
@@ -166,7 +178,7 @@ def figure_1_by_hand(
     other = rotate(r, n, np.radians(around))
     here, there = (terms(start, n, angle) for start in (r, other))
 
-    plotter = turned_vector(r, n, angle)
+    plotter = turned_vector(r, n, angle, ALL_ROUND)
     circle = turning(r, n, 2 * np.pi, 80)
     place_grip(plotter, "theta", path=circle, body=[ORIGIN, rotate(r, n, angle)])
     place_grip(plotter, "around", path=circle, body=[ORIGIN, other])

@@ -13,7 +13,8 @@ NOTE = '<span class="in-margin" aria-hidden="true">{}</span>'
 class InMargin(SphinxPostTransform):
     """Add the numbers, once links know where they lead; book.css says where there is a margin."""
 
-    default_priority = 20
+    # After all that looks at how a paragraph begins.
+    default_priority = 900
     formats = ("html",)
 
     def run(self, **_: Any) -> None:

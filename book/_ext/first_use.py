@@ -57,7 +57,7 @@ class LinkFirstUses(SphinxPostTransform):
 
     def run(self, **_: Any) -> None:
         """Walk through the running text of a page, once."""
-        if self.env.docname in PAGES_WITHOUT:
+        if self.env.docname.startswith(PAGES_WITHOUT):
             return
         objects = self.env.domains["std"].get_objects()
         terms = {name: (page, label) for name, _, kind, page, label, _ in objects if kind == "term"}

@@ -201,7 +201,8 @@ def list_of_contents(tree: nodes.document, captions: dict[str, str]) -> list[nod
             entries.append(nodes.paragraph("", caption, classes=["contents-part"]))
         chapter = next(page.findall(nodes.section))
         sections = [node for node in chapter if isinstance(node, nodes.section)]
-        for level, section in [(1, chapter), *((2, section) for section in sections)]:
+        top = 2 if page["docname"].startswith("book/api/") else 1
+        for level, section in [(top, chapter), *((2, section) for section in sections)]:
             words = (child.deepcopy() for child in section[0].children)
             entry = link(f"#{section['ids'][0]}", "", *words)
             entries.append(nodes.paragraph("", "", entry, classes=[f"contents-{level}"]))

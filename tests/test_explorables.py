@@ -385,6 +385,15 @@ def test_half_a_turn_away_the_three_angles_go_on_alone(pose: dict[str, float]) -
     assert "data-curve" in figure.panel(figure.draw())
 
 
+def test_a_curve_has_the_colour_of_its_name() -> None:
+    """As a colour of text, which pages give a shade of their own."""
+    figure = explore(scenes.worn_spoons_by_hand)
+    panel = BeautifulSoup(figure.panel(figure.draw()), "html.parser")
+    names = {name.text: name["style"] for name in panel.select("figcaption span")}
+    assert len(names) >= 2
+    assert {curve["data-curve"]: curve["style"] for curve in panel.select("[data-curve]")} == names
+
+
 def test_a_curve_in_pieces_has_gaps_and_marks() -> None:
     figure = explore(scenes.closed_curve_by_hand)
     panel = BeautifulSoup(figure.panel(figure.draw()), "html.parser")

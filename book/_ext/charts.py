@@ -25,7 +25,7 @@ GROUP, HREF = f"{{{SVG}}}g", f"{{{XLINK}}}href"
 LEFT_OUT = (f"{{{SVG}}}metadata", f"{{{SVG}}}style")
 PAPER, INK = "#ffffff", "#3b434b"
 # The least width on a screen, in pixels for each unit of a drawing, unless the screen has less.
-SCALE = 1.25
+SCALE = 1.1
 
 ElementTree.register_namespace("", SVG)
 ElementTree.register_namespace("xlink", XLINK)

@@ -2,9 +2,10 @@
 
 ``python tools/audit.py`` serves _build/html compressed, as a web server does. It measures for every
 page its weight on a first visit and for readers who come from the front page, its number of
-elements, its scores in Lighthouse (mobile preset) and the findings of axe at two widths in both
-themes. It prints a table, then what figures cost (`tools/drag.py`), what a first run costs
-(`tools/first_output.py`) and each finding, and returns 1 if a page misses a budget.
+elements, its scores in Lighthouse (mobile preset), the findings of axe at two widths in both
+themes, and what is cut off at four widths. It prints a table, then what figures cost
+(`tools/drag.py`), what a first run costs (`tools/first_output.py`) and each finding, and returns 1
+if a page misses a budget.
 
 Name pages to judge only those: ``python tools/audit.py index 03``.
 """
@@ -37,6 +38,7 @@ BUDGETS = {"accessibility": 100, "best-practices": 95}
 CATEGORIES = ["performance", *BUDGETS, "seo"]
 WIDTHS = {1440: 900, 390: 844}
 THEMES = ("light", "dark")
+READ_AT = (360, 820, 1024, 1440)
 
 # A reader who saves data gets every poster, but no live scene.
 SAVE_DATA = "Object.defineProperty(navigator, 'connection', {value: {saveData: true}})"
@@ -55,6 +57,15 @@ AXE = """async () => {
     });
 }"""
 
+# What is wider than its place. On a phone formulas and columns of numbers scroll, and show it.
+CUT = """() => {
+    document.querySelectorAll("details").forEach(details => { details.open = true; });
+    const wide = element => element.scrollWidth > element.clientWidth + 1;
+    const boxes = "pre, .table-wrapper, .text_html, .chart, .katex-display";
+    const inside = innerWidth < 500 ? [] : document.querySelectorAll(`article :is(${boxes})`);
+    return [document.documentElement, ...inside].filter(wide)
+        .map(element => `${element.tagName} ${element.textContent.trim().slice(0, 40)}`);
+}"""
 
 # Hosts cache compressed files; compressing again would take time from the browser.
 compress = functools.cache(gzip.compress)
@@ -139,6 +150,17 @@ def run_axe(browser: Browser, url: str) -> list[str]:
     return [f"{finding} [{', '.join(where)}]" for finding, where in findings.items()]
 
 
+def cut_off(browser: Browser, url: str) -> list[str]:
+    """Return what is cut off at any width."""
+    found = []
+    for width in READ_AT:
+        page = browser.new_page(viewport={"width": width, "height": 900})
+        page.goto(url, wait_until="load")
+        found += [f"cut at {width}: {what}" for what in page.evaluate(CUT)]
+        page.close()
+    return found
+
+
 def run_lighthouse(url: str, chromium: str) -> tuple[dict[str, int], list[str]]:
     """Return Lighthouse's scores, and the audits that lost points where a budget is missed."""
     with tempfile.TemporaryDirectory() as folder:
@@ -189,6 +211,7 @@ def main() -> int:
                 if weight > budget:
                     findings.append(f"weight: {weight:.0f} kB, at most {budget}")
             findings += run_axe(browser, host + path)
+            findings += cut_off(browser, host + path)
             scores, short = run_lighthouse(host + path, chromium)
             findings += short
             row = [f"{first:.0f}", f"{after:.0f}", elements, *scores.values(), len(findings)]

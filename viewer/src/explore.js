@@ -172,6 +172,10 @@ export function explore(element, live, data, models, python) {
     arrive();
     for (const kind of ["hashchange", "popstate"]) addEventListener(kind, arrive);
   }
+  // A cell with this tag shows what its figure does, unless the reader has come to a state of it.
+  if (element.closest(".tag_plays") && address(data, inputs) === address(data, data.start)) {
+    panel.playOnce(set);
+  }
   return { set, receive };
 }
 

@@ -17,8 +17,9 @@ const calm = matchMedia("(prefers-reduced-motion: reduce)");
  * @param specs its inputs
  * @param {function} now returns the present inputs
  * @param {{change: function, reset: function, link: function, follow: function}} actions
- * @returns {{show: function, withhold: function, outcome: function}} writes inputs and a frame into the
- *   panel; puts a dash for each number that does not hold; says the numbers that matter
+ * @returns {{show: function, withhold: function, outcome: function, playOnce: function}} writes inputs and
+ *   a frame into the panel; puts a dash for each number that does not hold; says the numbers that matter;
+ *   plays the first slider by itself, for who wants motion, by a function that sets inputs
  */
 export function bindPanel(element, specs, now, { change, reset, link, follow }) {
   const form = element.querySelector(".explorable-panel");
@@ -71,7 +72,12 @@ export function bindPanel(element, specs, now, { change, reset, link, follow }) 
     else if (action === "link") link();
   });
   // Without motion there is nothing to play.
-  for (const button of all("[data-action=play]")) button.hidden = calm.matches;
+  const plays = all("[data-action=play]");
+  for (const button of plays) button.hidden = calm.matches;
+  // What the hand takes is not moved by anything else.
+  for (const kind of ["pointerdown", "keydown"]) {
+    element.addEventListener(kind, ({ target }) => target.closest("[data-handle]") && player.stop());
+  }
 
   return {
     show(values, { outputs = {}, charts: drawn = {} }) {
@@ -105,6 +111,9 @@ export function bindPanel(element, specs, now, { change, reset, link, follow }) 
       const large = all(".explorable-numbers output");
       const told = large.length ? large : all("output").slice(0, MAIN);
       return told.map((output) => output.parentElement.textContent).join(", ");
+    },
+    playOnce(set) {
+      if (!calm.matches) player.toggle(plays[0], plays[0].dataset.input, set);
     },
   };
 }
@@ -238,7 +247,8 @@ function playing(element, specs, now, change) {
     frame = 0;
     if (button) button.textContent = "Play";
   };
-  const toggle = (pressed, name) => {
+  /** Play or pause; with a function that sets inputs, go round once, back to where it began. */
+  const toggle = (pressed, name, once) => {
     const going = frame && pressed === button;
     stop();
     if (going) return;
@@ -247,6 +257,8 @@ function playing(element, specs, now, change) {
     const { low, high, plays } = specs[name];
     // The figure may show the nearest value for which it has a frame.
     let value = now()[name] < high ? now()[name] : low;
+    const start = value;
+    let round = false;
     let last;
     const tick = (time) => {
       const { top, bottom } = element.getBoundingClientRect();
@@ -254,9 +266,12 @@ function playing(element, specs, now, change) {
       const passed = last === undefined ? 0 : (time - last) / 1000;
       last = time;
       value += (passed * (high - low)) / plays;
-      if (value > high + (REST * (high - low)) / plays) value = low;
-      change({ [name]: Math.min(high, value) });
+      if (value > high + (REST * (high - low)) / plays) [value, round] = [low, true];
       frame = requestAnimationFrame(tick);
+      if (!once) return change({ [name]: Math.min(high, value) });
+      const over = round && value >= start;
+      if (over) stop();
+      once({ [name]: over ? start : Math.min(high, value) });
     };
     frame = requestAnimationFrame(tick);
   };

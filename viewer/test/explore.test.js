@@ -1,12 +1,13 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { drag, figure, liveScene, tell } from "./dom.js";
+import { drag, figure, liveScene, tell, tick } from "./dom.js";
 import { explore } from "../src/explore.js";
 
 const PANEL = `<p class="explorable-status" role="status"></p>
   <form class="explorable-panel"><fieldset disabled>
   <input type="range" name="u" min="0" max="1" step="any">
   <input type="range" name="v" min="0" max="2" step="any">
+  <button type="button" data-action="play" data-input="u">Play</button>
   <button type="button" data-action="step" data-input="u">Step</button>
   <label><span>sum</span> <output name="sum" data-digits="2" data-unit="" data-loud="no"></output></label>
   <button type="button" data-action="reset">Reset</button>
@@ -20,9 +21,10 @@ const frame = (u, v) => ({ parts: { ball: { at: [u, v, 0] } }, labels: {}, outpu
 const START = { u: 0.25, v: 1 };
 
 /** A figure with a model, or with what is given instead. */
-function shown({ data = {}, models = { add: ({ u, v }) => frame(u, v) }, python, past = null } = {}) {
+function shown({ data = {}, models = { add: ({ u, v }) => frame(u, v) }, python, past = null, around = "" } = {}) {
   history.replaceState(past, "");
   const element = figure(PANEL);
+  element.parentElement.className = around;
   const scene = element.querySelector(".scene");
   const live = liveScene(scene);
   const made = {
@@ -389,4 +391,18 @@ test("without a model Python is asked for one frame at a time, and for the last"
   hand.receive({ frame: frame(0.8, 1) });
   assert.deepEqual(values(), { u: 0.8, v: 1, sum: 1.8 });
   assert.equal(python.asked.length, 3);
+});
+
+test("a cell with the tag plays its figure for who comes to no state of it", () => {
+  const plays = { ...INPUTS, u: { ...INPUTS.u, plays: 1 } };
+  const played = (around, hash = "") => {
+    location.hash = hash;
+    const { values } = shown({ data: { inputs: plays }, around });
+    for (const time of [0, 100]) tick(time);
+    location.hash = "";
+    return values().u;
+  };
+  assert.equal(played("tag_plays"), 0.35);
+  assert.equal(played("cell"), 0.25);
+  assert.equal(played("tag_plays", "#explore-some-figure?u=0.5"), 0.5);
 });

@@ -260,3 +260,34 @@ test("without motion there is nothing to play", () => {
   calm.matches = false;
   assert.ok(!bound().find("[data-action=play]").hidden);
 });
+
+test("a slider plays by itself, once, and not for who wants no motion", () => {
+  const { state, panel, find } = bound();
+  const button = find("[data-action=play]");
+  const seen = [];
+  panel.playOnce(({ u }) => seen.push(u));
+  assert.equal(button.textContent, "Pause");
+  for (let time = 0; time < 9000; time += 500) tick(time);
+  assert.deepEqual(seen.slice(0, 9), [1.5, 1.75, 2, 2.25, 2.5, 2.75, 3, 3, 3]);
+  assert.deepEqual(seen.slice(-3), [1, 1.25, 1.5]);
+  assert.equal(button.textContent, "Play");
+  assert.deepEqual(state.asked, []);
+
+  calm.matches = true;
+  bound().panel.playOnce(() => assert.fail());
+  tick(0);
+  calm.matches = false;
+});
+
+test("what is grabbed no longer plays", () => {
+  for (const kind of ["pointerdown", "keydown"]) {
+    const { element, find } = bound();
+    const button = find("[data-action=play]");
+    element.insertAdjacentHTML("beforeend", '<button data-handle="point"></button>');
+    button.click();
+    tell(element, kind);
+    assert.equal(button.textContent, "Pause");
+    tell(find("[data-handle=point]"), kind);
+    assert.equal(button.textContent, "Play");
+  }
+});

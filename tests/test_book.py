@@ -332,7 +332,7 @@ def test_pages_offer_their_notebooks(book: Path, pages: dict[str, BeautifulSoup]
         assert offered.read_bytes() == notebook.read_bytes(), stem
 
 
-def test_figures_and_equations_show_their_links(
+def test_figures_and_equations_show_their_links_to_mouse_and_keyboard(
     browser: Any, site: str, pages: dict[str, BeautifulSoup]
 ) -> None:
     soup = pages["book/03-ordinary-rotation.html"]
@@ -341,9 +341,16 @@ def test_figures_and_equations_show_their_links(
         assert soup.find(id=target)
     page = browser.new_page()
     page.goto(f"{site}/book/03-ordinary-rotation.html")
-    for place in ("figcaption", ".eqno"):
+    for place in ("figcaption", "div.math"):
         link = page.locator(f"{place} a.headerlink").first
-        assert link.evaluate("link => link.checkVisibility({ visibilityProperty: true })")
+        seen = "link => getComputedStyle(link).opacity"
+        assert link.evaluate(seen) == "0"
+        page.locator(place).first.hover()
+        assert link.evaluate(seen) == "1"
+        page.mouse.move(2, 2)
+        assert link.evaluate(seen) == "0"
+        link.focus()
+        assert link.evaluate(seen) == "1"
     page.close()
 
 

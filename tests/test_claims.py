@@ -78,10 +78,6 @@ def test_a_page_shows_each_claim_that_links_to_it() -> None:
     assert missing == []
 
 
-def test_the_first_page_answers_the_title() -> None:
-    assert "**Do we need quaternions?**" in pages()["index.md"].text
-
-
 def test_table_has_a_row_for_each_claim_that_is_asked_for() -> None:
     heads, _, *rows = claim_table([2, 25]).markdown.splitlines()
     assert heads.count(" | ") == 4

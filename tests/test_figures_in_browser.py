@@ -350,7 +350,9 @@ def test_scenes_of_the_book_live(book: Path, site: str, open_page: Open, which: 
     if which == "few":
         names = [name for name in names if Path(name).stem in few]
     for name in names:
-        page = open_page(f"{site}/{name}", CONTEXTS, device_scale_factor=2)
+        # Nothing plays by itself.
+        calm = {"reduced_motion": "reduce"}
+        page = open_page(f"{site}/{name}", CONTEXTS, device_scale_factor=2, **calm)
         # Use the poster's own size, because scaling would blur its edges.
         page.add_style_tag(content=LIKE_A_POSTER)
         scenes = page.locator(".scene").all()

@@ -32,7 +32,7 @@ from rotedu.scenes.general_rotation import (
     stages,
     three_turns_by_hand,
 )
-from rotedu.scenes.introduction import four_descriptions, turning_spoon
+from rotedu.scenes.introduction import four_descriptions
 from rotedu.scenes.ordinary_rotation import figure_1, figure_1_by_hand, rotated_mesh
 from rotedu.scenes.orientations import (
     TWO_ORIENTATIONS,
@@ -87,7 +87,6 @@ __all__ = [
     "stages",
     "teaspoon",
     "three_turns_by_hand",
-    "turning_spoon",
     "two_curves",
     "two_mirrors_by_hand",
     "worn_rotations",

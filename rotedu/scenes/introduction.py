@@ -15,42 +15,9 @@ from rotedu.scenes.parts import (
     add_label,
     add_line,
     new_scene,
-    shade,
     teaspoon,
     turning,
 )
-
-
-def turning_spoon(steps: int = 5, angle: float = np.deg2rad(288)) -> pyvista.Plotter:
-    """Draw a teaspoon that turns about an axis: the picture of the title page.
-
-    Parameters
-    ----------
-    steps : int
-        Number of spoons, at least 2.
-    angle : float
-        Angle in radians between the first and the last spoon.
-
-    Returns
-    -------
-    pyvista.Plotter
-        The scene.
-    """
-    n = np.array([0.1, 0.3, 1.0]) / np.linalg.norm([0.1, 0.3, 1.0])
-    plotter = new_scene(eye=(2.35, -3.02, 2.46), target=(0.02, 0.0, 0.2), size=NARROW)
-    spoon = teaspoon(stations=61, around=24)
-    for t in np.linspace(0, 1, steps):
-        turned = spoon.copy()
-        turned.points = transform(rotation_matrix(n, t * angle), spoon.points)
-        plotter.add_mesh(turned, color=shade(t), smooth_shading=True)
-    add_arrow(plotter, -0.75 * n, 1.0 * n, AXIS)
-    add_label(plotter, 1.1 * n, r"$\hat n$", AXIS)
-    describe(
-        plotter,
-        f"A teaspoon in {steps} positions, fanned out around an axis n. The first is blue, the last"
-        " is green.",
-    )
-    return plotter
 
 
 def pointing_spoon(stations: int = 81, around: int = 28) -> pyvista.PolyData:

@@ -1,0 +1,134 @@
+"""What the front page shows of the others: a square for each claim, a card for each chapter.
+
+Only the website has them: in a book on paper, the contents and the list of claims say as much.
+"""
+
+import re
+from collections import Counter
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from docutils import nodes
+from PIL import Image
+from sphinx.application import Sphinx
+from sphinx.environment import BuildEnvironment
+from sphinx.transforms.post_transforms import SphinxPostTransform
+from sphinx.util.docutils import SphinxDirective
+
+from rotedu.edition.claims import CLAIMS
+from rotedu.figures.pages import scene_poster
+
+# What a square says, and how many of them it says it of.
+SAID = {"holds": "hold", "holds under a condition": "hold under a condition"}
+SAID |= {"does not hold": "do not hold", "left open": "are left open"}
+MARK = "verdict-mark"
+LEFT_OPEN = {"does not follow", "not confirmed", "a matter of names"}
+# Twice the size that a card has room for.
+PICTURE = (432, 264)
+MINUTES = re.compile(r"Time (\d+ minutes)")
+
+
+class shown(nodes.Element):  # noqa: N801 (docutils names nodes so)
+    """The place of squares or cards."""
+
+
+class Place(SphinxDirective):
+    """``{verdicts}``, or ``{chapters}`` with a line on each: ``03-ordinary-rotation: words``."""
+
+    has_content = True
+
+    def run(self) -> list[nodes.Node]:
+        """Note the place."""
+        return [shown(what=self.name, lines=[line.split(": ", 1) for line in self.content])]
+
+
+class ShowPages(SphinxPostTransform):
+    """Write squares and cards, once all pages have been read."""
+
+    # After the first uses of words have become links, which a card, itself one, has no room for.
+    default_priority = 7
+
+    def run(self, **_: Any) -> None:
+        """Replace each place."""
+        for place in list(self.document.findall(shown)):
+            if self.app.builder.name != "html":
+                place.replace_self([])
+            elif place["what"] == "verdicts":
+                place.replace_self(list(self.verdicts()))
+            else:
+                cards = [self.card(f"book/{name}", words) for name, words in place["lines"]]
+                place.replace_self(nodes.container("", *cards, classes=["cards"]))
+
+    def verdicts(self) -> Iterator[nodes.paragraph]:
+        """Yield a row of links, one to each claim, sorted by verdict, and how many there are."""
+        order = list(SAID)
+        kinds = {c: "left open" if c.verdict in LEFT_OPEN else c.verdict for c in CLAIMS}
+        squares = [
+            nodes.reference(
+                "",
+                "",
+                nodes.inline("", f"Claim {claim.number}: {claim.verdict}"),
+                refuri=f"{self.address('book/claims')}#claim-{claim.number}",
+                internal=True,
+                classes=[MARK, nodes.make_id(kind)],
+            )
+            for claim, kind in sorted(kinds.items(), key=lambda pair: order.index(pair[1]))
+        ]
+        yield nodes.paragraph("", "", *squares, classes=["squares"])
+        numbers = Counter(kinds.values())
+        legend = [
+            nodes.inline("", f"{numbers[kind]} {said}", classes=[MARK, nodes.make_id(kind)])
+            for kind, said in SAID.items()
+        ]
+        yield nodes.paragraph("", "", *legend, classes=["legend"])
+
+    def card(self, docname: str, words: str) -> nodes.container:
+        """Show the first picture of a page, its title and minutes, and a line on it."""
+        page = self.env.get_doctree(docname)
+        title = nodes.strong("", self.env.titles[docname].astext())
+        link = nodes.reference("", "", title, refuri=self.address(docname), internal=True)
+        minutes = nodes.inline("", MINUTES.search(page.astext())[1], classes=["minutes"])
+        return nodes.container(
+            "",
+            self.small(next(page.findall(scene_poster))),
+            nodes.paragraph("", "", link, nodes.Text(" "), minutes),
+            nodes.paragraph("", words),
+            classes=["card"],
+        )
+
+    def small(self, poster: scene_poster) -> scene_poster:
+        """Make a small picture of a poster, without what is empty around it."""
+        source = Path(self.env.srcdir, poster["uri"])
+        with Image.open(source) as large:
+            picture = large.crop(large.getbbox())
+        picture.thumbnail(PICTURE)
+        target = source.with_name(f"small-{source.name}")
+        # At this size nobody sees what is lost of the opacity of glass, which is most of the file.
+        picture.save(target, quality=60, alpha_quality=50, method=6)
+        uri = target.relative_to(self.env.srcdir).as_posix()
+        self.env.images.add_file(self.env.docname, uri)
+        width, height = picture.size
+        says = poster["alt"].split(". ")[0]
+        return scene_poster(uri=uri, candidates={"*": uri}, alt=says, width=width, height=height)
+
+    def address(self, docname: str) -> str:
+        """Return the address of a page, as seen from this one."""
+        return self.app.builder.get_relative_uri(self.env.docname, docname)
+
+
+def follow(
+    app: Sphinx, env: BuildEnvironment, added: set[str], changed: set[str], removed: set[str]
+) -> list[str]:
+    """Read the first page again where others have changed."""
+    return [app.config.root_doc] if added or changed else []
+
+
+def setup(app: Sphinx) -> dict[str, Any]:
+    """Register the directives and the step."""
+    app.add_node(shown)
+    app.add_directive("verdicts", Place)
+    app.add_directive("chapters", Place)
+    app.add_post_transform(ShowPages)
+    app.connect("env-get-outdated", follow)
+    return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -1,0 +1,156 @@
+"""The first page: what it counts and shows of the others, and its figure."""
+
+import json
+import re
+from collections import Counter
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from bs4 import BeautifulSoup
+from html_pages import parse
+from notebook_language import captions_by_hand, pages
+
+from rotedu.edition.claims import CLAIMS, VERDICTS
+
+SIGNS = {
+    "holds": "holds",
+    "holds under a condition": "holds-under-a-condition",
+    "does not hold": "does-not-hold",
+    "does not follow": "left-open",
+    "not confirmed": "left-open",
+    "a matter of names": "left-open",
+}
+VALUES = "JSON.parse(document.querySelector('.explorable').dataset.values)"
+
+
+@pytest.fixture(scope="module")
+def front(book: Path) -> BeautifulSoup:
+    """The first page."""
+    return parse(book / "book" / "index.html")
+
+
+def test_the_first_page_answers_the_title(front: BeautifulSoup) -> None:
+    title, _, answer = front.select("article h1, article h1 ~ p, article h1 ~ .answer")[:3]
+    assert title.get_text().startswith("Do We Need Quaternions?")
+    # One sentence.
+    assert re.fullmatch(r"\s*Strictly speaking, we do not, but [^.]+\.\s*", answer.get_text())
+    ways = {link.get_text(): link["href"] for link in front.select(".ways a")}
+    assert ways == {"Begin": "01-introduction.html", "Only the verdict": "06-conclusions.html"}
+
+
+def test_what_the_first_page_counts_is_there(book: Path, front: BeautifulSoup) -> None:
+    counted = [int(number.get_text()) for number in front.select(".counts strong")]
+    numbered = {
+        number["id"]
+        for page in (book / "book").glob("0*.html")
+        for number in parse(page).select("div.math[id^=equation-eq-]")
+    }
+    errata = parse(book / "book" / "errata.html")
+    kinds = [row.select("td")[-1].get_text(strip=True) for row in errata.table.select("tbody tr")]
+    mended = sum(kind != "open" for kind in kinds)
+    assert counted == [len(numbered), len(CLAIMS), mended, len(captions_by_hand())]
+
+
+def test_each_claim_has_a_square_that_says_its_verdict(front: BeautifulSoup) -> None:
+    assert SIGNS.keys() == VERDICTS.keys()
+    squares = {link["href"].partition("#claim-")[2]: link for link in front.select(".squares a")}
+    assert len(squares) == len(front.select(".squares a"))
+    for claim in CLAIMS:
+        square = squares.pop(str(claim.number))
+        assert SIGNS[claim.verdict] in square["class"]
+        assert square.get_text() == f"Claim {claim.number}: {claim.verdict}"
+    assert not squares
+    told = {
+        mark["class"][-1]: int(mark.get_text().split()[0]) for mark in front.select(".legend > *")
+    }
+    assert told == Counter(SIGNS[claim.verdict] for claim in CLAIMS)
+
+
+def test_each_chapter_has_a_card(front: BeautifulSoup) -> None:
+    listed = front.select(".sidebar-tree a.reference[href^='0']")
+    cards = front.select(".card")
+    assert len(cards) == 9
+    assert [card.a["href"] for card in cards] == [link["href"] for link in listed]
+    for card, link in zip(cards, listed, strict=True):
+        assert card.a.get_text() == link.get_text()
+        text = pages()[link["href"].replace(".html", ".ipynb")].text
+        assert f"**Time** {card.select_one('.minutes').get_text()} to read" in text
+        assert card.img["loading"] == "lazy"
+        assert not card.select("a.first-use")
+
+
+def test_cards_are_light(book: Path, front: BeautifulSoup) -> None:
+    files = [book / "book" / picture["src"] for picture in front.select(".card img")]
+    assert sum(file.stat().st_size for file in files) < 100_000
+
+
+@pytest.fixture
+def visit(browser: Any, site: str) -> Iterator[Callable[..., Any]]:
+    """Open the first page until its figure is live; close it at the end."""
+    contexts = []
+
+    def open_front(**how: Any) -> Any:
+        contexts.append(browser.new_context(**how))
+        page = contexts[-1].new_page()
+        page.goto(f"{site}/book/index.html")
+        page.locator(".scene[data-state=live]").wait_for()
+        return page
+
+    yield open_front
+    for context in contexts:
+        context.close()
+
+
+def test_the_figure_plays_until_it_is_grabbed(visit: Callable[..., Any]) -> None:
+    page = visit(viewport={"width": 1440, "height": 900})
+    early = page.evaluate(
+        """() => {
+            const [{ loadEventStart }] = performance.getEntriesByType("navigation");
+            return performance.getEntriesByType("resource")
+                .filter(({ startTime }) => startTime < loadEventStart).map(({ name }) => name);
+        }"""
+    )
+    assert any("loader.js" in name for name in early)
+    assert not [
+        name
+        for name in early
+        if re.search(r"(viewer|by-hand)-\w+\.js|/scene-\w+\.(glb|json)", name)
+    ]
+
+    start = page.evaluate(VALUES)
+    page.wait_for_function(f"start => {VALUES}.along !== start", arg=start["along"])
+    box = page.locator(".scene").bounding_box()
+    assert 735 <= box["width"] <= 737
+    for seen in ("h1", ".answer", ".ways"):
+        assert page.locator(seen).bounding_box()["y"] < box["y"] < 900 - 0.8 * box["height"]
+    handle = page.locator(".scene [data-handle]").first
+    spot = handle.bounding_box()
+    page.mouse.move(spot["x"] + spot["width"] / 2, spot["y"] + spot["height"] / 2)
+    page.mouse.down()
+    page.mouse.move(spot["x"] + spot["width"] / 2 + 40, spot["y"] + spot["height"] / 2, steps=4)
+    assert page.locator("[data-action=play]").text_content() == "Play"
+    held = page.evaluate(VALUES)
+    assert held["way"] == "by hand"
+    assert held["q"] != start["q"]
+    page.wait_for_timeout(300)
+    assert json.dumps(page.evaluate(VALUES)) == json.dumps(held)
+    page.mouse.up()
+
+
+@pytest.mark.slow
+def test_the_figure_rests_for_who_wants_no_motion(visit: Callable[..., Any]) -> None:
+    page = visit(reduced_motion="reduce")
+    start = page.evaluate(VALUES)
+    page.wait_for_timeout(500)
+    assert page.evaluate(VALUES) == start
+
+
+@pytest.mark.slow
+def test_the_first_screen_of_a_phone_has_title_answer_and_spoon(visit: Callable[..., Any]) -> None:
+    page = visit(viewport={"width": 390, "height": 844}, is_mobile=True, has_touch=True)
+    parts = ("h1", ".answer", ".ways", ".scene [data-handle]")
+    boxes = [page.locator(part).first.bounding_box() for part in parts]
+    assert [box["y"] for box in boxes] == sorted(box["y"] for box in boxes)
+    assert boxes[-1]["y"] + boxes[-1]["height"] < 844

@@ -94,7 +94,7 @@ def arc_axis(p: Unit3, q: Unit3) -> Vector:
     """
     refuse_coincident(p, q)
     refuse_antipodal(angle_between(p, q))
-    # This product is twice p x q, but its factors are at right angles, so nothing cancels.
+    # Twice p x q, but of factors at right angles, so that nothing cancels.
     return unit(cross(p + q, q - p))
 
 
@@ -156,7 +156,7 @@ def slerp(p: Unit, q: Unit, t: Number) -> Vector:
     rotedu.errors.DegenerateError: p and q are antipodal: no unique arc joins them
     """
     chord, middle = q - p, p + q
-    # Near pi, where the chord has length 2, rounding tilts the short middle; undo it.
+    # Near pi, where the chord is 2, rounding tilts the short middle; undo it.
     middle = middle - dot(middle, chord) / 4 * chord
     across, along = length(chord), length(middle)
     theta = 2 * np.arctan2(across, along)

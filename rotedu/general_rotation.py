@@ -151,7 +151,11 @@ def rotation_w(angle: Number) -> HomogeneousMatrix:
 
 
 @checked
-def matrix_from_euler_angles(u: Number, v: Number, w: Number) -> HomogeneousMatrix:
+def matrix_from_euler_angles(
+    u: Number,
+    v: Number,
+    w: Number,
+) -> HomogeneousMatrix:
     """Return the matrix that rotates about U, then V, then W: (4-1), multiplied out in (4-2).
 
     Parameters
@@ -192,7 +196,8 @@ def matrix_from_euler_angles(u: Number, v: Number, w: Number) -> HomogeneousMatr
     >>> np.allclose(a, b, rtol=0, atol=1e-15)
     True
     """
-    cu, su, cv, sv, cw, sw = np.cos(u), np.sin(u), np.cos(v), np.sin(v), np.cos(w), np.sin(w)
+    cu, cv, cw = np.cos(u), np.cos(v), np.cos(w)
+    su, sv, sw = np.sin(u), np.sin(v), np.sin(w)
     return from_rows(
         [cv * cw, su * sv * cw - cu * sw, cu * sv * cw + su * sw, 0],
         [cv * sw, su * sv * sw + cu * cw, cu * sv * sw - su * cw, 0],
@@ -201,7 +206,11 @@ def matrix_from_euler_angles(u: Number, v: Number, w: Number) -> HomogeneousMatr
 
 
 @checked
-def quaternion_from_euler_angles(u: Number, v: Number, w: Number) -> Quaternion:
+def quaternion_from_euler_angles(
+    u: Number,
+    v: Number,
+    w: Number,
+) -> Quaternion:
     """Return the quaternion of three principal rotations, given by (4-4) and (4-6).
 
     Parameters
@@ -234,7 +243,8 @@ def quaternion_from_euler_angles(u: Number, v: Number, w: Number) -> Quaternion:
     [0.5   0.    0.    0.866]
     """
     u, v, w = u / 2, v / 2, w / 2
-    cu, su, cv, sv, cw, sw = np.cos(u), np.sin(u), np.cos(v), np.sin(v), np.cos(w), np.sin(w)
+    cu, cv, cw = np.cos(u), np.cos(v), np.cos(w)
+    su, sv, sw = np.sin(u), np.sin(v), np.sin(w)
     alpha = su * cv * cw - cu * sv * sw
     beta = cu * sv * cw + su * cv * sw
     gamma = cu * cv * sw - su * sv * cw

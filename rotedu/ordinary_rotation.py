@@ -125,13 +125,12 @@ def rotation_matrix(axis: Unit3, angle: Number) -> Rotation:
     nu, nv, nw = axis
     cos, sin = np.cos(angle), np.sin(angle)
     k = 1 - cos
-    return np.array(
-        [
-            [cos + k * nu * nu, k * nu * nv - sin * nw, k * nu * nw + sin * nv],
-            [k * nu * nv + sin * nw, cos + k * nv * nv, k * nv * nw - sin * nu],
-            [k * nu * nw - sin * nv, k * nv * nw + sin * nu, cos + k * nw * nw],
-        ]
-    )
+    rows = [
+        [cos + k * nu * nu, k * nu * nv - sin * nw, k * nu * nw + sin * nv],
+        [k * nu * nv + sin * nw, cos + k * nv * nv, k * nv * nw - sin * nu],
+        [k * nu * nw - sin * nv, k * nv * nw + sin * nu, cos + k * nw * nw],
+    ]
+    return np.array(rows)
 
 
 @checked
@@ -293,7 +292,7 @@ def axis_angle(matrix: Rotation) -> tuple[Vector3, Number]:
     w, x, y, z = np.choose(largest, table)
     axis, sine = axis_and_length(np.stack([x, y, z]))
 
-    # Take q or -q so that w > 0 or, at a half turn, so that the axis begins above 0.
+    # Take q or -q so that w > 0 or, at a half turn, the axis begins above 0.
     tiny = 4 * rounding(matrix)
     first = np.choose(np.argmax(np.abs(axis) > tiny, axis=0), axis)
     half_turn = np.abs(w) <= tiny * sine

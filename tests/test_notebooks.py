@@ -5,6 +5,7 @@ import os
 import re
 import subprocess
 import sys
+import tomllib
 from pathlib import Path
 
 import nbformat
@@ -23,6 +24,7 @@ with run_kernel():
 """
 SHOWN = re.compile(r"\bsource\((?:\w+\.)*(\w+)\)")
 PRIVATE = re.compile(r"_(?!_)")
+WIDTH = tomllib.loads((ROOT / "book" / "ruff.toml").read_text(encoding="utf-8"))["line-length"]
 
 
 @pytest.mark.parametrize("page", notebooks(), ids=repr)
@@ -48,6 +50,18 @@ class TestNotebook:
         assert [name for name in shown if PRIVATE.match(name)] == []
         printed = json.dumps([cell.outputs for cell in page.code])
         assert not re.search(r"\bdef _[a-z]", printed)
+
+    def test_shows_no_function_wider_than_the_page(self, page: Page) -> None:
+        """Ruff holds the cells to this width; the package has wider lines."""
+        listings = [cell.outputs for cell in page.code if SHOWN.search(cell.source)]
+        lines = [
+            line
+            for outputs in listings
+            for output in outputs
+            for line in output.data["text/plain"].splitlines()
+        ]
+        assert len(lines) >= 2 * len(listings)
+        assert [line for line in lines if len(line) > WIDTH] == []
 
     def test_names_no_backend_and_no_path(self, page: Page) -> None:
         for cell in page.code:

@@ -3,7 +3,7 @@
  * Browsers allow few contexts and may take one back at any time.
  */
 import { LinearSRGBColorSpace, WebGLRenderer } from "three";
-import { extent, WHOLE } from "./stack.js";
+import { WHOLE } from "./stack.js";
 
 let renderer;
 const restored = new Set();
@@ -38,8 +38,11 @@ export function onRestored(redraw) {
   return () => restored.delete(redraw);
 }
 
-/** Draw a scene into its canvas, as a whole or in rows. */
-export function draw(scene, camera, canvas, rows = WHOLE) {
+/**
+ * Draw a scene into its canvas, as a whole or in rows.
+ * @param {function} [only] takes the number of a row, and hides what belongs to others until it is called again
+ */
+export function draw(scene, camera, canvas, rows = WHOLE, only = () => {}) {
   if (renderer.getContext().isContextLost()) return;
   const { width, height } = canvas;
   const shared = renderer.domElement;
@@ -48,18 +51,18 @@ export function draw(scene, camera, canvas, rows = WHOLE) {
   }
   renderer.clear();
   renderer.setScissorTest(true);
-  for (const row of rows) {
-    const { from, to } = row;
+  for (const [i, { from, to }] of rows.entries()) {
+    only(i);
     const [x, y, across, down] = to.map((value, i) => Math.round(value * (i % 2 ? height : width)));
-    const [first, last] = extent(rows, row).map((share) => Math.round(share * across));
     const above = height - y - down;
     renderer.setViewport(x, above, across, down);
-    renderer.setScissor(x + first, above, last - first, down);
+    renderer.setScissor(x, above, across, down);
     const [left, top, wide, high] = from;
     const { aspect } = camera;
     camera.setViewOffset(aspect, 1, left * aspect, top, wide * aspect, high);
     renderer.render(scene, camera);
   }
+  only();
   renderer.setScissorTest(false);
   camera.clearViewOffset();
   const paper = canvas.getContext("2d");

@@ -14,30 +14,22 @@ export const WHOLE = [{ from: [0, 0, 1, 1], to: [0, 0, 1, 1] }];
 export function stacked(rows, aspect, { width, height }) {
   if (!rows || height <= width) return WHOLE;
   const size = [Math.min(1, (aspect * height) / width), Math.min(1, width / aspect / height)];
-  return rows.map(({ from, to }) => ({
-    from,
-    to: to.map((x, i) => x * size[i % 2] + (i < 2 ? (1 - size[i]) / 2 : 0)),
-  }));
+  return rows.map(({ from, to }) => wide(from, to.map((x, i) => x * size[i % 2] + (i < 2 ? (1 - size[i]) / 2 : 0))));
 }
 
-/** The row in which a place of the picture is, or the next one to its side. */
+/** A row from side to side of its box, so that what turns is not cut off where there is room. */
+function wide([left, above, across, down], [x, y, width, height]) {
+  return { from: [left - (x * across) / width, above, across / width, down], to: [0, y, 1, height] };
+}
+
+/** Which row shows what is at a place of the picture at rest: that in which it is, or the next one to its side. */
 export function rowOf(rows, { left }) {
-  const beyond = ({ from: [x, , width] }) => Math.max(x - left, left - x - width);
-  return rows.reduce((best, row) => (beyond(row) < beyond(best) ? row : best));
-}
-
-/** From where to where a row shows its part, as shares of its width: half of what another shows, too. */
-export function extent(rows, { from: [x, , width] }) {
-  const [low, high] = [x, x + width];
-  const others = rows.map(({ from: [left, , across] }) => [left, left + across]);
-  const first = Math.max(low, ...others.filter(([left]) => left < low).map(([, right]) => (low + right) / 2));
-  const last = Math.min(high, ...others.filter(([left]) => left > low).map(([left]) => (high + left) / 2));
-  return [(first - low) / width, (last - low) / width];
+  const beyond = rows.map(({ from: [x, , width] }) => Math.max(x - left, left - x - width));
+  return beyond.indexOf(Math.min(...beyond));
 }
 
 /** Where a place of the picture is in the box, and whether its row shows it. */
-export function toBox(rows, { left, top, inside }) {
-  const { from, to } = rowOf(rows, { left });
+export function toBox({ from, to }, { left, top, inside }) {
   const [x, y] = [left, top].map((value, i) => (value - from[i]) / from[i + 2]);
   const shown = inside && Math.max(Math.abs(x - 0.5), Math.abs(y - 0.5)) <= 0.5;
   return { left: to[0] + x * to[2], top: to[1] + y * to[3], inside: shown };

@@ -48,6 +48,7 @@ export async function show(element, file, context, { width, height, alt }) {
   camera.lookAt(...pose.target);
   camera.updateMatrixWorld();
   const atRest = axes(camera);
+  const lensAtRest = lens(atPoster(camera, pose));
 
   const watchers = [];
   const stack = JSON.parse(element.dataset.stack ?? "{}");
@@ -55,6 +56,16 @@ export async function show(element, file, context, { width, height, alt }) {
   let fixed = WHOLE;
   let rows = WHOLE;
   let resting = false;
+  /** The number of the row that shows what is near a point, wherever the camera has gone. */
+  const rowAt = (point) => (fixed === WHOLE ? 0 : rowOf(stack.rows, project(lensAtRest, point)));
+  let absent = [];
+  /** Show the objects of one row only, or all again. */
+  const only = (row) => {
+    for (const object of absent) object.visible = true;
+    const elsewhere = (object) => object.visible && rowAt(firstPoint(object)) !== row;
+    absent = fixed === WHOLE || row === undefined ? [] : objects.filter(elsewhere);
+    for (const object of absent) object.visible = false;
+  };
   /** A row that shows what it showed at rest, in its middle and as large, wherever the camera has gone. */
   const followed = ({ from, to }, i) => {
     const [far, near] = [pose.target, middles[i]].map(
@@ -82,13 +93,13 @@ export async function show(element, file, context, { width, height, alt }) {
   };
   const drawNow = () => {
     if (resting) return;
-    for (const [eye, take, named, parted] of [
-      ...[...views.values()].map((view) => [view.camera, view.draw, view.labels, WHOLE]),
-      [camera, (scene) => draw(scene, camera, canvas, rows), labels, rows],
+    for (const [eye, take, named, rowFor] of [
+      ...[...views.values()].map((view) => [view.camera, view.draw, view.labels, () => WHOLE[0]]),
+      [camera, (scene) => draw(scene, camera, canvas, rows, only), labels, (point) => rows[rowAt(point)]],
     ]) {
       sortSeeThrough(objects, eye);
       take(scene);
-      placeLabels(named, eye, surfaces, parted);
+      placeLabels(named, eye, surfaces, rowFor);
     }
     for (const watch of watchers) watch();
   };
@@ -181,13 +192,13 @@ export async function show(element, file, context, { width, height, alt }) {
     /** Call back after each picture. */
     onDraw: (watch) => watchers.push(watch),
     /** Where a point is in the picture. */
-    project: (point) => toBox(rows, project(lens(camera), point)),
+    project: (point) => toBox(rows[rowAt(point)], project(lens(camera), point)),
     /**
      * The line of sight through a place of the picture, given in fractions of its size, where it shows
      * what is near a point.
      */
     sight(left, top, near) {
-      const [x, y] = toPicture(rowOf(rows, project(lens(camera), near)), left, top);
+      const [x, y] = toPicture(rows[rowAt(near)], left, top);
       const through = new Vector3(2 * x - 1, 1 - 2 * y, 0.5).unproject(camera);
       const direction = through.sub(camera.position).normalize();
       return { eye: camera.position.toArray(), direction: direction.toArray() };
@@ -219,6 +230,19 @@ function middleOf([left, top, width, height], { viewAngle, aspect, target }, dis
   return target.map((value, i) => value + x * right[i] + y * up[i]);
 }
 
+/** A camera where another one is, which sees what the poster shows. */
+function atPoster(camera, { viewAngle, aspect }) {
+  const copy = Object.assign(camera.clone(), { fov: viewAngle, aspect });
+  copy.updateProjectionMatrix();
+  return copy;
+}
+
+/** The first point of an object, where it is now. */
+function firstPoint({ geometry, matrix }) {
+  const { instanceStart, position } = geometry.attributes;
+  return new Vector3().fromBufferAttribute(instanceStart ?? position, 0).applyMatrix4(matrix).toArray();
+}
+
 /** The matrix from the scene to the picture. */
 function lens(camera) {
   return camera.projectionMatrix.clone().multiply(camera.matrixWorldInverse).elements;
@@ -239,12 +263,12 @@ function measure({ clientWidth: across, clientHeight: down }, labels) {
   }
 }
 
-function placeLabels(labels, camera, surfaces, rows) {
+function placeLabels(labels, camera, surfaces, rowFor) {
   const matrix = lens(camera);
   const eye = camera.position.toArray();
   const seen = [];
   for (const { label, position, width, height, across, down } of labels) {
-    const { left, top, inside } = position ? toBox(rows, project(matrix, position)) : {};
+    const { left, top, inside } = position ? toBox(rowFor(position), project(matrix, position)) : {};
     const hidden = !inside || isHidden(surfaces, eye, position);
     label.toggleAttribute("data-behind", hidden);
     if (position) {

@@ -80,6 +80,7 @@ def test_a_figure_carries_its_scene(sent: list[Any]) -> None:
         "width": plotter.window_size[0],
         "height": plotter.window_size[1],
         "labels": scene_labels(plotter),
+        "stack": {},
         "views": [],
     }
 

@@ -69,7 +69,7 @@ def test_chapter_is_listed(chapter: str) -> None:
 
 def test_a_page_shows_each_claim_that_links_to_it() -> None:
     texts = {name: read(name) for name in CHAPTERS}
-    row = r"\| {} \| .* \| \*\*"
+    row = r"\| {} \| .* \| [✓~×?] \*\*"
     missing = [
         claim.number
         for claim in CLAIMS
@@ -90,11 +90,11 @@ def test_table_has_a_row_for_each_claim_that_is_asked_for() -> None:
 
 def test_a_reason_follows_the_verdict_and_its_condition() -> None:
     judged = Claim(1, "A", ("1",), "holds under a condition", "05-arcs", "so", "why").judgement
-    assert judged == "**holds under a condition**: if so; why"
+    assert judged == "~ **holds under a condition**: if so; why"
     assert Claim(1, "A", ("1",), "does not hold", "05-arcs", reason="why").judgement.endswith(
         "**: why"
     )
-    assert Claim(1, "A", ("1",), "holds", "05-arcs").judgement == "**holds**"
+    assert Claim(1, "A", ("1",), "holds", "05-arcs").judgement == "✓ **holds**"
 
 
 def test_evidence_stands_beside_the_verdict_and_has_links() -> None:
@@ -102,7 +102,7 @@ def test_evidence_stands_beside_the_verdict_and_has_links() -> None:
     equal, visible = (line.split(" | ") for line in lines[2:])
     assert equal[0] == "| 42"
     assert equal[1].startswith("[(3-1)](#eq-3-1), [(3-2)](#eq-3-2)")
-    assert equal[2:] == ["**holds**", "proved |"]
+    assert equal[2:] == ["✓ **holds**", "proved |"]
     assert visible[1].endswith(" (not claimed)")
     assert visible[3] == "see [(5-2)](#eq-5-2) and [E4b](#erratum-e4b) |"
 

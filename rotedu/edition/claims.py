@@ -32,6 +32,10 @@ VERDICTS: dict[Verdict, str] = {
     "a matter of names": "the formulas are right, under either of two names in use",
 }
 
+SIGNS = {"holds": "\N{CHECK MARK}", "holds under a condition": "~"}
+SIGNS |= {"does not hold": "\N{MULTIPLICATION SIGN}"}
+"""What is seen of a verdict before it is read; ``?`` stands before the others."""
+
 OTHERS = {"folklore", "not claimed"}
 """What is often said outside the paper, and what a reader may suspect."""
 
@@ -46,6 +50,11 @@ CHAPTERS = {
     "05-orientations": "Page\N{NO-BREAK SPACE}5\N{NO-BREAK SPACE}IV",
     "06-conclusions": "Chapter\N{NO-BREAK SPACE}6",
 }
+
+
+def signed(verdict: Verdict) -> str:
+    """Return a verdict with its sign, in Markdown."""
+    return f"{SIGNS.get(verdict, '?')} **{verdict}**"
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,7 +98,7 @@ class Claim:
         """The verdict, in Markdown, with its condition and its reason, if there are any."""
         condition = self.condition and f"if {self.condition}"
         why = "; ".join(text for text in (condition, self.reason) if text)
-        return f"**{self.verdict}**" + (f": {why}" if why else "")
+        return signed(self.verdict) + (f": {why}" if why else "")
 
 
 CLAIMS = (
@@ -684,7 +693,7 @@ def claim_table(numbers: Iterable[int]) -> Table:
     >>> claim_table([3])
     | No. | The claim | In | Verdict | Shown in |
     | --- | --- | --- | --- | --- |
-    | [3]{#claim-3} | Four of the nine entries of a rotation matrix are independent | 1 | **does not hold**: three are, [E6](#erratum-e6) | [Chapter\N{NO-BREAK SPACE}1](01-introduction.ipynb) |
+    | [3]{#claim-3} | Four of the nine entries of a rotation matrix are independent | 1 | × **does not hold**: three are, [E6](#erratum-e6) | [Chapter\N{NO-BREAK SPACE}1](01-introduction.ipynb) |
     """  # noqa: E501
     chosen = set(numbers)
     rows = [
@@ -719,13 +728,13 @@ def evidence_table(evidence: Mapping[int, str]) -> Table:
     >>> evidence_table({3: "three are, E6"})
     | No. | The paper says | Verdict | Evidence |
     | --- | --- | --- | --- |
-    | 3 | Four of the nine entries of a rotation matrix are independent | **does not hold** | three are, [E6](#erratum-e6) |
+    | 3 | Four of the nine entries of a rotation matrix are independent | × **does not hold** | three are, [E6](#erratum-e6) |
     """  # noqa: E501
     rows = []
     for number, seen in evidence.items():
         claim = next(claim for claim in CLAIMS if claim.number == number)
         said = linked(claim.claim) + (" (not claimed)" if "not claimed" in claim.where else "")
-        rows.append([str(number), said, f"**{claim.verdict}**", linked(seen)])
+        rows.append([str(number), said, signed(claim.verdict), linked(seen)])
     return Table(["No.", "The paper says", "Verdict", "Evidence"], rows)
 
 
@@ -740,5 +749,5 @@ def verdict_table() -> Table:
     given = Counter(claim.verdict for claim in CLAIMS if not OTHERS & set(claim.where))
     return Table(
         ["Verdict", "Means", "Claims"],
-        [[f"**{word}**", VERDICTS[word], str(given[word])] for word in VERDICTS],
+        [[signed(word), VERDICTS[word], str(given[word])] for word in VERDICTS],
     )

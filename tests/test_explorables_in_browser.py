@@ -179,7 +179,7 @@ def check(name: str, figure: Any) -> dict[str, Any]:
             continue
         np.testing.assert_allclose(mine, output.value, rtol=1e-6, atol=1e-6, err_msg=str(inputs))
         text = figure.locator(f'output[name="{key}"]').text_content().replace("\N{MINUS SIGN}", "-")
-        numbers = np.array(text.removesuffix(output.unit).split(), float)
+        numbers = np.array(text.removesuffix(output.unit).replace(",", "").split(), float)
         np.testing.assert_allclose(numbers, np.ravel(mine), atol=0.51 * 10**-output.digits)
     return told
 

@@ -27,10 +27,10 @@ from rotedu.scenes.orientations import FILMS
 # Figure, words on the chip, outputs.
 SHOWN: list[tuple[str, str, dict[str, str]]] = [
     # In the order of the films: slerp, squad, spline of q, the paper's, spline of M.
-    ("animate", "small turns", {"fastest": "39 53 51 50 53°/s", "corner": "62°/s"}),
-    ("animate", "one sign changed", {"fastest": "250 749 494 188 1720°/s"}),
-    ("animate", "two poses alike", {"speed": "6 56 79 82 36°/s"}),
-    ("animate", "handles of one third", {"jumps": "478 438°/s²"}),
+    ("animate", "small turns", {"fastest": "39, 53, 51, 50, 53°/s", "corner": "62°/s"}),
+    ("animate", "one sign changed", {"fastest": "250, 749, 494, 188, 1720°/s"}),
+    ("animate", "two poses alike", {"speed": "6, 56, 79, 82, 36°/s"}),
+    ("animate", "handles of one third", {"jumps": "478, 438°/s²"}),
     ("arcs_of_arcs", "close to the start", {"way_1": "3.1°", "way_2": "6.1°", "way_3": "8.9°"}),
     ("arcs_of_arcs", "even closer", {"way_1": "0.6°", "way_2": "1.2°", "way_3": "1.8°"}),
     ("arcs_of_arcs", "half of every arc", {"way_1": "30.7°", "way_2": "52.7°", "way_3": "62.9°"}),
@@ -97,17 +97,17 @@ SHOWN: list[tuple[str, str, dict[str, str]]] = [
     (
         "closed_curve_by_hand",
         "two points close together",
-        {"curvature_jump": "1.77", "speed_range": "1 90°/s"},
+        {"curvature_jump": "1.77", "speed_range": "1, 90°/s"},
     ),
     (
         "closed_curve_by_hand",
         "points on a great circle",
-        {"curvature_jump": "0.00", "speed_range": "68 135°/s"},
+        {"curvature_jump": "0.00", "speed_range": "68, 135°/s"},
     ),
     (
         "closed_curve_by_hand",
         "the same, a third of the way",
-        {"curvature_jump": "0.00", "speed_range": "90 90°/s"},
+        {"curvature_jump": "0.00", "speed_range": "90, 90°/s"},
     ),
     (
         "camera_by_hand",
@@ -131,10 +131,10 @@ SHOWN: list[tuple[str, str, dict[str, str]]] = [
     *(
         ("grab_the_spoon", words, {"q": q, "angle": angle, "home": "yes"})
         for words, q, angle in (
-            ("half turns about U, V, W", "1.00 0.00 0.00 0.00", "0°"),
-            ("about U, W, V", "\N{MINUS SIGN}1.00 0.00 0.00 0.00", "360°"),
-            ("a wobbling full turn", "\N{MINUS SIGN}1.00 0.00 0.00 0.00", "360°"),
-            ("home by Euler angles", "\N{MINUS SIGN}1.00 0.00 0.00 0.00", "360°"),
+            ("half turns about U, V, W", "1.00, 0.00, 0.00, 0.00", "0°"),
+            ("about U, W, V", "\N{MINUS SIGN}1.00, 0.00, 0.00, 0.00", "360°"),
+            ("a wobbling full turn", "\N{MINUS SIGN}1.00, 0.00, 0.00, 0.00", "360°"),
+            ("home by Euler angles", "\N{MINUS SIGN}1.00, 0.00, 0.00, 0.00", "360°"),
         )
     ),
     *(
@@ -153,8 +153,8 @@ SHOWN: list[tuple[str, str, dict[str, str]]] = [
     ),
     ("three_turns_by_hand", "turns of 10°", {"apart": "3°", "lower": "M(u) M(v) M(w)"}),
     ("three_turns_by_hand", "half turns", {"apart": "0°", "lower": "M(u) M(v) M(w)"}),
-    ("euler_angles_by_hand", "the spoon 1° aside", {"rings": "0 89 0°", "by_slerp": "89°"}),
-    ("euler_angles_by_hand", "v = 30°", {"rings": "90 30 90°", "apart": "1.00°"}),
+    ("euler_angles_by_hand", "the spoon 1° aside", {"rings": "0, 89, 0°", "by_slerp": "89°"}),
+    ("euler_angles_by_hand", "v = 30°", {"rings": "90, 30, 90°", "apart": "1.00°"}),
     ("euler_angles_by_hand", "the longest way", {"by_angles": "305°", "by_slerp": "119°"}),
     ("figure_1_by_hand", "θ = 90°", {"first": "0.00", "across": "1.00"}),
     ("figure_1_by_hand", "θ = 180°", {"first": "−1.00", "across": "0.00"}),
@@ -163,12 +163,12 @@ SHOWN: list[tuple[str, str, dict[str, str]]] = [
     (
         "two_mirrors_by_hand",
         "mirrors at right angles",
-        {"turned": "180°", "q": "0.00 0.00 0.00 1.00"},
+        {"turned": "180°", "q": "0.00, 0.00, 0.00, 1.00"},
     ),
     (
         "two_mirrors_by_hand",
         "mirrors in one plane",
-        {"turned": "360°", "home": "yes", "q": "−1.00 0.00 0.00 0.00"},
+        {"turned": "360°", "home": "yes", "q": "−1.00, 0.00, 0.00, 0.00"},
     ),
     (
         "worn_spoons_by_hand",
@@ -176,8 +176,8 @@ SHOWN: list[tuple[str, str, dict[str, str]]] = [
         {
             "matrix_off": "5.5°",
             "quaternion_off": "16°",
-            "matrix_edges": "1.000 1.000 1.000",
-            "quaternion_edges": "1.000 1.000 1.000",
+            "matrix_edges": "1.000, 1.000, 1.000",
+            "quaternion_edges": "1.000, 1.000, 1.000",
         },
     ),
     (

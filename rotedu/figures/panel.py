@@ -97,9 +97,9 @@ def text_of(output: Output) -> str:
         [f"{_plain(x, output.digits):.{output.digits}f}" for x in row]
         for row in np.atleast_2d(np.asarray(value, float))
     ]
-    # The columns of a matrix are of one width.
-    width = max(len(x) for row in rows for x in row) if len(rows) > 1 else 0
-    lines = [" ".join(x.rjust(width) for x in row) for row in rows]
+    # The columns of a matrix are of one width; other numbers are a list.
+    width, between = (max(len(x) for row in rows for x in row), " ") if rows[1:] else (0, ", ")
+    lines = [between.join(x.rjust(width) for x in row) for row in rows]
     return "\n".join(lines).replace("-", "\N{MINUS SIGN}") + output.unit
 
 

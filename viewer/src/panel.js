@@ -223,9 +223,9 @@ function text(value, { digits, unit }) {
     return (Number(written) === 0 ? written.replace("-", "") : written).replace("-", "\u2212");
   };
   const rows = (Array.isArray(value[0]) ? value : [value]).map((row) => [row].flat().map(number));
-  // The columns of a matrix are of one width.
-  const width = rows.length > 1 ? Math.max(...rows.flat().map((x) => x.length)) : 0;
-  return rows.map((row) => row.map((x) => x.padStart(width)).join(" ")).join("\n") + unit;
+  // The columns of a matrix are of one width; other numbers are a list.
+  const [width, between] = rows.length > 1 ? [Math.max(...rows.flat().map((x) => x.length)), " "] : [0, ", "];
+  return rows.map((row) => row.map((x) => x.padStart(width)).join(between)).join("\n") + unit;
 }
 
 /** A new point in the middle of the widest gap of a closed sequence. */

@@ -113,7 +113,7 @@ test("numbers, texts and matrices are written as Python writes them", () => {
   panel.show(START, { outputs: { length: -0.001, fits: "yes", matrix: [1, 2] } });
   assert.equal(text("length"), "0.00°");
   assert.ok(!loud());
-  assert.equal(text("matrix"), "1.0 2.0");
+  assert.equal(text("matrix"), "1.0, 2.0");
   panel.withhold();
   assert.deepEqual(["length", "fits", "matrix"].map(text), ["–", "–", "– –"]);
 });

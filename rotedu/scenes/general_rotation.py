@@ -100,7 +100,7 @@ def three_turns_by_hand(
     up = np.cross(BACK, right)
     target = -0.05 * right + 0.08 * up
     plotter = new_scene(eye=28.6 * BACK + target, target=target, view_angle=11.2)
-    limit_turning(plotter, 35)
+    limit_turning(plotter, 20)
     ends, products = [], []
     for row, height, letters, carried in (
         ("upper", 1.3, "UVW", False),

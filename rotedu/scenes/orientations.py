@@ -483,7 +483,7 @@ def animate(poses: ArrayLike = POSES, t: float = 0.885, fraction: float = 1 / 2)
 
     # From far away, so that spoons in the same pose look the same wherever they are.
     plotter = new_scene(eye=-32 * V + 0.1 * W, target=0.1 * W, view_angle=8)
-    limit_turning(plotter, 25)
+    limit_turning(plotter, 15)
     add_timeline(plotter, q)
     picture = int(np.floor(n * PICTURES * t + 1 / 2)) % (n * PICTURES)
     for x, (name, film) in zip(np.linspace(-2.64, 2.64, len(films)), films.items(), strict=True):

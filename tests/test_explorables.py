@@ -394,6 +394,19 @@ def test_a_curve_has_the_colour_of_its_name() -> None:
     assert {curve["data-curve"]: curve["style"] for curve in panel.select("[data-curve]")} == names
 
 
+@pytest.mark.parametrize("repair", [False, True])
+def test_a_chart_is_there_while_it_has_a_curve(repair: bool) -> None:
+    """What is off has a number even so: by how much lengths, or by how many degrees."""
+    figure = explore(scenes.worn_spoons_by_hand)
+    plotter = figure.draw(repair=repair)
+    chart = BeautifulSoup(figure.panel(plotter), "html.parser").select_one("[data-chart]")
+    assert chart.has_attr("hidden") != repair
+    assert [end.text for end in chart.select(".explorable-range")] == ["100", "10⁻⁸"]
+    edges = np.array(plotter.shown.outputs["matrix_edges"].value)
+    off = plotter.shown.outputs["matrix_off"].value
+    assert off == ("5.5°" if repair else f"{100 * abs(edges - 1).max():.0f} % in length")
+
+
 def test_a_curve_in_pieces_has_gaps_and_marks() -> None:
     figure = explore(scenes.closed_curve_by_hand)
     panel = BeautifulSoup(figure.panel(figure.draw()), "html.parser")

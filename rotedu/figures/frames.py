@@ -55,6 +55,7 @@ class Chart:
     colors: Mapping[str, str] = field(default_factory=dict)
     marks: Sequence[str] = ()
     dashed: Sequence[str] = ()
+    ends: Sequence[str] = ()
 
 
 @dataclass(frozen=True)
@@ -248,8 +249,9 @@ def draw_chart(
     colors: Mapping[str, str] | None = None,
     marks: Sequence[str] = (),
     dashed: Sequence[str] = (),
+    ends: Sequence[str] = (),
 ) -> None:
-    """Show a chart beside a scene.
+    """Show a chart beside a scene, while it has a curve.
 
     Parameters
     ----------
@@ -273,9 +275,12 @@ def draw_chart(
         What stands where each piece begins; there may be more names than pieces.
     dashed : sequence of str
         Curves that let see what is below them.
+    ends : sequence of str
+        What stands at the lower and the upper end of the heights, if not these numbers.
     """
     heights = {curve: rounded(h) for curve, h in curves.items()}
-    shown(plotter).charts[name] = Chart(x, y, heights, label, over, colors or {}, marks, dashed)
+    chart = Chart(x, y, heights, label, over, colors or {}, marks, dashed, ends)
+    shown(plotter).charts[name] = chart
 
 
 def limit_turning(plotter: pyvista.Plotter, degrees: float) -> None:

@@ -132,7 +132,8 @@ def _chart(name: str, chart: Chart, start: Mapping[str, Any]) -> str:
         for curve, heights in chart.curves.items()
     )
     at = (start[chart.over] - chart.x[0]) / (chart.x[1] - chart.x[0]) * WIDTH
-    low, high = (f"{y:g}".replace("-", "\N{MINUS SIGN}") for y in chart.y)
+    low, high = chart.ends or (f"{y:g}".replace("-", "\N{MINUS SIGN}") for y in chart.y)
+    hidden = " hidden" if all(heights is None for heights in chart.curves.values()) else ""
     keys = "".join(
         f'<span style="color: {chart.colors.get(curve, "inherit")}">{escape(curve)}</span>'
         for curve in chart.curves
@@ -148,7 +149,7 @@ def _chart(name: str, chart: Chart, start: Mapping[str, Any]) -> str:
     )
     return (
         f'<figure class="explorable-chart" data-chart="{name}" data-over="{chart.over}"'
-        f' data-x="{chart.x[0]:g} {chart.x[1]:g}" data-y="{chart.y[0]:g} {chart.y[1]:g}">'
+        f' data-x="{chart.x[0]:g} {chart.x[1]:g}" data-y="{chart.y[0]:g} {chart.y[1]:g}"{hidden}>'
         f"<figcaption>{escape(chart.label)} {keys}</figcaption>"
         f'<span class="explorable-range">{high}</span><div class="explorable-plot">'
         f'<svg viewBox="0 0 {WIDTH} {HEIGHT}" preserveAspectRatio="none" role="img"'

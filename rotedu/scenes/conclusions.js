@@ -101,7 +101,7 @@ function twoDigits(value) {
 }
 
 /** `worn_spoons_by_hand` */
-export function wornSpoons({ turns, precision, size, repair }, { degree }) {
+export function wornSpoons({ turns, precision, size, repair }, { degree, in_length }) {
   const worn = chains(precision, size);
   const k = Math.round(turns);
   const q = worn.quaternion[k];
@@ -117,8 +117,10 @@ export function wornSpoons({ turns, precision, size, repair }, { degree }) {
     frame.parts[name] = { matrix: [...columns.flatMap((column) => [...column, 0]), ...place, 1] };
     const moved = (point) => combine(1, place, 1, transform(rotation, point));
     frame.parts[`box, ${name}`] = { paths: EDGES.map((edge) => edge.map(moved)) };
-    frame.outputs[`${name}_off`] = repair ? twoDigits(off[i]) + degree : "";
-    frame.outputs[`${name}_edges`] = columns.map(length);
+    const edges = columns.map(length);
+    const bent = Math.max(...edges.map((x) => Math.abs(x - 1)));
+    frame.outputs[`${name}_off`] = repair ? twoDigits(off[i]) + degree : twoDigits(100 * bent) + in_length;
+    frame.outputs[`${name}_edges`] = edges;
     const heights = (angles) => angles.map((angle) => Math.log10(Math.max(angle, FLOOR)));
     frame.charts.off[name] = repair ? heights(worn.curves()[i]) : null;
   });

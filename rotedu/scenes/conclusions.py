@@ -42,6 +42,8 @@ FLOOR = 1e-8
 ACROSS = 0.88 * np.array([0.93, 0.36, 0])
 # The spoon at the start is thinner by so much, and one in the same place covers it.
 THINNER = 0.005
+# What is off before repair.
+IN_LENGTH = " % in length"
 
 
 def dice(seed: int = 3) -> Iterator[float]:
@@ -154,7 +156,7 @@ def two_digits(value: float) -> str:
 
 @explorable(
     model="wornSpoons",
-    constants={"degree": "°"},
+    constants={"degree": "°", "in_length": IN_LENGTH},
     tries={
         "repair both": {"repair": True},
         "after 100 turns": {"repair": True, "turns": 100},
@@ -202,7 +204,7 @@ def worn_spoons_by_hand(
         kept = [nearest_rotation(rotation) for rotation in kept]
 
     plotter = new_scene(eye=(3.0, -7.4, 3.6), target=(0.04, 0, -0.1), view_angle=15.2)
-    limit_turning(plotter, 40)
+    limit_turning(plotter, 20)
     for side, rotation, (name, color) in zip((-1, 1), kept, INKS.items(), strict=True):
         place = side * ACROSS
         for mesh, which, ink, radius, title in (
@@ -216,9 +218,10 @@ def worn_spoons_by_hand(
             part = place_part(plotter, title, matrix=pose.T.ravel())
             add_thin(plotter, mesh, ink, part).user_matrix = pose
         add_label(plotter, place - np.array([0, 0, 0.95]), name, color)
-        now = f"{two_digits(off[name][round(turns)])}°" if repair else ""
-        read_out(plotter, f"{name}_off", now, f"{name} off by", where="picture")
         lengths = np.linalg.norm(rotation, axis=0)
+        bent = two_digits(100 * np.abs(lengths - 1).max())
+        now = f"{two_digits(off[name][round(turns)])}°" if repair else f"{bent}{IN_LENGTH}"
+        read_out(plotter, f"{name}_off", now, f"{name} off by", where="picture")
         read_out(plotter, f"{name}_edges", lengths, f"edges of the cube, {name}", 3)
     draw_chart(
         plotter,
@@ -230,8 +233,9 @@ def worn_spoons_by_hand(
         over="turns",
         x=(0, MOST),
         y=(-8, 2),
-        label="degrees off once repaired, in powers of ten",
+        label="degrees off once repaired",
         colors=INKS,
+        ends=("10⁻⁸", "100"),
     )
     describe(
         plotter,

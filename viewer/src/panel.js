@@ -147,6 +147,7 @@ function bindChart(chart, specs, now, scrub) {
         lines.get(curve).setAttribute("d", path(pieces, box));
         marks.forEach((mark, i) => (mark.hidden = i >= pieces.length));
       }
+      chart.hidden = [...lines.values()].every((line) => !line.getAttribute("d"));
       const at = ((value - first) / (last - first)) * width;
       here.setAttribute("x1", at);
       here.setAttribute("x2", at);

@@ -126,6 +126,15 @@ test("what rises in a curve rises on the chart", () => {
   assert.equal(d("two"), "");
 });
 
+test("a chart is there while it has a curve", () => {
+  const { panel, find } = bound();
+  const drawn = (heights) => panel.show(START, { outputs: {}, charts: { heights } });
+  drawn({ one: null, two: null });
+  assert.equal(find("[data-chart]").hidden, true);
+  drawn({ two: [0, 1] });
+  assert.equal(find("[data-chart]").hidden, false);
+});
+
 test("each curve has its own path, in pieces of one width", () => {
   const { panel, find } = bound();
   const d = (curve) => find(`[data-curve=${curve}]`).getAttribute("d");

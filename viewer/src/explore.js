@@ -71,7 +71,10 @@ export function explore(element, live, data, models, python) {
     write(refused && `${refused[0].toUpperCase()}${refused.slice(1)}.`);
     inputs = { ...inputs, ...frame.inputs };
     scene.toggleAttribute("data-refused", Boolean(refused));
-    if (refused) hint?.remove();
+    if (refused) {
+      hint?.remove();
+      live.look();
+    }
     // The scene has come as it is at the start.
     else if (frame !== data.frame) live.apply({ ...frame, parts: { ...frame.parts, ...marks(frame) } });
     else live.look(frame.views);

@@ -8,9 +8,9 @@ import { ALONG, drag, stepped } from "./hold.js";
 import { numberText, titleOf } from "./speak.js";
 
 const HINTS = {
-  points: "Drag a ring to move its point",
-  number: "Drag a ring along its path",
-  poses: "Drag a body to turn it",
+  points: () => "Drag a ring to move its point",
+  number: () => "Drag a ring along its path",
+  poses: ({ names }) => `Drag ${Array.isArray(names) ? `a ${names[0].replace(/ \d+$/, "")}` : names} to turn it`,
 };
 const STEP = Math.PI / 90;
 const STEPS = { Shift: 5, Alt: 0.1 };
@@ -41,7 +41,7 @@ const SVG = "http://www.w3.org/2000/svg";
  * @param {function} now returns the present inputs
  * @param {function} change takes changed inputs and a function that says for those who cannot see
  *   them what has come of it
- * @returns {{update: function}} takes the grips of a frame, by input
+ * @returns {{update: function}} takes the grips of a frame, by input; handles go there with the picture
  */
 export function addHandles(scene, live, specs, now, change) {
   const layer = document.createElement("div");
@@ -66,23 +66,23 @@ export function addHandles(scene, live, specs, now, change) {
     for (const group of groups) {
       const { spec, handles } = group;
       const wanted = count(group);
-      for (let i = handles.length; i < wanted; i++) handles[i] = begin[spec.kind](context, group, i);
+      for (let i = handles.length; i < wanted; i++) {
+        handles[i] = begin[spec.kind](context, group, i);
+        handles[i].cover();
+      }
       for (const { remove } of handles.splice(wanted)) remove();
     }
     made = groups.flatMap(({ handles }) => handles);
     for (const { name } of made) name();
-    coverAll();
     sayHow();
   };
-  const coverAll = () => made.forEach(({ cover }) => cover());
   const hint = scene.querySelector(".scene-hint");
   const sayHow = () => {
-    const kind = Object.keys(HINTS).find((kind) =>
-      groups.some(({ spec, handles }) => spec.kind === kind && handles.length),
-    );
-    if (kind && hint) hint.textContent = HINTS[kind];
+    const held = groups.filter(({ handles }) => handles.length).map(({ spec }) => spec);
+    const kind = Object.keys(HINTS).find((kind) => held.some((spec) => spec.kind === kind));
+    if (kind && hint) hint.textContent = HINTS[kind](held.find((spec) => spec.kind === kind));
   };
-  live.onDraw(coverAll);
+  live.onDraw(() => made.forEach(({ cover }) => cover()));
   return { update };
 }
 

@@ -26,13 +26,17 @@ function scene(specs = SPECS) {
   const state = { inputs: structuredClone(START), said: [] };
   const change = (changes, spoken) => {
     Object.assign(state.inputs, changes);
-    handles.update();
+    update();
     if (spoken) state.said.push(spoken());
   };
   const handles = addHandles(element, live, specs, () => state.inputs, change);
-  handles.update();
+  const update = (grips) => {
+    handles.update(grips);
+    live.draw();
+  };
+  update();
   const handle = (name) => element.querySelector(`[data-handle="${name}"]`);
-  return { element, live, state, handles, handle };
+  return { element, live, state, handles: { update }, late: handles, handle };
 }
 
 const place = ({ style }) => [style.left, style.top].map(parseFloat);
@@ -55,14 +59,28 @@ test("a scene says what can be dragged, and keeps its hint if nothing can", () =
   for (const [name, hint] of [
     ["points", "Drag a ring to move its point"],
     ["angle", "Drag a ring along its path"],
-    ["spoon", "Drag a body to turn it"],
+    ["spoon", "Drag the spoon to turn it"],
   ]) {
     const { element, handles } = scene({ [name]: SPECS[name] });
     handles.update(GRIPS);
     assert.equal(element.querySelector(".scene-hint").textContent, hint);
   }
+  const several = scene({ spoon: { kind: "poses", names: ["spoon 0", "spoon 1"] } });
+  several.handles.update(GRIPS);
+  assert.equal(several.element.querySelector(".scene-hint").textContent, "Drag a spoon to turn it");
   const { element } = scene({ u: { kind: "number" } });
   assert.equal(element.querySelector(".scene-hint").textContent, "");
+});
+
+test("a handle goes to another place together with the picture", () => {
+  const { live, late, handle, state } = scene();
+  late.update(GRIPS);
+  const before = place(handle("angle"));
+  state.inputs.angle = 60;
+  late.update(GRIPS);
+  near(place(handle("angle")), before);
+  live.draw();
+  near(place(handle("angle")), [65, 50 - 30 * Math.sin(Math.PI / 3)], 0.1);
 });
 
 test("a handle moves its own point, to where the pointer is", () => {

@@ -62,12 +62,12 @@ SHOWN: list[tuple[str, str, dict[str, str]]] = [
     (
         "slerp_by_hand",
         "just before the opposite point",
-        {"angle": "178.6°", "way": "357.2°", "speed": "53.18"},
+        {"angle": "172.6°", "way": "345.2°", "speed": "10.27"},
     ),
     (
         "slerp_by_hand",
         "just past it",
-        {"angle": "178.6°", "way": "357.2°", "speed": "53.03"},
+        {"angle": "172.5°", "way": "345.0°", "speed": "10.12"},
     ),
     (
         "carried_around_by_hand",

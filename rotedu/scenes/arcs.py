@@ -209,8 +209,8 @@ CLOSE = np.radians(25)
     tries={
         "nlerp hurries in the middle": {"t": 0.5},
         "flip the sign of the end": {"flip": True, "t": 0.5},
-        "just before the opposite point": {"q": (0.951, 0.122, -0.29), "t": 0.5},
-        "just past it": {"q": (0.951, 0.16, -0.26), "t": 0.5},
+        "just before the opposite point": {"q": (0.951, 0.038, -0.356), "t": 0.5},
+        "just past it": {"q": (0.951, 0.244, -0.194), "t": 0.5},
     },
     p=Handles("p"),
     q=Handles("q"),
@@ -334,8 +334,8 @@ def slerp_by_hand(
         dict(zip(("start", "end"), weights(theta, times), strict=True)),
         over="t",
         x=(0, 1),
-        y=(0, 4),
-        label="weights of the ends (above 4 not shown)",
+        y=(0, 8),
+        label="weights of the ends",
         colors={"start": VECTOR, "end": NEUTRAL},
     )
     draw_chart(

@@ -407,6 +407,17 @@ def test_a_chart_is_there_while_it_has_a_curve(repair: bool) -> None:
     assert off == ("5.5°" if repair else f"{100 * abs(edges - 1).max():.0f} % in length")
 
 
+def test_a_number_is_named_in_the_colour_of_its_arrow() -> None:
+    figure = explore(scenes.figure_1_by_hand)
+    plotter = figure.draw()
+    panel = BeautifulSoup(figure.panel(plotter), "html.parser")
+    for k, name in enumerate(("first", "along", "across"), 1):
+        label = panel.select_one(f"output[name={name}]").parent.span
+        color = plotter.actors[f"term {k}"].prop.color.hex_rgb
+        assert label["style"] == f"color: {color}"
+    assert not panel.select_one("output[name=matrix]").parent.span.has_attr("style")
+
+
 def test_a_curve_in_pieces_has_gaps_and_marks() -> None:
     figure = explore(scenes.closed_curve_by_hand)
     panel = BeautifulSoup(figure.panel(figure.draw()), "html.parser")

@@ -14,7 +14,7 @@ from rotedu.ordinary_rotation import rotate
 from rotedu.scenes import control_points as construction
 from rotedu.scenes import quaternions as chapter_2
 from rotedu.scenes.arcs import camera
-from rotedu.scenes.ordinary_rotation import VECTOR_1
+from rotedu.scenes.ordinary_rotation import VECTOR_BY_HAND
 
 SCENES = [
     function
@@ -110,7 +110,7 @@ def test_figure_1_stays_in_the_picture_when_its_axis_is_tilted() -> None:
     rng = np.random.default_rng(1)
     for _ in range(60):
         vector, axis = rng.normal(size=(2, 3))
-        vector *= np.linalg.norm(VECTOR_1) / np.linalg.norm(vector)
+        vector *= np.linalg.norm(VECTOR_BY_HAND) / np.linalg.norm(vector)
         plotter = scenes.figure_1_by_hand(vector, axis, *rng.uniform(0, 360, 2))
         places = [place for part in shown(plotter).parts.values() for place in part.values()]
         points = np.vstack([np.reshape(p, (-1, 3)) for p in places if np.size(p) % 3 == 0])

@@ -158,7 +158,7 @@ SHOWN: list[tuple[str, str, dict[str, str]]] = [
     ("euler_angles_by_hand", "the longest way", {"by_angles": "305°", "by_slerp": "119°"}),
     ("figure_1_by_hand", "θ = 90°", {"first": "0.00", "across": "1.00"}),
     ("figure_1_by_hand", "θ = 180°", {"first": "−1.00", "across": "0.00"}),
-    ("figure_1_by_hand", "r₂ opposite r", {"first_apart": "0.60", "along_apart": "0.00"}),
+    ("figure_1_by_hand", "r₂ opposite r", {"first_apart": "0.94", "along_apart": "0.00"}),
     ("two_mirrors_by_hand", "both mirrors, 60° on", {"between": "60°", "turned": "120°"}),
     (
         "two_mirrors_by_hand",

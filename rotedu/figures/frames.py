@@ -41,6 +41,7 @@ class Output:
     unit: str = ""
     loud: str = "no"
     where: str = "panel"
+    color: str = ""
 
 
 @dataclass(frozen=True)
@@ -207,6 +208,7 @@ def read_out(
     unit: str = "",
     loud: str = "no",
     where: str = "panel",
+    color: str = "",
 ) -> None:
     """Show a number, a text or a matrix beside a scene.
 
@@ -229,12 +231,14 @@ def read_out(
     where : str
         ``picture``: large, at the lower edge of the picture, for what matters; ``panel``: with the
         controls; ``folded``: under *More numbers*.
+    color : str
+        Colour of the label: that of what the number belongs to.
     """
     if isinstance(value, (bool, np.bool_)):
         value = LAMP[bool(value)]
     elif not isinstance(value, str):
         value = np.asarray(value, float).tolist()
-    shown(plotter).outputs[name] = Output(value, label, digits, unit, loud, where)
+    shown(plotter).outputs[name] = Output(value, label, digits, unit, loud, where, color)
 
 
 def draw_chart(

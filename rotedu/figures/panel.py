@@ -110,9 +110,10 @@ def _plain(x: float, digits: int) -> float:
 
 def _output(name: str, output: Output) -> str:
     loud = ' class="explorable-loud"' if output.value == output.loud else ""
+    color = f' style="color: {output.color}"' if output.color else ""
     matrix = " explorable-matrix" if np.ndim(_numbers(output.value)) == 2 else ""
     return (
-        f'<label class="explorable-output{matrix}"><span>{escape(output.label)}</span>'
+        f'<label class="explorable-output{matrix}"><span{color}>{escape(output.label)}</span>'
         # The status line below speaks; numbers that change with the hand are silent.
         f' <output name="{name}" aria-live="off" data-digits="{output.digits}"'
         f' data-unit="{output.unit}" data-loud="{output.loud}"{loud}>'

@@ -27,6 +27,8 @@ from rotedu.scenes.parts import (
 
 VECTOR_1, AXIS_1 = (1.0, -0.3, 0.75), (-0.15, 0.1, 1.0)
 """The vector and the axis of Fig. 1."""
+VECTOR_BY_HAND, AXIS_BY_HAND = (0.8, -0.6, 0.4), (0.4, 0.2, 1.2)
+"""Those of the figure that answers the hand, where the circle lies all round the origin."""
 # A shorter piece is not drawn.
 HAIR = 1e-6
 
@@ -64,7 +66,7 @@ def figure_1(
 
 # Height of what Figure 1 looks at, its field of view, and its size; as drawn in the paper, and with
 # room for any axis and any vector of that length.
-AS_DRAWN, ALL_ROUND = (0.48, 21.5, SIZE), (0.05, 29.5, (600, 540))
+AS_DRAWN, ALL_ROUND = (0.48, 21.5, SIZE), (0.1, 26.5, (600, 540))
 
 
 def turned_vector(
@@ -149,9 +151,9 @@ def add_terms(
     around=Slider(0, 360, "r₂ ahead of r by, °", step=1, row=False),
 )
 def figure_1_by_hand(
-    vector: ArrayLike = VECTOR_1,
-    axis: ArrayLike = AXIS_1,
-    theta: float = 75,
+    vector: ArrayLike = VECTOR_BY_HAND,
+    axis: ArrayLike = AXIS_BY_HAND,
+    theta: float = 60,
     around: float = 120,
 ) -> pyvista.Plotter:
     """Draw Fig. 1 with a second vector, whose tip starts elsewhere on the same circle.
@@ -195,15 +197,15 @@ def figure_1_by_hand(
     cos, sin = np.cos(angle), np.sin(angle)
     factors = (cos, (1 - cos) * (r @ n), sin)
     apart = np.linalg.norm(there - here, axis=1)
-    for name, vector, color, factor, length in zip(
+    for name, vector, (color, ink), factor, length in zip(
         ("first", "along", "across"),
         ("r", "n̂", "n̂ × r"),
-        ("blue", "orange", "purple"),
+        (("blue", VECTOR), ("orange", AXIS), ("purple", CROSS)),
         factors,
         apart,
         strict=True,
     ):
-        read_out(plotter, name, factor, f"{vector} times", where="picture")
+        read_out(plotter, name, factor, f"{vector} times", where="picture", color=ink)
         read_out(plotter, f"{name}_apart", length, f"{color} arrows differ by")
     read_out(plotter, "matrix", rotation_matrix(n, angle), "matrix (3-3)", where="folded")
     describe(

@@ -6,6 +6,7 @@ import subprocess
 import sys
 import zipfile
 from collections.abc import Iterator
+from copy import copy
 from pathlib import Path
 from posixpath import dirname, join, normpath
 from typing import Any
@@ -14,10 +15,13 @@ import pytest
 from bs4 import BeautifulSoup
 from notebook_language import exercises, pages
 from pypdf import PdfReader
+from pypdf._text_extraction import mult
 from pypdf.generic import Destination
 
 ROOT = Path(__file__).parents[1]
 CAPTIONS = [caption.title for page in pages().values() for caption in page.all("caption")]
+# Code of a page that is no solution
+STARTERS = "section:not([id^='solution-']) > .cell pre"
 EPUBCHECK = Path("/usr/bin/epubcheck")
 
 pytestmark = pytest.mark.slow
@@ -38,8 +42,24 @@ def pdf(browser: Any) -> PdfReader:
 
 
 @pytest.fixture(scope="module")
-def texts(pdf: PdfReader) -> list[str]:
-    return [page.extract_text() for page in pdf.pages]
+def extracted(pdf: PdfReader) -> list[tuple[str, float]]:
+    """The text of each page, and the height of its last line above the page's number."""
+    found = []
+    for page in pdf.pages:
+        heights: list[float] = []
+
+        def note(text: str, cm: Any, tm: Any, *_: Any, heights: list[float] = heights) -> None:
+            if text.strip():
+                heights.append(mult(tm, cm)[5])
+
+        text = page.extract_text(visitor_text=note)
+        found.append((text, min(y for y in heights if y > 60)))
+    return found
+
+
+@pytest.fixture(scope="module")
+def texts(extracted: list[tuple[str, float]]) -> list[str]:
+    return [text for text, _ in extracted]
 
 
 @pytest.fixture(scope="module")
@@ -62,19 +82,26 @@ def bookmarks(outline: list[Any], level: int = 1) -> Iterator[tuple[int, str]]:
 
 
 @functools.cache
-def headings() -> list[tuple[int, str]]:
-    """The chapters and their sections, as the PDF's source has them."""
+def source() -> Any:
+    """The PDF's source."""
     html = (ROOT / "_build" / "singlehtml" / "index.html").read_text(encoding="utf-8")
-    found = BeautifulSoup(html, "html.parser").article.find_all(["h1", "h2"])
-    return [(int(heading.name[1]), heading.get_text()) for heading in found]
+    return BeautifulSoup(html, "html.parser").article
+
+
+def without_spaces(text: str) -> str:
+    return "".join(text.replace("\N{ZERO WIDTH SPACE}", "").split())
 
 
 def test_every_chapter_and_section_has_a_bookmark(pdf: PdfReader) -> None:
-    marks = [mark for mark in bookmarks(pdf.outline) if mark[0] <= 2]
-    assert [level for level, _ in marks] == [level for level, _ in headings()]
+    for spoken in (headings := copy(source())).select(".katex-mathml"):
+        spoken.extract()
+    found = headings.find_all(["h1", "h2", "h3", "h4"])
+    titles = [(int(title.name[1]), without_spaces(title.get_text())) for title in found]
+    marks = list(bookmarks(pdf.outline))
+    assert [(level, without_spaces(title)) for level, title in marks] == titles
+    assert not any(re.search(r"[a-z],[a-z]", title) for _, title in marks)
     chapters = [title for level, title in marks if level == 1]
-    assert chapters == [title for level, title in headings() if level == 1]
-    assert {"3 Ordinary rotation", "Solutions of the exercises"} <= set(chapters)
+    assert {"3 Ordinary rotation", "Answers and solutions"} <= set(chapters)
 
 
 def test_the_pdf_is_tagged_and_says_what_it_is(pdf: PdfReader) -> None:
@@ -95,6 +122,27 @@ def test_pages_are_a4_and_not_too_many(pdf: PdfReader) -> None:
 
 def test_no_page_is_blank(texts: list[str]) -> None:
     assert [n for n, text in enumerate(texts, 1) if len(text.strip()) < 60] == []
+
+
+def test_a_page_is_half_full_before_the_end_of_its_chapter(
+    pdf: PdfReader, extracted: list[tuple[str, float]]
+) -> None:
+    entries = (entry for entry in pdf.outline if isinstance(entry, Destination))
+    begins = {pdf.get_destination_page_number(entry) for entry in entries} | {len(pdf.pages)}
+    lowest = [last for _, last in extracted]
+    assert [n for n, y in enumerate(lowest, 1) if y > 842 / 2 and n not in begins] == []
+
+
+def test_code_does_not_break_near_its_ends(texts: list[str]) -> None:
+    on_pages = [without_spaces(text) for text in texts]
+
+    def together(lines: list[str]) -> bool:
+        return any(without_spaces("".join(lines)) in text for text in on_pages)
+
+    codes = [code.get_text().strip().splitlines() for code in source().find_all("pre")]
+    assert len(codes) > 300
+    assert [code for code in codes if len(code) < 12 and not together(code)] == []
+    assert [code for code in codes if not (together(code[:2]) and together(code[-2:]))] == []
 
 
 def test_links_in_the_pdf_lead_to_its_pages_or_to_the_web(pdf: PdfReader) -> None:
@@ -131,8 +179,8 @@ def test_fonts_are_in_the_pdf(pdf: PdfReader) -> None:
     for page in pdf.pages:
         for font in page["/Resources"].get("/Font", {}).values():
             font = font.get_object()
-            if font["/Subtype"] == "/Type3":  # its letters are drawings in the file
-                continue
+            # Its letters would be drawings.
+            assert font["/Subtype"] != "/Type3"
             details = font.get("/DescendantFonts", [font])[0].get_object()["/FontDescriptor"]
             assert {"/FontFile", "/FontFile2", "/FontFile3"} & set(details.get_object())
             names.add(font["/BaseFont"])
@@ -142,14 +190,32 @@ def test_fonts_are_in_the_pdf(pdf: PdfReader) -> None:
 def test_the_pdf_has_every_figure_and_solution(texts: list[str]) -> None:
     text = "\n".join(texts)
     assert [title for title in CAPTIONS if f"{title}." not in text] == []
-    solutions = text[text.rindex("Solutions of the exercises\n1 Introduction") :]
+    solutions = text[text.rindex("Answers and solutions\n1 Introduction") :]
     assert [n for n in exercises() if f"# Solution of Exercise {n}\n" not in solutions] == []
+
+
+def test_captions_tell_no_hand_what_to_do() -> None:
+    captions = [caption.get_text() for caption in source().find_all("figcaption")]
+    assert len(captions) == len(CAPTIONS)
+    assert [text for text in captions if re.search(r"\b([Dd]rag|[Pp]ress|[Cc]lick)", text)] == []
+    # What else the caption says is there.
+    [mirrors] = [text for text in captions if "Picture 2-a." in text]
+    assert "The turn" in mirrors
+    assert "dragged" not in mirrors
+
+
+def test_answers_stand_at_the_end(epub: dict[str, BeautifulSoup], pdf: PdfReader) -> None:
+    for edition in ([source()], epub.values()):
+        boxes = [box for page in edition for box in page.select(".question")]
+        assert len(boxes) == sum(len(page.select('[id^="answer-"]')) for page in edition) >= 8
+        assert [box for box in boxes if box.select(".opened") or len(box.select("li")) < 2] == []
+        assert not any("check(" in code.text for page in edition for code in page.select(STARTERS))
 
 
 def test_the_epub_has_every_figure_and_solution(epub: dict[str, BeautifulSoup]) -> None:
     figures = [figure for page in epub.values() for figure in page.find_all("figure")]
     assert len(figures) == len(CAPTIONS)
-    assert all(figure.img["alt"] for figure in figures)
+    assert all(figure.select_one("img[alt], [role=img][aria-label]") for figure in figures)
     solutions = epub["book/solutions.xhtml"].find_all(id=re.compile(r"^solution-"))
     assert len(solutions) == len(exercises())
 
@@ -160,6 +226,7 @@ def test_the_epub_has_mathml_and_nothing_that_needs_a_script(
     pages = epub.values()
     assert sum(len(page.find_all("math")) for page in pages) > 1_000
     assert [tag for page in pages for tag in page.select(".katex-html, script, button, form")] == []
+    assert [tag for page in pages for tag in page.select("[role=doc-biblioentry]")] == []
 
 
 def test_links_in_the_epub_lead_somewhere(epub: dict[str, BeautifulSoup]) -> None:

@@ -206,11 +206,43 @@ def test_formulas_in_titles_are_announced_once(page: Any) -> None:
     assert said == "6 of 12: Third and fourth step: ai and bi"
 
 
+ON_SCREEN = (
+    ".skip-to-content, .sidebar-drawer, .toc-drawer, .related-pages, footer, .headerlink",
+    ".explorable-panel, .explorable-status, a.try, .scene-handles",
+    "article button, .page-head, .live-head",
+    "[data-cell^='start-'] > .cell_output, .exercise > .sd-dropdown",
+)
+
+
 def test_paper_shows_the_whole_page(page: Any) -> None:
     page.emulate_media(media="print")
     assert len(page.evaluate(VISIBLE)) == page.locator("article section").count()
     assert not page.get_by_role("navigation", name="Sections").is_visible()
     assert not page.get_by_role("button", name="Slides").is_visible()
+
+
+def test_paper_has_nothing_of_the_screen(page: Any) -> None:
+    # As wide as a sheet on its side, where the frame of the page has room
+    page.set_viewport_size({"width": 1120, "height": 790})
+    page.emulate_media(media="print")
+    for name in ON_SCREEN:
+        assert page.locator(name).count(), name
+        assert not page.locator(name).locator("visible=true").count(), name
+    # Answers are not, and what is not an answer is open.
+    boxes = page.locator(".question .sd-summary-text, article > section > .sd-dropdown li")
+    assert boxes.locator("visible=true").count() == boxes.count() > 3
+    assert not page.locator(".question .sd-summary-content").locator("visible=true").count()
+
+
+@pytest.mark.slow
+def test_hidden_labels_take_no_room_on_paper(browser: Any, site: str) -> None:
+    # Chromium makes all letters smaller where one stands beside the sheet.
+    page = browser.new_page()
+    page.goto(f"{site}/book/05-closed-curve.html")
+    page.emulate_media(media="print")
+    shown = "labels => labels.map(label => getComputedStyle(label).display)"
+    assert set(page.locator(".scene-label[data-hidden]").evaluate_all(shown)) == {"none"}
+    page.close()
 
 
 @pytest.mark.parametrize("width", nightly([1280, 390], 390))

@@ -9,12 +9,14 @@ import logging
 import shutil
 import subprocess
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 from browser import launch
 from one_at_a_time import hold_checkout
 from pypdf import PdfReader, PdfWriter
+from pypdf.generic import NameObject, TextStringObject
 
 import rotedu
 
@@ -50,6 +52,18 @@ NAME_SIGNATURES = """() => document.querySelectorAll("dt.sig[id]").forEach(signa
     signature.removeAttribute("id");
 })"""
 
+# Lines of code from which on it may go over the page, and away from its output.
+LONG = 12
+BREAK_LONG_CODE = """long => document.querySelectorAll("pre").forEach(code => {
+    if (code.textContent.trim().split("\\n").length < long) return;
+    code.style.breakInside = "auto";
+    code.closest(".cell_input")?.style.setProperty("break-after", "auto");
+})"""
+
+# Formulas end with spaces of no width.
+TITLES = """() => [...document.querySelectorAll("article :is(h1, h2, h3, h4, h5, h6)")].map(
+    title => title.textContent.replaceAll("\\u200b", ""))"""
+
 NUMBER_CONTENTS = """pages => document.querySelectorAll("#contents a").forEach(link => {
     const number = document.createElement("span");
     number.className = "page-number";
@@ -78,16 +92,29 @@ def starts(pdf: Path) -> dict[str, int]:
     }
 
 
-def print_pages(page: Any) -> None:
-    """Print the page that holds the whole book."""
+def bookmarks(parent: Any) -> Iterator[Any]:
+    """Yield the bookmarks below one, in the order of the book."""
+    following = parent.get("/First")
+    while following:
+        mark = following.get_object()
+        yield mark
+        yield from bookmarks(mark)
+        following = mark.get("/Next")
+
+
+def print_pages(page: Any) -> list[str]:
+    """Print the page that holds the whole book, and return its titles."""
     page.goto((BUILD / "singlehtml" / "index.html").as_uri(), timeout=180_000)
     page.add_style_tag(content=page.evaluate(RUNNING_TITLES))
     page.evaluate(SHOW_FORMULAS)
     page.evaluate(NAME_SIGNATURES)
+    page.evaluate(BREAK_LONG_CODE, LONG)
     page.evaluate("document.fonts.ready")
     page.pdf(**PRINT)
     page.evaluate(NUMBER_CONTENTS, starts(PDF))
     page.pdf(**PRINT)
+    titles: list[str] = page.evaluate(TITLES)
+    return titles
 
 
 def print_book() -> None:
@@ -96,10 +123,13 @@ def print_book() -> None:
     with launch() as browser:
         build("pdf")
         PDF.parent.mkdir(exist_ok=True)
-        print_pages(browser.new_page(color_scheme="light"))
+        titles = print_pages(browser.new_page(color_scheme="light"))
     # It would warn that the copy has more objects than the original.
     logging.getLogger("pypdf").setLevel(logging.ERROR)
     writer = PdfWriter(clone_from=PDF)
+    # Chromium leaves out the space where a title breaks, and says some twice.
+    for mark, title in zip(bookmarks(writer.root_object["/Outlines"]), titles, strict=True):
+        mark[NameObject("/Title")] = TextStringObject(title)
     writer.add_metadata(
         {
             "/Author": "The rotedu developers",

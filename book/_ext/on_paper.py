@@ -1,8 +1,9 @@
 """The book on paper and as EPUB: what Sphinx's builders ``singlehtml`` and ``epub`` write.
 
 Nothing folds or moves there. Folded texts stand open. Folded code, which draws charts and imports
-names, is left out. The solutions of the exercises become a chapter at the end. tools/print_book.py
-calls the builders, and the first page of the website links to what they have made.
+names, is left out, and so is what tells the hand what to do. The answers to the questions and the
+solutions of the exercises become a chapter at the end. tools/print_book.py calls the builders, and
+the first page of the website links to what they have made.
 """
 
 import re
@@ -14,6 +15,7 @@ from pathlib import Path
 from string import Template
 from typing import Any, ClassVar
 
+from bundle import LIBRARIES
 from docutils import nodes
 from PIL import Image
 from sphinx import addnodes
@@ -30,19 +32,29 @@ from sphinxcontrib import katex
 import rotedu
 from cells import (
     belongs_to_solution,
+    caption_of,
     code_cells,
     exercise_of,
     is_dropdown,
     part_of_exercise,
 )
+from predictions import prediction
 
 ON_PAPER = ("singlehtml", "epub")
 SOLUTIONS = "book/solutions"
-SOLUTIONS_TITLE = "Solutions of the exercises"
+SOLUTIONS_TITLE = "Answers and solutions"
+REFERENCE = "book/api/"
+# What only works on a screen.
+ON_SCREEN = {"page-head", "ways", "on-screen"}
 LINK = re.compile(r"</?a\b[^>]*>")
 UNANSWERED = "not answered yet."
+# The end of a starter cell: an answer without a word on its form, and the call that judges it.
+STUB = re.compile(r"\s*(^answer = [.,()\[\] ]+\n)?^check\(.*\)$", re.MULTILINE)
+SENTENCES = re.compile(r"(?<=[.?])\s+")
+HAND = re.compile(r"\b(click|drag(ged)?|grab(bed)?|open|press|pull)\b", re.IGNORECASE)
 PAPER = Path(__file__).parents[1] / "_paper"
 BUILD = Path(__file__).parents[2] / "_build"
+FONTS = LIBRARIES / "@fontsource" / "source-serif-4" / "files"
 EDITIONS = {"PDF": BUILD / "pdf" / "rotedu.pdf", "EPUB": BUILD / "epub" / "rotedu.epub"}
 
 
@@ -104,6 +116,31 @@ def take_solutions(tree: nodes.Element, back: str, forth: str) -> list[nodes.sec
     return sections
 
 
+def take_answers(tree: nodes.Element, back: str, forth: str) -> list[nodes.section]:
+    """Take the answers out of the questions of a page, as `take_solutions` does with solutions."""
+    page = next(tree.findall(nodes.section))["ids"][0]
+    sections = []
+    for number, box in enumerate(tree.findall(prediction), start=1):
+        title = next(box.findall(nodes.title)).astext()
+        question = next(child for child in box if isinstance(child, nodes.paragraph))
+        asked, answered = f"question-{page}-{number}", f"answer-{page}-{number}"
+        repeated = question.deepcopy()
+        question["ids"], repeated["ids"] = [asked], []
+        choices = [child for child in box if is_dropdown(child)]
+        for reference in (ref for c in choices for ref in c.findall(nodes.reference)):
+            if "refid" in reference:
+                reference["refuri"] = f"{back}#{reference.attributes.pop('refid')}"
+        names = [choice[0].deepcopy().children for choice in choices]
+        items = [nodes.list_item("", nodes.paragraph("", "", *name)) for name in names]
+        answer = nodes.paragraph("", "", link(f"{forth}#{answered}", "Answer"))
+        answer["classes"].append("to-solution")
+        box.children = [child for child in box if child not in choices]
+        box += [nodes.bullet_list("", *items), answer]
+        heading = nodes.title("", "", link(f"{back}#{asked}", title))
+        sections.append(nodes.section("", heading, repeated, *choices, ids=[answered]))
+    return sections
+
+
 def chapter_of_solutions(parts: Iterator[tuple[str, list[nodes.section]]]) -> nodes.section:
     """Make the chapter of the solutions, from the title and the solutions of each page."""
     chapter = nodes.section("", nodes.title("", SOLUTIONS_TITLE), ids=["solutions"])
@@ -124,12 +161,40 @@ def title_page(config: Config) -> nodes.raw:
     return nodes.raw("", text, format="html")
 
 
+def leave_out_stub(cell: nodes.Element) -> None:
+    """Leave in a starter cell what is given, and what is said about the form of the answer."""
+    code = next(cell.findall(nodes.literal_block))
+    given = STUB.sub("", code.astext())
+    if given:
+        code.replace_self(nodes.literal_block(given, given, **code.attributes))
+    else:
+        cell.parent.remove(cell)
+
+
+def leave_out_hand(caption: nodes.paragraph) -> None:
+    """Leave out the sentences of a caption that tell the hand what to do."""
+    sentences: list[list[nodes.Node]] = [[]]
+    for child in caption.children:
+        texts = SENTENCES.split(child) if isinstance(child, nodes.Text) else []
+        first, *others = map(nodes.Text, texts) if texts else [child]
+        sentences[-1].append(first)
+        sentences += [[text] for text in others]
+        if isinstance(child, nodes.strong):
+            sentences.append([])
+    caption.children = []
+    for sentence in sentences:
+        if not HAND.search("".join(part.astext() for part in sentence)):
+            caption += [*sentence, nodes.Text(" ")]
+
+
 class PaperBuilder(SingleFileHTMLBuilder):
     """Puts the whole book into one page: title, contents, chapters, solutions."""
 
     def init(self) -> None:
         """Take the styles for paper."""
-        self.config.html_static_path = [*self.config.html_static_path, str(PAPER / "paper.css")]
+        fonts = FONTS.glob("source-serif-4-latin-[46]00-*.woff2")
+        own = [str(file) for file in (PAPER / "paper.css", *fonts)]
+        self.config.html_static_path = [*self.config.html_static_path, *own]
         self.config.html_js_files = []
         self.config.html_permalinks = False
         super().init()
@@ -149,11 +214,19 @@ class PaperBuilder(SingleFileHTMLBuilder):
         parts = list(first.findall(addnodes.toctree))
         tree = inline_all_toctrees(self, set(), root, first, str, [root])
         tree["docname"] = root
-        pages = list(tree.findall(addnodes.start_of_file))
-        for page in pages:
+        pages = []
+        for page in list(tree.findall(addnodes.start_of_file)):
             page.parent.remove(page)
+            # The modules are sections of one chapter.
+            if page["docname"].startswith(REFERENCE):
+                next(pages[-1].findall(nodes.section)).append(page)
+            else:
+                pages.append(page)
         solutions = chapter_of_solutions(
-            (self.env.titles[page["docname"]].astext(), take_solutions(page, "", ""))
+            (
+                self.env.titles[page["docname"]].astext(),
+                [*take_answers(page, "", ""), *take_solutions(page, "", "")],
+            )
             for page in pages
         )
         contents = nodes.section("", nodes.title("", "Contents"), ids=["contents"])
@@ -201,7 +274,7 @@ def list_of_contents(tree: nodes.document, captions: dict[str, str]) -> list[nod
             entries.append(nodes.paragraph("", caption, classes=["contents-part"]))
         chapter = next(page.findall(nodes.section))
         sections = [node for node in chapter if isinstance(node, nodes.section)]
-        top = 2 if page["docname"].startswith("book/api/") else 1
+        top = 2 if page["docname"].startswith(REFERENCE) else 1
         for level, section in [(top, chapter), *((2, section) for section in sections)]:
             words = (child.deepcopy() for child in section[0].children)
             entry = link(f"#{section['ids'][0]}", "", *words)
@@ -240,6 +313,10 @@ class EbookBuilder(Epub3Builder):
 
     def build_content(self) -> None:
         """Tell readers which pages have formulas and drawings, as EPUB demands."""
+        # A role that Docutils gives and ARIA has withdrawn
+        references = Path(self.outdir, "book", "references.xhtml")
+        text = references.read_text(encoding="utf-8").replace(' role="doc-biblioentry"', "")
+        references.write_text(text, encoding="utf-8")
         super().build_content()
         package = Path(self.outdir, "content.opf")
 
@@ -265,12 +342,16 @@ class UnfoldForPaper(SphinxPostTransform):
         if self.app.builder.name == "epub" and self.env.docname != SOLUTIONS:
             here = self.env.docname
             forth = self.app.builder.get_relative_uri(here, SOLUTIONS)
+            take_answers(self.document, "", forth)
             take_solutions(self.document, "", forth)
             if here == self.config.root_doc:
                 self.document.insert(0, title_page(self.config))
-        for head in list(self.document.findall(nodes.paragraph)):
-            if "page-head" in head["classes"]:
-                head.parent.remove(head)
+        for node in list(self.document.findall(nodes.Element)):
+            if ON_SCREEN.intersection(node.get("classes", ())):
+                node.parent.remove(node)
+        for caption in list(self.document.findall(nodes.paragraph)):
+            if caption_of(caption):
+                leave_out_hand(caption)
         for dropdown in list(self.document.findall(is_dropdown)):
             dropdown.replace_self(opened(dropdown))
         for cell in code_cells(self.document):
@@ -279,6 +360,7 @@ class UnfoldForPaper(SphinxPostTransform):
                 cell.remove(cell[0])
             elif cell.astext().endswith(UNANSWERED):
                 cell.remove(cell[-1])
+                leave_out_stub(cell)
         for drawing in list(self.document.findall(nodes.raw)):
             # The map leads to pages of the website; without its links it is a picture.
             picture = LINK.sub("", drawing.astext()).replace('role="group"', 'role="img"')
@@ -319,7 +401,9 @@ def write_solutions(app: Sphinx) -> Iterator[tuple[str, dict[str, Any], str]]:
     def parts() -> Iterator[tuple[str, list[nodes.section]]]:
         for docname in env.toctree_includes[app.config.root_doc]:
             back = builder.get_relative_uri(SOLUTIONS, docname)
-            yield env.titles[docname].astext(), take_solutions(env.get_doctree(docname), back, "")
+            page = env.get_doctree(docname)
+            sections = [*take_answers(page, back, ""), *take_solutions(page, back, "")]
+            yield env.titles[docname].astext(), sections
 
     document = new_document(SOLUTIONS)
     document += chapter_of_solutions(parts())

@@ -256,7 +256,7 @@ def visit_scene_label(writer: Any, node: scene_label) -> None:
             attributes["style"] += f"; --stacked-left: {left:.2%}; --stacked-top: {top:.2%}"
         if node["hidden"]:
             attributes["data-hidden"] = ""
-    elif node["hidden"]:
+    elif node["hidden"] or (isinstance(node.parent, scene_view) and not in_view(node)):
         raise nodes.SkipNode
     else:
         attributes = {"style": f"left: {node['left']:.2%}; top: {node['top']:.2%}"}
@@ -265,6 +265,11 @@ def visit_scene_label(writer: Any, node: scene_label) -> None:
     writer.body.append(writer.starttag(node, "span", "", CLASS="scene-label", **attributes))
     # The colour has an element of its own, because the viewer rewrites the style of the outer one.
     writer.body.append(f'<span style="color: {node["color"]}">')
+
+
+def in_view(label: scene_label) -> bool:
+    """Tell whether a label is in its picture, which cuts off the others on the page."""
+    return all(0 < label[side] < 1 for side in ("left", "top"))
 
 
 def depart_scene_label(writer: Any, node: scene_label) -> None:

@@ -319,6 +319,7 @@ def test_a_figure_looks_as_python_draws_it_for_any_inputs(
         check_picture(figure, BY_HAND[name](**inputs), where)
 
 
+@pytest.mark.slow
 def test_two_sliders_show_the_frame_of_their_values(
     book: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, open_page: Open
 ) -> None:

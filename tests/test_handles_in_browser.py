@@ -132,6 +132,7 @@ def test_keys_bring_a_point_round_the_rim_and_back(
     assert caught(figure, "points-2")
 
 
+@pytest.mark.slow
 def test_a_point_that_is_held_is_never_behind(open_figure: Callable[..., Any]) -> None:
     figure = live(open_figure(CURVE))
     in_sight(figure)

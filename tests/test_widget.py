@@ -174,6 +174,7 @@ def test_for_a_reader_widgets_are_the_default_and_vtk_draws_nothing(
     assert (image["width"], image["height"]) == ("36", "24")
 
 
+@pytest.mark.slow
 def test_without_a_reader_there_are_pictures(monkeypatch: pytest.MonkeyPatch) -> None:
     cells = [
         "from rotedu import scenes\nfrom rotedu.figures import explore",
@@ -184,6 +185,7 @@ def test_without_a_reader_there_are_pictures(monkeypatch: pytest.MonkeyPatch) ->
     assert ["image/png" in output.data for cell in shown for output in cell.outputs] == [True, True]
 
 
+@pytest.mark.slow
 def test_without_widgets_there_is_a_picture(monkeypatch: pytest.MonkeyPatch) -> None:
     hide = "import sys\nsys.modules['anywidget'] = None\n"
     cells = [hide + "from rotedu import scenes", "scenes.figure_1().show()"]

@@ -116,7 +116,8 @@ def test_a_drag_that_begins_on_the_poster_goes_on(open_figure: Callable[..., Any
     page.route("**/*.glb", lambda route: held.append(route))
     page.goto(url, wait_until="domcontentloaded")
     figure = page.locator('.explorable[data-name="closed-curve-by-hand"]')
-    # A page that scrolls would end the drag.
+    # A page that scrolls would end the drag, and letters that come late would move it.
+    page.evaluate("document.fonts.ready.then(() => null)")
     in_sight(figure)
     page.mouse.move(x, y)
     page.mouse.down()

@@ -16,14 +16,13 @@ from sphinx.environment import BuildEnvironment
 from sphinx.transforms.post_transforms import SphinxPostTransform
 from sphinx.util.docutils import SphinxDirective
 
-from rotedu.edition.claims import CLAIMS
+from rotedu.edition.claims import CLAIMS, SIGNS
 from rotedu.figures.pages import scene_poster
 
 # What a square says, and how many of them it says it of.
 SAID = {"holds": "hold", "holds under a condition": "hold under a condition"}
 SAID |= {"does not hold": "do not hold", "left open": "are left open"}
 MARK = "verdict-mark"
-LEFT_OPEN = {"does not follow", "not confirmed", "a matter of names"}
 # Twice the size that a card has room for.
 PICTURE = (432, 264)
 MINUTES = re.compile(r"Time (\d+ minutes)")
@@ -63,7 +62,7 @@ class ShowPages(SphinxPostTransform):
     def verdicts(self) -> Iterator[nodes.paragraph]:
         """Yield a row of links, one to each claim, sorted by verdict, and how many there are."""
         order = list(SAID)
-        kinds = {c: "left open" if c.verdict in LEFT_OPEN else c.verdict for c in CLAIMS}
+        kinds = {c: c.verdict if c.verdict in SIGNS else "left open" for c in CLAIMS}
         squares = [
             nodes.reference(
                 "",

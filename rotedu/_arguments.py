@@ -136,6 +136,12 @@ def _rotations_of_a_closed_curve(name: str, matrices: Array) -> Array:
     return rotations(name, matrices)
 
 
+def _two_rotations_at_least(name: str, matrices: Array) -> Array:
+    if matrices.shape[-3] < 2:
+        raise ValueError(f"{name} must number at least 2; got {matrices.shape[-3]}")
+    return rotations(name, matrices)
+
+
 def _control_points(name: str, control: Array) -> Array:
     if not control.shape[-2]:
         raise ValueError(f"{name} must have at least one point; got none")
@@ -146,6 +152,12 @@ def _from_zero_to_one(name: str, number: Array) -> Array:
     if number.ndim or not 0 <= number <= 1:
         raise ValueError(f"{name} must be one number from 0 to 1; got {number}")
     return number
+
+
+def _one_not_zero(name: str, number: Array) -> Array:
+    if number.ndim:
+        raise ValueError(f"{name} must be one number; got shape {number.shape}")
+    return _not_zero(name, number)
 
 
 def _three_at_the_end(name: str, numbers: Array) -> Array:
@@ -182,12 +194,14 @@ MATRIX = Kind(((3, 3), (4, 4)), 2)
 # The annotations of public functions. Numbers have the type Any, because a default is no array.
 Number = Annotated[Any, NUMBER]
 Fraction = Annotated[Any, Kind(((),), prepare=_from_zero_to_one)]
+OneNumber = Annotated[Any, Kind(((),), prepare=_one_not_zero)]
 NotZero = Annotated[Array, Kind(((),), prepare=_not_zero)]
 OneOrThree = Annotated[Array, Kind(((),), prepare=_three_at_the_end)]
 Vector = Annotated[Array, VECTOR]
 Vector3 = Annotated[Array, VECTOR3]
 Unit = Annotated[Array, UNIT]
 Unit3 = Annotated[Array, Kind(((3,),), 1, prepare=unit_vectors)]
+Unit4 = Annotated[Array, Kind(((4,),), 1, prepare=unit_vectors)]
 Matrix = Annotated[Array, MATRIX]
 HomogeneousMatrix = Annotated[Array, Kind(((4, 4),), 2)]
 Matrix3 = Annotated[Array, Kind(((3, 3),), 2)]
@@ -197,6 +211,11 @@ Control = Annotated[Array, Kind((("m", "d"),), 2, prepare=_control_points)]
 ClosedPoints = Annotated[Array, Kind((("n", "d"),), 1, prepare=_points_of_a_closed_curve)]
 ClosedValues = Annotated[Array, Kind((("n", "d"),), 1, prepare=_values_of_a_closed_curve)]
 ClosedRotations = Annotated[Array, Kind((("n", 3, 3),), 2, prepare=_rotations_of_a_closed_curve)]
+RotationsInTime = Annotated[Array, Kind((("n", 3, 3),), 2, prepare=_two_rotations_at_least)]
+# What is gone through one after another stands in the very first axis.
+Steps = Annotated[Array, Kind((("n", 3),), 2)]
+StepsOfMatrices = Annotated[Array, Kind((("n", 3, 3),), 3)]
+StepsOfQuaternions = Annotated[Array, Kind((("n", 4),), 2)]
 Count = Annotated[int, "a positive integer"]
 
 

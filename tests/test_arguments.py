@@ -47,6 +47,15 @@ from rotedu.general_rotation import (
     shearing,
     translation,
 )
+from rotedu.motion import (
+    angular_velocity,
+    integrate,
+    look_at,
+    matrix_from_rotation_vector,
+    matrix_steps,
+    quaternion_steps,
+    rotation_vector,
+)
 from rotedu.ordinary_rotation import (
     axis_angle,
     rotate,
@@ -189,6 +198,7 @@ MATHEMATICS = (
     "control_points",
     "closed_curve",
     "orientations",
+    "motion",
 )
 PAIR = {"p": E1, "q": E2}
 EULER = {"u": 1, "v": 1, "w": 1}
@@ -235,13 +245,21 @@ GOOD: dict[Callable[..., Any], dict[str, Any]] = {
     closed_rotation_curve: {"rotations": THREE, "fraction": 0.5},
     squad: {"quaternions": np.eye(4)},
     periodic_spline: {"values": np.eye(3)},
+    rotation_vector: {"matrix": np.eye(3)},
+    matrix_from_rotation_vector: {"v": [1, 2, 3]},
+    angular_velocity: {"rotations": THREE, "dt": 0.1},
+    integrate: {"rotation": np.eye(3), "velocities": np.eye(3), "dt": 0.1},
+    matrix_steps: {"matrix": np.eye(3), "velocities": np.eye(3), "dt": 0.1},
+    quaternion_steps: {"quaternion": np.eye(4)[0], "velocities": np.eye(3), "dt": 0.1},
+    look_at: {"direction": E1, "up": E3},
 }
 ARGUMENTS = [(f, name) for f, arguments in GOOD.items() for name in arguments]
 # Arguments whose length has no meaning, or which must be points of the sphere.
 DIRECTIONS = [
     (f, name)
     for f, name in ARGUMENTS
-    if name in ("p", "q", "axis", "normal", "control") or f in (control_points, closed_curve, squad)
+    if name in ("p", "q", "axis", "normal", "control", "quaternion", "direction", "up")
+    or f in (control_points, closed_curve, squad)
     if name != "fraction"
 ]
 NOT_NUMBERS: list[Any] = ["text", None, True, {}, ["1", "2", "3"], [[1], [2, 3]], [1j, 0, 0]]

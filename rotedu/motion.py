@@ -1,0 +1,403 @@
+"""Beyond the paper, page A: rotations in motion.
+
+A rotation vector is an axis times an angle, and an angular velocity is one for each second. Two
+frames matter: omega has its components in the fixed frame, Omega = R^T omega has those of the same
+vector in the body's frame, which the columns of R span. So R' = [omega] R = R [Omega], where
+[omega] is the matrix of the cross product with omega.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from rotedu._arguments import (
+    Matrix3,
+    OneNumber,
+    Rotation,
+    RotationsInTime,
+    Steps,
+    StepsOfMatrices,
+    StepsOfQuaternions,
+    Unit3,
+    Unit4,
+    Vector3,
+    checked,
+    place,
+    rounding,
+)
+from rotedu._vectors import Array, axis_and_length, cross, dot, product, transpose
+from rotedu.arcs import angle_between, arc_axis
+from rotedu.errors import DegenerateError
+from rotedu.ordinary_rotation import axis_angle, rotation_matrix
+from rotedu.orientations import refuse_half_turn
+
+__all__ = [
+    "angular_velocity",
+    "integrate",
+    "look_at",
+    "matrix_from_rotation_vector",
+    "matrix_steps",
+    "quaternion_steps",
+    "rotation_vector",
+]
+
+
+@checked
+def matrix_from_rotation_vector(v: Vector3) -> Rotation:
+    """Turn about the direction of a vector by its length in radians: the exponential map.
+
+    Parameters
+    ----------
+    v : array_like, shape (..., 3)
+        Rotation vectors, of any length; the zero vector turns nothing.
+
+    Returns
+    -------
+    ndarray, shape (..., 3, 3)
+        Rotation matrices, the matrix exponentials of [v], where [v] r = v x r.
+
+    Raises
+    ------
+    ValueError
+        If the vector is not finite or has the wrong shape.
+
+    See Also
+    --------
+    rotation_vector : the inverse, for vectors no longer than pi.
+
+    Notes
+    -----
+    Because [n]^3 = -[n] for a unit vector n, the power series of exp(theta [n]) collapses to
+    I + sin(theta) [n] + (1 - cos(theta)) [n]^2, which is Rodrigues' formula.
+
+    References
+    ----------
+    Grassia (1998), "Practical parameterization of rotations using the exponential map", Journal of
+    Graphics Tools 3(3), 29-48. Cheng et al. (2023), Eq. (3-3), for the matrix.
+
+    Examples
+    --------
+    >>> print(matrix_from_rotation_vector([0, 0, np.pi / 2]).round(15) + 0.0)
+    [[ 0. -1.  0.]
+     [ 1.  0.  0.]
+     [ 0.  0.  1.]]
+    """
+    return rotation_matrix(*axis_and_length(v))
+
+
+@checked
+def rotation_vector(matrix: Rotation) -> Vector3:
+    """Return the axis of a rotation times its angle: the logarithm of the matrix.
+
+    Parameters
+    ----------
+    matrix : array_like, shape (..., 3, 3)
+        Rotation matrices.
+
+    Returns
+    -------
+    ndarray, shape (..., 3)
+        Rotation vectors, no longer than pi. At a half turn, to within rounding, v and -v are the
+        same rotation, and the result is the one whose first nonzero component is positive.
+
+    Raises
+    ------
+    ValueError
+        If the matrix is not finite, has the wrong shape or is not a rotation.
+
+    See Also
+    --------
+    matrix_from_rotation_vector : the inverse.
+    rotedu.ordinary_rotation.axis_angle : axis and angle apart.
+
+    Notes
+    -----
+    Exp(v) is also Exp of every vector of the same direction whose length differs by a multiple of
+    2 pi, so the logarithm has to choose; the shortest is unique up to half a turn.
+
+    References
+    ----------
+    Grassia (1998), "Practical parameterization of rotations using the exponential map", Journal of
+    Graphics Tools 3(3), 29-48
+
+    Examples
+    --------
+    >>> print(rotation_vector([[0, -1, 0], [1, 0, 0], [0, 0, 1]]).round(6))
+    [0.       0.       1.570796]
+
+    Three quarters of a turn come back as a quarter turn about the opposite axis:
+
+    >>> print(rotation_vector(matrix_from_rotation_vector([0, 0, 1.5 * np.pi])).round(6) + 0.0)
+    [ 0.        0.       -1.570796]
+    """
+    axis, theta = axis_angle(matrix)
+    v: Vector3 = theta * axis
+    return v
+
+
+@checked
+def angular_velocity(rotations: RotationsInTime, dt: OneNumber) -> Vector3:
+    """Return the angular velocities, in the fixed frame, that lead from each rotation to the next.
+
+    Parameters
+    ----------
+    rotations : array_like, shape (..., n, 3, 3)
+        At least 2 rotation matrices R_0 ... R_{n-1}, the orientations of a body at equal intervals.
+    dt : float
+        The time from one to the next.
+
+    Returns
+    -------
+    ndarray, shape (..., n - 1, 3)
+        One velocity for each interval, in radians per unit of time: Log(R_{k+1} R_k^T) / dt. A
+        body that turns with these velocities, each constant for its interval, passes through all
+        the given orientations. In the body's frame they are R_k^T omega_k.
+
+    Raises
+    ------
+    ValueError
+        If an argument is not finite or has the wrong shape, if a matrix is not a rotation, or if
+        dt is zero.
+    rotedu.errors.DegenerateError
+        If two neighbours are half a turn apart (to within rounding), because the turn could go
+        either way. The message says which.
+
+    See Also
+    --------
+    integrate : the inverse.
+
+    Notes
+    -----
+    Each turn is taken to be the shorter one, so a body that turns by more than pi between two
+    samples seems to turn backwards, as the wheels of a coach do in a film. If the velocity changes
+    during an interval, the result differs from the velocity in its middle by an error of order
+    dt^2.
+
+    References
+    ----------
+    Iserles, Munthe-Kaas, Norsett and Zanna (2000), "Lie-group methods", Acta Numerica 9, 215-365
+
+    Examples
+    --------
+    A wheel that turns by 30 degrees in each tenth of a second:
+
+    >>> wheel = rotation_matrix([0, 0, 1], np.radians([0, 30, 60, 90]))
+    >>> print(np.degrees(angular_velocity(wheel, dt=0.1)).round(9) + 0.0)
+    [[  0.   0. 300.]
+     [  0.   0. 300.]
+     [  0.   0. 300.]]
+    """
+    before, after = rotations[..., :-1], rotations[..., 1:]
+    axis, theta = axis_angle(product(after, transpose(before)))
+    refuse_half_turn(theta, "{i} and the next", "rotations")
+    omega: Vector3 = theta * axis / dt
+    return omega
+
+
+@checked
+def integrate(rotation: Rotation, velocities: Steps, dt: OneNumber) -> StepsOfMatrices:
+    """Follow angular velocities in the fixed frame by exponentials: R_{k+1} = Exp(dt omega_k) R_k.
+
+    Parameters
+    ----------
+    rotation : array_like, shape (..., 3, 3)
+        The orientation to begin with, R_0.
+    velocities : array_like, shape (..., n, 3)
+        Angular velocities in the fixed frame, in radians per unit of time, each of which holds for
+        one step.
+    dt : float
+        The time that a step takes; negative to go back.
+
+    Returns
+    -------
+    ndarray, shape (..., n + 1, 3, 3)
+        The orientations, beginning with R_0.
+
+    Raises
+    ------
+    ValueError
+        If an argument is not finite or has the wrong shape, if the rotation is not one, or if dt is
+        zero.
+
+    See Also
+    --------
+    angular_velocity : the inverse.
+    matrix_steps, quaternion_steps : Euler's method, for comparison.
+
+    Notes
+    -----
+    The result is exact if the velocity is constant during each step. If it changes, the error after
+    a given time is of order dt with the velocity at the beginning of each step and of order dt^2
+    with the velocity in its middle. Rotations stay rotations, up to rounding.
+
+    Velocities in the body's frame act from the right, R_{k+1} = R_k Exp(dt Omega_k).
+
+    References
+    ----------
+    Iserles, Munthe-Kaas, Norsett and Zanna (2000), "Lie-group methods", Acta Numerica 9, 215-365
+
+    Examples
+    --------
+    A quarter turn about W in ten steps, then ten steps of rest:
+
+    >>> velocities = np.zeros((20, 3))
+    >>> velocities[:10, 2] = np.pi / 2
+    >>> print(integrate(np.eye(3), velocities, dt=0.1)[-1].round(15) + 0.0)
+    [[ 0. -1.  0.]
+     [ 1.  0.  0.]
+     [ 0.  0.  1.]]
+    """
+    rotations = [rotation]
+    for omega in velocities:
+        turn = matrix_from_rotation_vector(dt * omega)
+        rotations.append(product(turn, rotations[-1]))
+    return np.stack(np.broadcast_arrays(*rotations))
+
+
+@checked
+def matrix_steps(matrix: Matrix3, velocities: Steps, dt: OneNumber) -> StepsOfMatrices:
+    """Follow angular velocities by Euler's method on the nine entries: M + dt [omega] M.
+
+    Parameters
+    ----------
+    matrix : array_like, shape (..., 3, 3)
+        The matrix to begin with, a rotation or what Euler's method has made of one.
+    velocities : array_like, shape (..., n, 3)
+        Angular velocities in the fixed frame, in radians per unit of time.
+    dt : float
+        The time that a step takes.
+
+    Returns
+    -------
+    ndarray, shape (..., n + 1, 3, 3)
+        Matrices that are no longer rotations, beginning with the given one.
+
+    Raises
+    ------
+    ValueError
+        If an argument is not finite or has the wrong shape, or if dt is zero.
+
+    See Also
+    --------
+    integrate : stays among the rotations.
+    rotedu.orientations.nearest_rotation : what repairs the result.
+
+    Notes
+    -----
+    A step keeps what lies along omega and makes what is at right angles to it longer by the factor
+    sqrt(1 + (dt omega)^2). In steady turning about one axis each step turns by arctan(dt omega)
+    instead of dt omega.
+
+    Examples
+    --------
+    >>> print(matrix_steps(np.eye(3), [[0, 0, 1], [0, 0, 1]], dt=0.1)[-1].round(3))
+    [[ 0.99 -0.2   0.  ]
+     [ 0.2   0.99  0.  ]
+     [ 0.    0.    1.  ]]
+    """
+    matrices = [matrix]
+    for omega in velocities:
+        m = matrices[-1]
+        matrices.append(m + dt * cross(omega, m))
+    return np.stack(np.broadcast_arrays(*matrices))
+
+
+@checked
+def quaternion_steps(quaternion: Unit4, velocities: Steps, dt: OneNumber) -> StepsOfQuaternions:
+    """Follow angular velocities by Euler's method on a quaternion: q + dt/2 [0, omega] q.
+
+    Parameters
+    ----------
+    quaternion : array_like, shape (..., 4)
+        The unit quaternion to begin with, scalar first; any length but zero.
+    velocities : array_like, shape (..., n, 3)
+        Angular velocities in the fixed frame, in radians per unit of time.
+    dt : float
+        The time that a step takes.
+
+    Returns
+    -------
+    ndarray, shape (..., n + 1, 4)
+        Quaternions that are no longer of norm 1, beginning with the given one.
+
+    Raises
+    ------
+    ValueError
+        If an argument is not finite or has the wrong shape, or if the quaternion or dt is zero.
+
+    See Also
+    --------
+    integrate : stays among the rotations.
+
+    Notes
+    -----
+    A step is at right angles to q, whatever omega is, so it multiplies the norm by
+    sqrt(1 + (dt omega / 2)^2) and has no other fault that dividing by the norm would repair. In
+    steady turning about one axis each step turns by 2 arctan(dt omega / 2) instead of dt omega.
+
+    Examples
+    --------
+    >>> print(quaternion_steps([1, 0, 0, 0], [[0, 0, 1], [0, 0, 1]], dt=0.1)[-1].round(4))
+    [0.9975 0.     0.     0.1   ]
+    """
+    quaternions = [quaternion]
+    for omega in velocities:
+        w, v = quaternions[-1][0], quaternions[-1][1:]
+        rate = np.stack([-dot(omega, v), *(w * omega + cross(omega, v))]) / 2
+        quaternions.append(quaternions[-1] + dt * rate)
+    return np.stack(np.broadcast_arrays(*quaternions))
+
+
+@checked
+def look_at(direction: Unit3, up: Unit3) -> Rotation:
+    """Return the upright orientation of a camera that looks in a direction.
+
+    Parameters
+    ----------
+    direction : array_like, shape (..., 3)
+        Where the camera looks; any length but zero.
+    up : array_like, shape (..., 3)
+        Which way is up in the scene; any length but zero, at any angle but 0 and pi to the
+        direction.
+
+    Returns
+    -------
+    ndarray, shape (..., 3, 3)
+        Rotation matrices whose columns are the camera's left, top and line of sight, as on page
+        5 IV. The left is level, that is, at right angles to `up`.
+
+    Raises
+    ------
+    ValueError
+        If an argument is not finite or has the wrong shape, or if a vector is zero.
+    rotedu.errors.DegenerateError
+        If the camera looks straight up or down (to half of the digits), because then every edge of
+        the picture is level.
+
+    Notes
+    -----
+    The matrix takes the camera's coordinates to those of the scene. What is often called the view
+    matrix is its transpose, which takes the scene's coordinates to the camera's. Many programs let
+    a camera look along its third axis backwards, so that the first axis points to the right.
+
+    Examples
+    --------
+    A camera at the origin looks along U and sees W at the top:
+
+    >>> print(look_at([1, 0, 0], up=[0, 0, 1]).round(3) + 0.0)
+    [[0. 0. 1.]
+     [1. 0. 0.]
+     [0. 1. 0.]]
+    """
+    refuse_no_level(angle_between(up, direction))
+    left = arc_axis(up, direction)
+    return np.stack(np.broadcast_arrays(left, cross(direction, left), direction), axis=1)
+
+
+def refuse_no_level(angle: Array) -> None:
+    """Refuse a line of sight along the vertical, because it fixes no edge of the picture."""
+    along = np.minimum(angle, np.pi - angle) <= rounding(angle) ** 0.5
+    if np.any(along):
+        raise DegenerateError(
+            f"direction and up{place(along)} are parallel: no edge of the picture is fixed"
+        )

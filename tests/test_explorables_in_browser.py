@@ -21,6 +21,7 @@ import pyvista
 from browser import serve
 from html_pages import parse
 from nightly import nightly
+from notebook_language import chapters
 from PIL import Image
 from test_explorables import SEED, TRIES, a_ball, moved
 from test_figures_in_browser import (
@@ -62,7 +63,7 @@ pytestmark = pytest.mark.filterwarnings("ignore:.*almost antipodal")
 def pages(book: Any) -> dict[str, str]:
     """The chapter in which each figure stands; the first page shows one without its controls."""
     found = {}
-    for file in sorted(book.rglob("0*.html")):
+    for file in sorted(book / "book" / f"{page}.html" for page in chapters()):
         text = file.read_text("utf-8")
         for name in BY_HAND:
             if f'data-name="{name.replace("_", "-")}"' in text:

@@ -94,8 +94,10 @@ def class_names() -> dict[str, str]:
     files = [page.name for page in notebooks()]
     for chapter, group in itertools.groupby(files, key=lambda name: name.partition("-")[0]):
         of_chapter = list(group)
+        joined = "" if chapter.isdigit() else "-"
         for letter, page in zip("abcdefgh", of_chapter, strict=False):
-            names[page] = page.replace(chapter, chapter + letter) if of_chapter[1:] else page
+            lettered = page.replace(chapter, f"{chapter}{joined}{letter}")
+            names[page] = lettered if of_chapter[1:] else page
     return names
 
 

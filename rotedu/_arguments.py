@@ -142,6 +142,27 @@ def _two_rotations_at_least(name: str, matrices: Array) -> Array:
     return rotations(name, matrices)
 
 
+def _rotations_to_average(name: str, matrices: Array) -> Array:
+    if not matrices.shape[-3]:
+        raise ValueError(f"{name} must have at least one rotation; got none")
+    return rotations(name, matrices)
+
+
+def _shares(name: str, weights: Array) -> Array:
+    """Scale weights to the sum 1."""
+    if weights.dtype == object:
+        return weights
+    if (weights < 0).any():
+        worst = weights[weights < 0][0]
+        raise ValueError(f"{name} must not be negative; got {worst}{place(weights < 0)}")
+    # The sum of the weights themselves may overflow.
+    largest = weights.max(axis=-1, keepdims=True, initial=0)
+    if not largest.all():
+        raise ValueError(f"{name} must not all be zero; got zeros{place(largest[..., 0] == 0)}")
+    scaled = weights / largest
+    return np.asarray(scaled / scaled.sum(axis=-1, keepdims=True))
+
+
 def _control_points(name: str, control: Array) -> Array:
     if not control.shape[-2]:
         raise ValueError(f"{name} must have at least one point; got none")
@@ -216,6 +237,8 @@ RotationsInTime = Annotated[Array, Kind((("n", 3, 3),), 2, prepare=_two_rotation
 Steps = Annotated[Array, Kind((("n", 3),), 2)]
 StepsOfMatrices = Annotated[Array, Kind((("n", 3, 3),), 3)]
 StepsOfQuaternions = Annotated[Array, Kind((("n", 4),), 2)]
+Rotations = Annotated[Array, Kind((("n", 3, 3),), 2, prepare=_rotations_to_average)]
+Weights = Annotated[Any, Kind((("n",),), prepare=_shares)]
 Count = Annotated[int, "a positive integer"]
 
 
@@ -238,6 +261,7 @@ def checked(function: Callable[..., Result]) -> Callable[..., Result]:
     counts = [name for name, hint in hints.items() if hint == Count]
     parameters = signature(function)
     names = tuple(parameters.parameters)
+    optional = {name for name in kinds if parameters.parameters[name].default is None}
 
     @wraps(function)
     def border(*args: Any, **kwargs: Any) -> Any:
@@ -254,7 +278,8 @@ def checked(function: Callable[..., Result]) -> Callable[..., Result]:
                 return function(*args, **kwargs)
             given.apply_defaults()
             values = given.arguments
-        arrays = prepared({name: (values[name], kind) for name, kind in kinds.items()})
+        left_out = {name for name in optional if values[name] is None}
+        arrays = prepared({n: (values[n], kind) for n, kind in kinds.items() if n not in left_out})
         values |= arrays
         for name in counts:
             values[name] = positive_integer(name, values[name])

@@ -21,6 +21,12 @@ from spheres import (
 
 from rotedu import _arguments as arguments
 from rotedu.arcs import angle_between, arc_axis, nlerp, slerp, slerp_by_rotation
+from rotedu.averages import (
+    angular_distance,
+    chordal_distance,
+    matrix_from_two_columns,
+    mean_rotation,
+)
 from rotedu.closed_curve import closed_curve, de_casteljau, de_casteljau_levels
 from rotedu.control_points import (
     bisect,
@@ -199,6 +205,7 @@ MATHEMATICS = (
     "closed_curve",
     "orientations",
     "motion",
+    "averages",
 )
 PAIR = {"p": E1, "q": E2}
 EULER = {"u": 1, "v": 1, "w": 1}
@@ -252,13 +259,17 @@ GOOD: dict[Callable[..., Any], dict[str, Any]] = {
     matrix_steps: {"matrix": np.eye(3), "velocities": np.eye(3), "dt": 0.1},
     quaternion_steps: {"quaternion": np.eye(4)[0], "velocities": np.eye(3), "dt": 0.1},
     look_at: {"direction": E1, "up": E3},
+    mean_rotation: {"rotations": THREE, "weights": [1, 2, 3]},
+    angular_distance: {"r1": np.eye(3), "r2": np.eye(3)},
+    chordal_distance: {"r1": np.eye(3), "r2": np.eye(3)},
+    matrix_from_two_columns: {"a": E1, "b": E2},
 }
 ARGUMENTS = [(f, name) for f, arguments in GOOD.items() for name in arguments]
 # Arguments whose length has no meaning, or which must be points of the sphere.
 DIRECTIONS = [
     (f, name)
     for f, name in ARGUMENTS
-    if name in ("p", "q", "axis", "normal", "control", "quaternion", "direction", "up")
+    if name in ("p", "q", "a", "b", "axis", "normal", "control", "quaternion", "direction", "up")
     or f in (control_points, closed_curve, squad)
     if name != "fraction"
 ]
@@ -326,6 +337,8 @@ class TestRefusals:
     def test_not_numbers(self) -> None:
         for f, name in ARGUMENTS:
             for value in NOT_NUMBERS:
+                if name == "weights" and value is None:
+                    continue
                 found = refusal(f, name, value)
                 wanted = f"ValueError: {name} must be an array of real numbers; got "
                 assert found.startswith(wanted), (f, name, value)
@@ -458,6 +471,21 @@ class TestRefusals:
         for f in [control_points, closed_curve, closed_rotation_curve]:
             wanted = "ValueError: fraction must be one number from 0 to 1; got"
             assert refusal(f, "fraction", fraction).startswith(wanted)
+
+    def test_no_rotations(self) -> None:
+        with pytest.raises(ValueError, match=r"^rotations must have at least one rotation; got n"):
+            mean_rotation(np.empty((0, 3, 3)))
+
+    def test_weights(self) -> None:
+        for value, wanted in [
+            ([1, 2], r"must have shape \(..., 3\); got shape \(2,\)"),
+            (1, r"must have shape \(..., 3\); got shape \(\)"),
+            ([1, -2, 3], r"must not be negative; got -2.0 at index \(1,\)"),
+            ([0, 0, 0], "must not all be zero; got zeros"),
+            ([[1, 0, 0], [0, 0, 0]], r"must not all be zero; got zeros at index \(1,\)"),
+        ]:
+            with pytest.raises(ValueError, match=f"^weights {wanted}$"):
+                mean_rotation(THREE, value)
 
     def test_no_control_points(self) -> None:
         with pytest.raises(ValueError, match=r"^control must have at least one point; got none$"):

@@ -11,16 +11,16 @@ from __future__ import annotations
 import numpy as np
 
 from rotedu._arguments import (
+    Matrices,
     Matrix3,
-    OneNumber,
+    Motion,
+    Quaternions,
     Rotation,
-    RotationsInTime,
-    Steps,
-    StepsOfMatrices,
-    StepsOfQuaternions,
+    Step,
     Unit3,
     Unit4,
     Vector3,
+    Vectors,
     checked,
     place,
     rounding,
@@ -136,7 +136,7 @@ def rotation_vector(matrix: Rotation) -> Vector3:
 
 
 @checked
-def angular_velocity(rotations: RotationsInTime, dt: OneNumber) -> Vector3:
+def angular_velocity(rotations: Motion, dt: Step) -> Vector3:
     """Return the angular velocities, in the fixed frame, that lead from each rotation to the next.
 
     Parameters
@@ -195,7 +195,7 @@ def angular_velocity(rotations: RotationsInTime, dt: OneNumber) -> Vector3:
 
 
 @checked
-def integrate(rotation: Rotation, velocities: Steps, dt: OneNumber) -> StepsOfMatrices:
+def integrate(rotation: Rotation, velocities: Vectors, dt: Step) -> Matrices:
     """Follow angular velocities in the fixed frame by exponentials: R_{k+1} = Exp(dt omega_k) R_k.
 
     Parameters
@@ -228,7 +228,7 @@ def integrate(rotation: Rotation, velocities: Steps, dt: OneNumber) -> StepsOfMa
     -----
     The result is exact if the velocity is constant during each step. If it changes, the error after
     a given time is of order dt with the velocity at the beginning of each step and of order dt^2
-    with the velocity in its middle. Rotations stay rotations, up to rounding.
+    with the velocity in its middle. Motion stay rotations, up to rounding.
 
     Velocities in the body's frame act from the right, R_{k+1} = R_k Exp(dt Omega_k).
 
@@ -247,15 +247,16 @@ def integrate(rotation: Rotation, velocities: Steps, dt: OneNumber) -> StepsOfMa
      [ 1.  0.  0.]
      [ 0.  0.  1.]]
     """
-    rotations = [rotation]
+    found = [rotation]
     for omega in velocities:
         turn = matrix_from_rotation_vector(dt * omega)
-        rotations.append(product(turn, rotations[-1]))
-    return np.stack(np.broadcast_arrays(*rotations))
+        rotation = product(turn, rotation)
+        found.append(rotation)
+    return np.stack(np.broadcast_arrays(*found))
 
 
 @checked
-def matrix_steps(matrix: Matrix3, velocities: Steps, dt: OneNumber) -> StepsOfMatrices:
+def matrix_steps(matrix: Matrix3, velocities: Vectors, dt: Step) -> Matrices:
     """Follow angular velocities by Euler's method on the nine entries: M + dt [omega] M.
 
     Parameters
@@ -295,20 +296,20 @@ def matrix_steps(matrix: Matrix3, velocities: Steps, dt: OneNumber) -> StepsOfMa
      [ 0.2   0.99  0.  ]
      [ 0.    0.    1.  ]]
     """
-    matrices = [matrix]
+    found = [matrix]
     for omega in velocities:
-        m = matrices[-1]
-        matrices.append(m + dt * cross(omega, m))
-    return np.stack(np.broadcast_arrays(*matrices))
+        matrix = matrix + dt * cross(omega, matrix)
+        found.append(matrix)
+    return np.stack(np.broadcast_arrays(*found))
 
 
 @checked
-def quaternion_steps(quaternion: Unit4, velocities: Steps, dt: OneNumber) -> StepsOfQuaternions:
+def quaternion_steps(q: Unit4, velocities: Vectors, dt: Step) -> Quaternions:
     """Follow angular velocities by Euler's method on a quaternion: q + dt/2 [0, omega] q.
 
     Parameters
     ----------
-    quaternion : array_like, shape (..., 4)
+    q : array_like, shape (..., 4)
         The unit quaternion to begin with, scalar first; any length but zero.
     velocities : array_like, shape (..., n, 3)
         Angular velocities in the fixed frame, in radians per unit of time.
@@ -323,7 +324,7 @@ def quaternion_steps(quaternion: Unit4, velocities: Steps, dt: OneNumber) -> Ste
     Raises
     ------
     ValueError
-        If an argument is not finite or has the wrong shape, or if the quaternion or dt is zero.
+        If an argument is not finite or has the wrong shape, or if q or dt is zero.
 
     See Also
     --------
@@ -340,12 +341,13 @@ def quaternion_steps(quaternion: Unit4, velocities: Steps, dt: OneNumber) -> Ste
     >>> print(quaternion_steps([1, 0, 0, 0], [[0, 0, 1], [0, 0, 1]], dt=0.1)[-1].round(4))
     [0.9975 0.     0.     0.1   ]
     """
-    quaternions = [quaternion]
+    found = [q]
     for omega in velocities:
-        w, v = quaternions[-1][0], quaternions[-1][1:]
+        w, v = q[0], q[1:]
         rate = np.stack([-dot(omega, v), *(w * omega + cross(omega, v))]) / 2
-        quaternions.append(quaternions[-1] + dt * rate)
-    return np.stack(np.broadcast_arrays(*quaternions))
+        q = q + dt * rate
+        found.append(q)
+    return np.stack(np.broadcast_arrays(*found))
 
 
 @checked
@@ -391,7 +393,8 @@ def look_at(direction: Unit3, up: Unit3) -> Rotation:
     """
     refuse_no_level(angle_between(up, direction))
     left = arc_axis(up, direction)
-    return np.stack(np.broadcast_arrays(left, cross(direction, left), direction), axis=1)
+    columns = np.broadcast_arrays(left, cross(direction, left), direction)
+    return np.stack(columns, axis=1)
 
 
 def refuse_no_level(angle: Array) -> None:

@@ -257,7 +257,7 @@ GOOD: dict[Callable[..., Any], dict[str, Any]] = {
     angular_velocity: {"rotations": THREE, "dt": 0.1},
     integrate: {"rotation": np.eye(3), "velocities": np.eye(3), "dt": 0.1},
     matrix_steps: {"matrix": np.eye(3), "velocities": np.eye(3), "dt": 0.1},
-    quaternion_steps: {"quaternion": np.eye(4)[0], "velocities": np.eye(3), "dt": 0.1},
+    quaternion_steps: {"q": np.eye(4)[0], "velocities": np.eye(3), "dt": 0.1},
     look_at: {"direction": E1, "up": E3},
     mean_rotation: {"rotations": THREE, "weights": [1, 2, 3]},
     angular_distance: {"r1": np.eye(3), "r2": np.eye(3)},
@@ -269,7 +269,7 @@ ARGUMENTS = [(f, name) for f, arguments in GOOD.items() for name in arguments]
 DIRECTIONS = [
     (f, name)
     for f, name in ARGUMENTS
-    if name in ("p", "q", "a", "b", "axis", "normal", "control", "quaternion", "direction", "up")
+    if name in ("p", "q", "a", "b", "axis", "normal", "control", "direction", "up")
     or f in (control_points, closed_curve, squad)
     if name != "fraction"
 ]

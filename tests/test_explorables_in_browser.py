@@ -234,7 +234,7 @@ def test_a_figure_stands_on_a_page_and_loads_little(
 
 @pytest.mark.parametrize(
     "name",
-    nightly(BY_HAND, "closed_curve_by_hand", "euler_angles_by_hand", "grab_the_spoon"),
+    nightly(BY_HAND, "closed_curve_by_hand", "grab_the_spoon"),
 )
 def test_a_figure_moves_and_tells_true_numbers(name: str, open_figure: Callable[..., Any]) -> None:
     """One touch: the first point is dragged, or the first slider or body is moved by keys.
@@ -282,17 +282,16 @@ def changed(name: str, before: dict[str, Any], after: dict[str, Any]) -> set[str
 
 
 # One of each kind: points and curves; two pictures; parts that turn.
-@pytest.mark.parametrize(
-    ("name", "inputs"),
-    [
-        ("closed_curve_by_hand", {"u": 0.7, "fraction": 0.3}),
-        ("camera_by_hand", {"u": 0.6, "path": "curve"}),
-        ("two_mirrors_by_hand", {"first": 20.0, "second": 75.0, "letter": -30.0}),
-    ],
-)
-def test_a_figure_looks_as_python_draws_it(
-    name: str, inputs: dict[str, Any], open_figure: Callable[..., Any]
-) -> None:
+LIKE_PYTHON: dict[str, dict[str, Any]] = {
+    "closed_curve_by_hand": {"u": 0.7, "fraction": 0.3},
+    "camera_by_hand": {"u": 0.6, "path": "curve"},
+    "two_mirrors_by_hand": {"first": 20.0, "second": 75.0, "letter": -30.0},
+}
+
+
+@pytest.mark.parametrize("name", nightly(LIKE_PYTHON, "closed_curve_by_hand"))
+def test_a_figure_looks_as_python_draws_it(name: str, open_figure: Callable[..., Any]) -> None:
+    inputs = LIKE_PYTHON[name]
     figure = open_figure(name, hash=address(name, inputs), device_scale_factor=2)
     figure.page.add_style_tag(content=LIKE_A_POSTER)
     told = check(name, live(figure))
@@ -486,6 +485,7 @@ def test_ten_seconds_of_anything(name: str, open_figure: Callable[..., Any]) -> 
     assert lost_contexts(page) == [False]
 
 
+@pytest.mark.slow
 def test_beyond_the_rim_a_point_slides_along_it(open_figure: Callable[..., Any]) -> None:
     figure = live(open_figure("closed_curve_by_hand"))
     in_sight(figure)
@@ -525,6 +525,7 @@ def test_a_geometry_without_an_answer_stays_pale(open_figure: Callable[..., Any]
     assert scene.get_attribute("data-refused") is None
 
 
+@pytest.mark.slow
 def test_a_letter_can_be_dragged_round_the_axis(open_figure: Callable[..., Any]) -> None:
     name = "two_mirrors_by_hand"
     figure = live(open_figure(name))
@@ -601,6 +602,7 @@ def test_play_starts_over(open_figure: Callable[..., Any]) -> None:
     check("euler_angles_by_hand", figure)
 
 
+@pytest.mark.slow
 def test_the_status_line_forgets(open_figure: Callable[..., Any]) -> None:
     figure = live(open_figure("figure_1_by_hand"))
     line = figure.locator(".explorable-status")
@@ -628,6 +630,7 @@ def test_the_status_line_says_where_the_point_came_to_lie(
     assert said.startswith(f"{label}. ")
 
 
+@pytest.mark.slow
 def test_a_link_brings_the_state_back(open_figure: Callable[..., Any]) -> None:
     name = "closed_curve_by_hand"
     figure = live(open_figure(name))

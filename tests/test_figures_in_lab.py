@@ -248,6 +248,7 @@ def values(figure: Any) -> dict[str, Any]:
     return told
 
 
+@pytest.mark.slow
 def test_the_hand_and_python_move_the_same_figure(run: Open) -> None:
     page = run(
         "explore",

@@ -96,7 +96,7 @@ def flings(figure: Any, hand: Callable[..., None], count: int) -> None:
 
 @pytest.mark.parametrize("name", [CURVE])
 def test_no_point_is_lost_at_the_rim(name: str, open_figure: Callable[..., Any]) -> None:
-    flings(live(open_figure(name)), fling, 8)
+    flings(live(open_figure(name)), fling, 5)
 
 
 @pytest.mark.slow
@@ -107,6 +107,7 @@ def test_no_point_of_any_figure_is_lost_at_the_rim(
     flings(live(open_figure(name)), fling, 72)
 
 
+@pytest.mark.slow
 @pytest.mark.chromium
 def test_no_point_is_lost_at_the_rim_by_finger(open_figure: Callable[..., Any]) -> None:
     flings(live(open_figure(CURVE, **PHONE)), fling_by_finger, 8)

@@ -393,9 +393,10 @@ HOSTILE = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "code",
-    [pytest.param(c, marks=[pytest.mark.slow] if i else []) for i, c in enumerate(HOSTILE)],
+    HOSTILE,
     ids=lambda code: code.split("\n")[-1],
 )
 def test_a_hostile_cell_harms_nobody(at_desk: Reader, code: str) -> None:

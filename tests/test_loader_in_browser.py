@@ -66,7 +66,7 @@ def arrived(figure: Any) -> dict[str, Any]:
 
 
 @pytest.mark.parametrize("script", nightly(["", LATE], LATE))
-@pytest.mark.parametrize("screen", nightly(SCREENS, "wide", "phone"))
+@pytest.mark.parametrize("screen", nightly(SCREENS, "phone"))
 def test_a_link_opens_on_its_state(
     screen: str, script: str, open_figure: Callable[..., Any]
 ) -> None:

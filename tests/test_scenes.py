@@ -108,7 +108,7 @@ def test_figure_1_takes_its_vector_axis_and_angle() -> None:
 
 def test_figure_1_stays_in_the_picture_when_its_axis_is_tilted() -> None:
     rng = np.random.default_rng(1)
-    for _ in range(60):
+    for _ in range(20):
         vector, axis = rng.normal(size=(2, 3))
         vector *= np.linalg.norm(VECTOR_BY_HAND) / np.linalg.norm(vector)
         plotter = scenes.figure_1_by_hand(vector, axis, *rng.uniform(0, 360, 2))

@@ -31,7 +31,7 @@ HTML = ROOT / "_build" / "html"
 FRONT = "book/index.html"
 MODULES = ROOT / "node_modules"
 KILOBYTE = 1000
-# With fonts and all posters, before a scene is live.
+# With fonts and the posters that load before a scroll, before a scene is live.
 FIRST_KILOBYTES, NEXT_KILOBYTES = 400, 200
 LAYOUT_SHIFT = 0.02
 BUDGETS = {"accessibility": 100, "best-practices": 95}
@@ -40,14 +40,8 @@ WIDTHS = {1440: 900, 390: 844}
 THEMES = ("light", "dark")
 READ_AT = (360, 820, 1024, 1440)
 
-# A reader who saves data gets every poster, but no live scene.
+# A reader who saves data gets posters, but no live scene.
 SAVE_DATA = "Object.defineProperty(navigator, 'connection', {value: {saveData: true}})"
-SCROLL = """async () => {
-    for (let y = 0; y < document.body.scrollHeight; y += innerHeight / 2) {
-        scrollTo(0, y);
-        await new Promise(resolve => setTimeout(resolve, 50));
-    }
-}"""
 AXE = """async () => {
     document.querySelectorAll("details").forEach(details => { details.open = true; });
     return (await axe.run()).violations.map(({id, nodes}) => {
@@ -123,8 +117,6 @@ def weigh(browser: Browser, url: str, host: str) -> tuple[dict[str, int], int, l
         lambda m: m.type in ("error", "warning") and findings.append(f"console: {m.text}"),
     )
     page.goto(url, wait_until="networkidle")
-    page.evaluate(SCROLL)
-    page.wait_for_load_state("networkidle")
     elements = page.evaluate("document.querySelectorAll('*').length")
     sizes = {r.url: r.sizes() for r in requests if r.url.startswith(host)}
     page.close()

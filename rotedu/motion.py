@@ -228,7 +228,7 @@ def integrate(rotation: Rotation, velocities: Vectors, dt: Step) -> Matrices:
     -----
     The result is exact if the velocity is constant during each step. If it changes, the error after
     a given time is of order dt with the velocity at the beginning of each step and of order dt^2
-    with the velocity in its middle. Motion stay rotations, up to rounding.
+    with the velocity in its middle. Rotations stay rotations, up to rounding.
 
     Velocities in the body's frame act from the right, R_{k+1} = R_k Exp(dt Omega_k).
 
@@ -298,7 +298,7 @@ def matrix_steps(matrix: Matrix3, velocities: Vectors, dt: Step) -> Matrices:
     """
     found = [matrix]
     for omega in velocities:
-        matrix = matrix + dt * cross(omega, matrix)
+        matrix = matrix + cross(dt * omega, matrix)
         found.append(matrix)
     return np.stack(np.broadcast_arrays(*found))
 
@@ -343,9 +343,8 @@ def quaternion_steps(q: Unit4, velocities: Vectors, dt: Step) -> Quaternions:
     """
     found = [q]
     for omega in velocities:
-        w, v = q[0], q[1:]
-        rate = np.stack([-dot(omega, v), *(w * omega + cross(omega, v))]) / 2
-        q = q + dt * rate
+        half, w, v = dt / 2 * omega, q[0], q[1:]
+        q = q + np.stack([-dot(half, v), *(w * half + cross(half, v))])
         found.append(q)
     return np.stack(np.broadcast_arrays(*found))
 

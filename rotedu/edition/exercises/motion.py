@@ -1,0 +1,326 @@
+"""Checks of the exercises of page A."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from rotedu._vectors import Array
+from rotedu.edition.exercises.judging import (
+    RADIANS,
+    Mistake,
+    Part,
+    Wrong,
+    as_rotation,
+    exercise,
+)
+from rotedu.motion import (
+    angular_velocity,
+    integrate,
+    look_at,
+    matrix_from_rotation_vector,
+    rotation_vector,
+)
+from rotedu.ordinary_rotation import axis_angle, rotation_matrix
+
+__all__: list[str] = []
+
+OF_ROTATION_VECTOR = {"U": "", "V": "", "W": ""}
+
+
+@exercise(
+    "A.1",
+    fields=OF_ROTATION_VECTOR,
+    expects="a rotation vector, three numbers in radians",
+    because="Of all vectors that lead to a matrix, the logarithm is the shortest.",
+)
+def shortest_rotation_vector() -> Iterator[Part]:
+    """Yield the logarithm of three quarters of a turn, then what other choices lead to."""
+    about_w = np.array([0, 0, 1])
+    right = rotation_vector(rotation_matrix(about_w, 1.5 * np.pi))
+    yield Part(
+        right,
+        Mistake(
+            1.5 * np.pi * about_w,
+            "This vector leads to the matrix, but a shorter one does, too.",
+            "The same end is reached the other way round. By which angle, about which axis?",
+        ),
+        Mistake(
+            -right,
+            "This is the length, but not the direction.",
+            "Where does U go in each of the two turns?",
+        ),
+        Mistake(np.rad2deg(right), "Are these degrees?", "The exercise asks for radians."),
+        Mistake(
+            right / 2,
+            "This is half of the angle.",
+            "A quaternion halves the angle, a rotation vector does not.",
+        ),
+        Mistake(
+            -about_w,
+            "This is the axis, of length 1.",
+            "The length of a rotation vector is the angle of the turn.",
+        ),
+        otherwise=Wrong(
+            "This vector does not lead to the matrix.",
+            "Multiply the axis by the angle. Is the angle the smallest that will do?",
+        ),
+        within=1e-2,
+    )
+
+
+@exercise(
+    "A.2",
+    fields={"first axis": "rad/s", "second axis": "rad/s", "third axis": "rad/s"},
+    expects="three numbers, in radians a second",
+    because="It is the same vector, described along axes that have turned.",
+)
+def rates_of_a_gyroscope() -> Iterator[Part]:
+    """Yield an angular velocity in the body's frame, then what other frames lead to."""
+    turned, omega = rotation_matrix([0, 0, 1], np.pi / 2), np.array([0, 2, 0])
+    right = turned.T @ omega
+    yield Part(
+        right,
+        Mistake(
+            omega,
+            "This is what is seen from the ground.",
+            "Which of the drone's own axes points along V now?",
+        ),
+        Mistake(
+            turned @ omega,
+            "You have turned the vector along with the drone.",
+            "The columns of R are the drone's axes. Multiply so that each is compared with the"
+            " vector.",
+        ),
+        Mistake(
+            [0, 0, 2],
+            "This is a turn about the drone's third axis, which is still W.",
+            "The quarter turn is over. About which axis does it turn now?",
+        ),
+        Mistake(
+            right / 2,
+            "Half of the rate belongs to the derivative of the quaternion.",
+            "A gyroscope says how fast the body turns, whatever describes it.",
+        ),
+        Mistake(
+            np.rad2deg(right),
+            "Are these degrees a second?",
+            "The exercise asks for radians a second.",
+        ),
+        otherwise=Wrong(
+            "The length of the vector is 2, and it lies along one of the drone's axes.",
+            "Find where each of the three axes points after the quarter turn.",
+        ),
+        within=1e-2,
+    )
+
+
+@exercise(
+    "A.3",
+    fields={"matrix": "", "quaternion": ""},
+    expects="two factors",
+    because="The quaternion grows less, because its rate has half the length.",
+)
+def what_a_step_stretches() -> Iterator[Part]:
+    """Yield the factors of one step of Euler's method, then what other formulas lead to."""
+    step = 0.2
+    factors = np.sqrt(1 + np.array([step, step / 2]) ** 2)
+    matrix, quaternion = factors
+    yield Part(
+        factors,
+        Mistake(
+            factors[::-1],
+            "You have the two the wrong way round.",
+            "In which of the two formulas does the rate have the factor one half?",
+        ),
+        Mistake(
+            factors**2,
+            "These are the squares.",
+            "Pythagoras gives the square of a length.",
+        ),
+        Mistake(
+            [matrix, matrix],
+            "The second factor is not right yet.",
+            "By how much of its length does a step move the quaternion?",
+        ),
+        Mistake(
+            [quaternion, quaternion],
+            "The first factor is not right yet.",
+            "By how much of its length does a step move a vector at right angles to the axis?",
+        ),
+        Mistake(
+            [1 + step, 1 + step / 2],
+            "You have added the lengths.",
+            "What is added is at right angles to what was there.",
+        ),
+        Mistake(
+            [1, 1],
+            "So it would be for the exponential.",
+            "A straight step leaves the circle along its tangent. How far from the centre does it"
+            " end?",
+        ),
+        otherwise=Wrong(
+            "One of the factors is different.",
+            "A step adds something at right angles to what was there. Draw the triangle.",
+        ),
+        within=6e-5,
+    )
+
+
+def gyroscope() -> Array:
+    """Return the rates of the log, in degrees a second."""
+    t = np.arange(300) / 100
+    return np.stack([60 * np.cos(t), 40 + 0 * t, -90 * np.sin(2 * t)], axis=-1)
+
+
+@exercise(
+    "A.4",
+    expects="a rotation: a matrix, a unit quaternion, or an axis and an angle in radians",
+    because="Seen from the body, the room turns the other way.",
+    read=as_rotation,
+)
+def orientation_by_gyroscope() -> Iterator[Part]:
+    """Yield where rates in the body's frame lead, then what other readings lead to."""
+    rates, start, dt = np.deg2rad(gyroscope()), np.eye(3), 0.01
+    right = integrate(start, -rates, dt)[-1].T
+    as_if_fixed = integrate(start, rates, dt)[-1]
+    yield Part(
+        right,
+        Mistake(
+            as_if_fixed,
+            "You have taken the rates for those of the fixed frame.",
+            "A gyroscope turns with the body. From which side must each small turn come?",
+        ),
+        Mistake(
+            right.T,
+            "This takes the room's axes to the body's coordinates.",
+            "The columns of the answer are the body's axes as seen from the room.",
+        ),
+        Mistake(
+            as_if_fixed.T,
+            "You have transposed, but something is missing.",
+            "While R turns, R^T turns the other way. Which sign have its rates?",
+        ),
+        Mistake(
+            integrate(start, -np.rad2deg(rates), dt)[-1].T,
+            "You have turned by degrees as if they were radians.",
+            "The functions of this book take radians; np.deg2rad converts.",
+        ),
+        Mistake(
+            matrix_from_rotation_vector(dt * rates.sum(axis=0)),
+            "You have added the rotation vectors.",
+            "Turns about different axes do not add. Multiply the small ones, one after another.",
+        ),
+        otherwise=Wrong(
+            "The body ends elsewhere.",
+            "Compare with a loop that multiplies each small turn from the right.",
+        ),
+        within=5e-3,
+    )
+
+
+def wobbling(n: int, part: float) -> Array:
+    """Return where two seconds of wobbling lead in n steps, with the velocity at a part of each."""
+    t = (np.arange(n) + part) * 2 / n
+    velocities = np.stack([2 * np.sin(5 * t), np.cos(3 * t), 1.5 * np.sin(2 * t)], axis=-1)
+    return integrate(np.eye(3), velocities, 2 / n)[-1]
+
+
+@exercise(
+    "A.5",
+    fields={"beginning": "steps", "middle": "steps"},
+    expects="two numbers of steps, powers of 2",
+    because="Twice as many steps halve the one error and quarter the other.",
+)
+def steps_that_suffice() -> Iterator[Part]:
+    """Yield how many steps are enough, then what other questions lead to."""
+    truth, degrees, numbers = wobbling(1024, 1 / 2), 0.5, 2 ** np.arange(10)
+    errors = {
+        part: [np.rad2deg(axis_angle(truth.T @ wobbling(n, part))[1]) for n in numbers]
+        for part in (0, 1 / 2)
+    }
+
+    def enough(part: float, within: float = degrees) -> int:
+        return int(numbers[np.argmax(np.array(errors[part]) <= within)])
+
+    begin, middle = enough(0), enough(1 / 2)
+    yield Part(
+        [begin, middle],
+        Mistake(
+            [middle, begin],
+            "You have the two the wrong way round.",
+            "Which of the two errors falls faster?",
+        ),
+        Mistake(
+            [begin, begin],
+            "The second number is not the smallest.",
+            "Try fewer steps with the velocity in the middle.",
+        ),
+        Mistake(
+            [middle, middle],
+            "The first number is not enough.",
+            "Does your velocity at the beginning differ from the one in the middle?",
+        ),
+        Mistake(
+            [enough(0, np.rad2deg(degrees)), enough(1 / 2, np.rad2deg(degrees))],
+            "Is your bound in radians?",
+            "The angle of axis_angle is in radians, and the bound is half a degree.",
+        ),
+        Mistake(
+            [begin / 2, middle / 2],
+            "With so many steps both are still beyond the bound.",
+            "Double the steps until the error is at most 0.5°, and print it each time.",
+        ),
+        otherwise=Wrong(
+            "Measure the error at the end, for 1, 2, 4, 8 ... steps, against very many.",
+            "The error is the angle of truth.T @ found, in degrees.",
+        ),
+        within=0,
+    )
+
+
+@exercise(
+    "A.6",
+    fields={"camera": "°/s", "about its sight": "°/s"},
+    expects="two speeds in degrees a second",
+    because="Most of the turning keeps the picture upright.",
+)
+def following_an_aeroplane() -> Iterator[Part]:
+    """Yield how fast the camera turns and spins, then what other measures lead to."""
+    t, dt = np.arange(-1000, 1001) / 50, 0.02
+    sights = np.stack([80 * t, 0 * t + 60, 0 * t + 400], axis=-1)
+    cameras = look_at(sights, [0, 0, 1])
+    rates = np.rad2deg(angular_velocity(cameras, dt))
+    directions = cameras[:, :, 2]
+    strides = np.rad2deg(np.linalg.norm(np.diff(directions, axis=0), axis=-1)) / dt
+    spins = np.sum(rates * directions[:-1], axis=-1)
+    right = np.array([np.linalg.norm(rates, axis=-1).max(), np.abs(spins).max()])
+    yield Part(
+        right,
+        Mistake(np.deg2rad(right), *RADIANS),
+        Mistake(
+            right[::-1],
+            "You have the two the wrong way round.",
+            "A part of a velocity is not longer than the whole.",
+        ),
+        Mistake(
+            right * dt,
+            "These are the angles of one step.",
+            "A step takes 20 milliseconds.",
+        ),
+        Mistake(
+            [strides.max(), right[1]],
+            "Your first speed is that of the line of sight alone.",
+            "The camera also turns about its line of sight. Take the velocity of the orientation.",
+        ),
+        Mistake(
+            [right[0], np.abs(rates[:, 2]).max()],
+            "Your second speed is the one about the vertical.",
+            "Which column of the camera is its line of sight? Take the part of the velocity along"
+            " it.",
+        ),
+        otherwise=Wrong(
+            "One of the speeds is different.",
+            "Make an orientation of each position by look_at, then ask for the angular velocities.",
+        ),
+        within=0.1,
+    )

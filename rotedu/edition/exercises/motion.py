@@ -222,8 +222,8 @@ def wobbling(n: int, part: float) -> Array:
     """Return where two seconds of wobbling lead in n steps, with the velocity at a part of each."""
     t = (np.arange(n) + part) * 2 / n
     velocities = np.stack([2 * np.sin(5 * t), np.cos(3 * t), 1.5 * np.sin(2 * t)], axis=-1)
-    turned: Array = integrate(np.eye(3), velocities, 2 / n)
-    return turned[-1]
+    end: Array = integrate(np.eye(3), velocities, 2 / n)[-1]
+    return end
 
 
 @exercise(
@@ -235,14 +235,12 @@ def wobbling(n: int, part: float) -> Array:
 def steps_that_suffice() -> Iterator[Part]:
     """Yield how many steps are enough, then what other questions lead to."""
     truth, degrees = wobbling(1024, 1 / 2), 0.5
-    numbers = [2**doublings for doublings in range(10)]
-    errors = {
-        part: [np.rad2deg(axis_angle(truth.T @ wobbling(n, part))[1]) for n in numbers]
-        for part in (0, 1 / 2)
-    }
 
     def enough(part: float, within: float = degrees) -> int:
-        return next(n for n, off in zip(numbers, errors[part], strict=True) if off <= within)
+        n = 1
+        while axis_angle(truth.T @ wobbling(n, part))[1] > np.deg2rad(within):
+            n *= 2
+        return n
 
     begin, middle = enough(0), enough(1 / 2)
     yield Part(

@@ -35,6 +35,7 @@ from rotedu.figures.explorable import FRAMES, Exploration
 from rotedu.figures.frames import WHOLE, frame_of, only, place_part
 from rotedu.figures.panel import panel, path_of
 from rotedu.ordinary_rotation import rotate
+from rotedu.scenes import averages
 from rotedu.scenes import quaternions as chapter_2
 
 ROOT = Path(__file__).parents[1]
@@ -94,6 +95,7 @@ def round_about(count: int) -> list[list[float]]:
 
 # As many orientations as there may be, with a half turn from the third to the fourth, and fewer.
 SIX = [*np.eye(4)[:3].tolist(), [0, 0.1, 1, 0], [0.5, 0.5, 0.5, 0.5], [1, 0.5, 0, 0]]
+SUM_OF_ZERO = [[1, 0, 0, 0], [-0.5, 0.75**0.5, 0, 0], [-0.5, -(0.75**0.5), 0, 0]]
 SPECIAL = {
     "animate": [
         {"poses": SIX[2:], "t": 1.0},
@@ -129,6 +131,14 @@ SPECIAL = {
         {"flip": True},
         {"p": P, "q": P},
         {"p": P, "q": [-0.6, 0, -0.8], "flip": True},
+    ],
+    "mean_by_hand": [
+        {"poses": averages.THIRDS, "flip": False},
+        # A sum of zero: i, and two that add up to its opposite.
+        {
+            "poses": [[1, 0, 0, 0], [-0.5, 0.75**0.5, 0, 0], [-0.5, -(0.75**0.5), 0, 0]],
+            "flip": False,
+        },
     ],
     # Arrows too short to be drawn.
     "three_turns_by_hand": [{"u": 0.0, "v": -5.0, "axes": "carried along"}],

@@ -156,6 +156,17 @@ SHOWN: list[tuple[str, str, dict[str, str]]] = [
     ("euler_angles_by_hand", "the spoon 1° aside", {"rings": "0, 89, 0°", "by_slerp": "89°"}),
     ("euler_angles_by_hand", "v = 30°", {"rings": "90, 30, 90°", "apart": "1.00°"}),
     ("euler_angles_by_hand", "the longest way", {"by_angles": "305°", "by_slerp": "119°"}),
+    (
+        "mean_by_hand",
+        "give q₃ the other sign",
+        {"apart": "0.3°", "by_matrices": "37, 36, 42°", "by_quaternions": "37, 36, 42°"},
+    ),
+    ("mean_by_hand", "no choice of signs helps", {"apart": "22.6°"}),
+    (
+        "mean_by_hand",
+        "thirds of a whole turn",
+        {"apart": "no unique mean", "by_quaternions": "120, 0, 120°"},
+    ),
     ("figure_1_by_hand", "θ = 90°", {"first": "0.00", "across": "1.00"}),
     ("figure_1_by_hand", "θ = 180°", {"first": "−1.00", "across": "0.00"}),
     ("figure_1_by_hand", "r₂ opposite r", {"first_apart": "0.94", "along_apart": "0.00"}),
@@ -389,6 +400,34 @@ def film(name: str, q: Any, fraction: float, t: Any) -> Rotation:
         s = np.cos(size) * q + np.sin(size) * bend / size
         points = arc(points, arc(s[here], s[after], u), 2 * u * (1 - u))
     return Rotation.from_quat(points, scalar_first=True)
+
+
+@pytest.mark.parametrize("words", ["", *list(BY_HAND["mean_by_hand"].tries)[:2]])
+def test_means_are_those_of_scipy(words: str) -> None:
+    """SciPy's mean is the eigenvector of the sum of q q^T."""
+    figure, inputs = (
+        tried("mean_by_hand", words) if words else (explore(BY_HAND["mean_by_hand"]), {})
+    )
+    inputs = figure.start | inputs
+    q = np.array(inputs["poses"])
+    given = Rotation.from_quat(q, scalar_first=True)
+    seen = figure.draw(**inputs).shown.outputs
+    far = np.degrees((given.inv() * given.mean()).magnitude())
+    assert seen["by_matrices"].value == pytest.approx(far, abs=1e-6)
+    total = q[0] + q[1] + (-q[2] if inputs["flip"] else q[2])
+    plain = Rotation.from_quat(total, scalar_first=True)
+    apart = np.degrees((given.mean().inv() * plain).magnitude())
+    assert seen["apart"].value == pytest.approx(apart, abs=1e-6)
+
+
+def test_no_choice_of_signs_brings_the_plain_mean_to_the_mean() -> None:
+    figure, inputs = tried("mean_by_hand", "no choice of signs helps")
+    told = figure.draw(**inputs).shown.outputs["apart"].value
+    q = np.array(inputs["poses"])
+    mean = Rotation.from_quat(q, scalar_first=True).mean().as_quat(scalar_first=True)
+    totals = [np.array(signs) @ q for signs in product((1, -1), repeat=3)]
+    nearest = max(abs(total @ mean) / np.linalg.norm(total) for total in totals)
+    assert np.degrees(2 * np.arccos(nearest)) == pytest.approx(told, abs=1e-6)
 
 
 @pytest.mark.parametrize("words", ["", *BY_HAND["animate"].tries])

@@ -5,6 +5,7 @@ Each module holds the scenes of the chapter with the same name. `parts` holds wh
 """
 
 from rotedu.scenes.arcs import CAMERA_SEES, CAMERA_TARGETS, camera_arcs, figure_2, slerp_by_hand
+from rotedu.scenes.averages import mean_by_hand
 from rotedu.scenes.closed_curve import (
     ARCS,
     FIGURE_8,
@@ -79,6 +80,7 @@ __all__ = [
     "four_ways_between",
     "grab_the_spoon",
     "letter_f",
+    "mean_by_hand",
     "one_for_three",
     "reversed_axis",
     "rotated_mesh",

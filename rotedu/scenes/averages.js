@@ -1,0 +1,71 @@
+/* Model of `rotedu.scenes.averages`. */
+import { DEGREES, ORIGIN, placing } from "./parts.js";
+import {
+  axisAngle,
+  combine,
+  length,
+  nearestRotation,
+  product,
+  quaternionMatrix,
+  transpose,
+  unit,
+} from "./sphere.js";
+
+const BESIDE = [[-2.08, 0, 0.42], [-1.32, 0, 0.42], [-1.7, 0, -0.34]];
+const NAME = combine(1, BESIDE[2], 1, [-0.3, 0, 0.32]);
+const SIZE = 0.36;
+const SMALLEST = 1e-9;
+
+/** `mean_by_hand` */
+export function mean({ poses, flip }, { no_mean }) {
+  const q = poses.map(unit);
+  if (flip) q[2] = q[2].map((x) => -x);
+  const given = q.map(quaternionMatrix);
+  const means = { matrices: meanOfMatrices(given), quaternions: meanOfQuaternions(q) };
+
+  const parts = {};
+  const labels = { q_3: flip ? null : NAME, "-q_3": flip ? NAME : null };
+  given.forEach((turn, i) => {
+    parts[`R_${i + 1}`] = { matrix: spoon(turn, BESIDE[i], SIZE) };
+    parts[`R_${i + 1} in the ball`] = { matrix: spoon(turn, ORIGIN, 1) };
+    parts[`tip ${i + 1}`] = { at: tip(turn) };
+  });
+  const outputs = {};
+  for (const [name, turn] of Object.entries(means)) {
+    const hidden = !turn;
+    parts[name] = hidden ? { hidden } : { matrix: spoon(turn, ORIGIN, 1), hidden };
+    parts[`tip by ${name}`] = hidden ? { hidden } : { at: tip(turn), hidden };
+    outputs[`by_${name}`] = hidden ? no_mean : given.map((one) => between(one, turn));
+  }
+  const { matrices, quaternions } = means;
+  outputs.apart = matrices && quaternions ? between(matrices, quaternions) : no_mean;
+  return { parts, labels, outputs };
+}
+
+const tip = (turn) => turn.map(([x]) => x);
+
+/** The sixteen numbers, by columns, that turn and shrink a spoon about its place. */
+const spoon = (turn, place, size) => placing(turn.map((row) => row.map((x) => size * x)), place);
+
+/** `rotedu.averages.mean_rotation`, or null where there are several. */
+function meanOfMatrices(given) {
+  const entries = given.map((matrix) => matrix.flat());
+  const [m11, m12, m13, ...rest] = sum(entries).map((x) => x / given.length);
+  try {
+    return nearestRotation([[m11, m12, m13], rest.slice(0, 3), rest.slice(3)]);
+  } catch (error) {
+    if (error.name !== "DegenerateError") throw error;
+    return null;
+  }
+}
+
+/** `mean_of_quaternions` */
+function meanOfQuaternions(q) {
+  const total = sum(q);
+  return length(total) < SMALLEST ? null : quaternionMatrix(total);
+}
+
+const sum = (rows) => transpose(rows).map((column) => column.reduce((a, b) => a + b));
+
+/** `rotedu.averages.angular_distance`, in degrees. */
+const between = (a, b) => DEGREES * axisAngle(product(transpose(a), b)).angle;

@@ -141,7 +141,6 @@ def mean_rotation(rotations: Rotations, weights: Weights = None) -> Rotation:
     See Also
     --------
     rotedu.orientations.nearest_rotation : says when it is unique.
-    scipy.spatial.transform.Rotation.mean : finds the same with quaternions.
 
     Notes
     -----
@@ -164,7 +163,9 @@ def mean_rotation(rotations: Rotations, weights: Weights = None) -> Rotation:
     >>> print(axis, np.degrees(angle).round(9))
     [0. 0. 1.] 180.0
     """
-    mean = np.mean(rotations, axis=-1) if weights is None else np.sum(weights * rotations, axis=-1)
+    if weights is None:
+        weights = np.ones(rotations.shape[-1]) / rotations.shape[-1]
+    mean = np.sum(weights * rotations, axis=-1)
     refuse_several(mean)
     return nearest_rotation(mean)
 
@@ -210,11 +211,16 @@ def matrix_from_two_columns(a: Unit3, b: Unit3) -> Rotation:
      [ 1.  0.  0.]
      [ 0.  0. -1.]]
     """
+    refuse_parallel(a, b)
+    second = unit(b - dot(a, b) * a)
+    return np.stack([a, second, cross(a, second)], axis=1)
+
+
+def refuse_parallel(a: Array, b: Array) -> None:
+    """Refuse unit vectors that are parallel, to half of the digits."""
     parallel = length(cross(a, b)) <= rounding(a) ** 0.5
     if np.any(parallel):
         raise DegenerateError(f"a and b{place(parallel)} are parallel: no unique second column")
-    second = unit(b - dot(a, b) * a)
-    return np.stack([a, second, cross(a, second)], axis=1)
 
 
 def refuse_several(mean: Array) -> None:

@@ -285,6 +285,8 @@ def test_the_field_leads_to_the_search(browser: Any, site: str) -> None:
         ("shortest path", "05-arcs.html"),
         ("gimbal lock", "04-general-rotation.html"),
         ("Euler", "04-general-rotation.html"),
+        ("exponential map", "beyond-motion.html"),
+        ("angular velocity", "beyond-motion.html"),
         ("5-9", "05-control-points.html#equation-eq-5-9"),
     ],
 )

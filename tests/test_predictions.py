@@ -21,8 +21,10 @@ from rotedu.general_rotation import (
     rotation_v,
     rotation_w,
 )
+from rotedu.motion import matrix_steps, quaternion_steps, rotation_vector
 from rotedu.ordinary_rotation import axis_angle, rotation_matrix, transform
 from rotedu.orientations import nearest_rotation
+from rotedu.quaternions import Quaternion
 
 ROOT = Path(__file__).parents[1]
 AXE = ROOT / "node_modules" / "axe-core" / "axe.min.js"
@@ -155,6 +157,15 @@ class TestWhatTheAnswersSay:
         said = answers("06-conclusions")
         assert f"it is {matrix:.1f} degrees off instead of {quaternion:.0f}" in said
         assert f"matrix is {matrix:.1f} degrees off, the quaternion {quaternion:.0f}" in said
+
+    def test_once_round_in_steps(self) -> None:
+        steady = np.tile([0, 0, 2 * np.pi], (36, 1))
+        w, *v = quaternion_steps([1, 0, 0, 0], steady, 1 / 36)[-1]
+        worn = Quaternion(w, v).matrix(), matrix_steps(np.eye(3), steady, 1 / 36)[-1]
+        by_quaternion, by_matrix = (-rotation_vector(nearest_rotation(m))[2] for m in worn)
+        assert by_quaternion == pytest.approx(36 * (np.pi / 18 - 2 * np.arctan(np.pi / 36)))
+        assert f"Yes, by {degrees(by_quaternion):.1f}°" in answers("beyond-motion")
+        assert f"falls short by {degrees(by_matrix):.1f}°" in answers("beyond-motion")
 
 
 @of_chapters

@@ -140,6 +140,10 @@ SPECIAL = {
             "flip": False,
         },
     ],
+    "spinning_by_hand": [
+        *({"t": t, "h": h} for t in (0.0, 0.01, 0.6, 1.5) for h in (0.01, 0.03, 0.12)),
+        {"t": 1.37, "h": 0.12, "repair": True},
+    ],
     # Arrows too short to be drawn.
     "three_turns_by_hand": [{"u": 0.0, "v": -5.0, "axes": "carried along"}],
     # Without arrows and with the first of them; at home, almost and quite; the shorter way.

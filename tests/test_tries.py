@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 from scipy.interpolate import CubicSpline
-from scipy.linalg import polar
+from scipy.linalg import expm, polar
 from scipy.spatial.transform import Rotation
 from test_explorables import BY_HAND
 
@@ -156,6 +156,42 @@ SHOWN: list[tuple[str, str, dict[str, str]]] = [
     ("euler_angles_by_hand", "the spoon 1° aside", {"rings": "0, 89, 0°", "by_slerp": "89°"}),
     ("euler_angles_by_hand", "v = 30°", {"rings": "90, 30, 90°", "apart": "1.00°"}),
     ("euler_angles_by_hand", "the longest way", {"by_angles": "305°", "by_slerp": "119°"}),
+    (
+        "spinning_by_hand",
+        "a fine step",
+        {
+            "exponential": "edges × 1.00, 0° off",
+            "Euler, matrix": "edges × 1.11, 2° off",
+            "Euler, quaternion": "edges × 1.06, 2° off",
+        },
+    ),
+    (
+        "spinning_by_hand",
+        "repaired after every step",
+        {
+            "exponential": "edges × 1.00, 0° off",
+            "Euler, matrix": "edges × 1.00, 11° off",
+            "Euler, quaternion": "edges × 1.00, 9° off",
+        },
+    ),
+    (
+        "spinning_by_hand",
+        "both arrows alike",
+        {
+            "exponential": "edges × 1.00, 0° off",
+            "Euler, matrix": "edges × 2.01, 8° off",
+            "Euler, quaternion": "edges × 1.44, 2° off",
+        },
+    ),
+    (
+        "spinning_by_hand",
+        "the opposite arrow",
+        {
+            "exponential": "edges × 1.00, 0° off",
+            "Euler, matrix": "edges × 1.00, 0° off",
+            "Euler, quaternion": "edges × 1.00, 0° off",
+        },
+    ),
     (
         "mean_by_hand",
         "give q₃ the other sign",
@@ -400,6 +436,36 @@ def film(name: str, q: Any, fraction: float, t: Any) -> Rotation:
         s = np.cos(size) * q + np.sin(size) * bend / size
         points = arc(points, arc(s[here], s[after], u), 2 * u * (1 - u))
     return Rotation.from_quat(points, scalar_first=True)
+
+
+@pytest.mark.parametrize("words", ["", "a fine step", "both arrows alike"])
+def test_a_spinning_body_is_where_linear_algebra_has_it(words: str) -> None:
+    """All three methods are powers of matrices that act on the nine or four numbers."""
+    figure, inputs = (
+        tried("spinning_by_hand", words) if words else (explore(BY_HAND["spinning_by_hand"]), {})
+    )
+    inputs = figure.start | inputs
+    h, t = inputs["h"], inputs["t"]
+    a, b = (np.pi / 2 * np.array(inputs[key]) for key in ("space", "body"))
+    left, right = (np.cross(v, np.eye(3)).T for v in (a, b))
+    on_nine = np.kron(left, np.eye(3)) + np.kron(np.eye(3), right.T)
+    on_four = np.zeros((4, 4))
+    on_four[1:, 0], on_four[0, 1:], on_four[1:, 1:] = (a + b) / 2, -(a + b) / 2, (left - right) / 2
+    count = round(t / h)
+    exact = (expm(t * on_nine) @ np.eye(3).ravel()).reshape(3, 3)
+    matrix = np.linalg.matrix_power(np.eye(9) + h * on_nine, count) @ np.eye(3).ravel()
+    q = np.linalg.matrix_power(np.eye(4) + h * on_four, count)[:, 0]
+    turned = q @ q * Rotation.from_quat(q, scalar_first=True).as_matrix()
+    parts = frame_of(figure.draw(**inputs))["parts"]
+    for name, expected in (
+        ("exponential", exact),
+        ("Euler, matrix", matrix.reshape(3, 3)),
+        ("Euler, quaternion", turned),
+    ):
+        drawn = np.reshape(parts[name]["matrix"], (4, 4)).T[:3, :3]
+        np.testing.assert_allclose(drawn, expected, atol=2e-6)
+    np.testing.assert_allclose(parts["body"]["to"], exact @ inputs["body"], atol=2e-6)
+    np.testing.assert_allclose(parts["space"]["to"], inputs["space"], atol=2e-6)
 
 
 @pytest.mark.parametrize("words", ["", *list(BY_HAND["mean_by_hand"].tries)[:2]])

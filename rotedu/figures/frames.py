@@ -7,7 +7,7 @@ names then differ by a *frame*, which the viewer applies to the first without dr
   and any other part has a ``matrix`` or ``points``;
 - a part may have another ``color`` and may be ``hidden``; a label has a position, or none;
 - a grip says where an input can be grabbed: a number along a ``path``, or none for now, perhaps by
-  a ``body`` that turns with it, and bodies of a ``size`` ``at`` points;
+  a ``body`` that turns with it, bodies of a ``size`` ``at`` points, and points after a ``turn``;
 - a view says from where a second picture beside the scene sees it;
 - an output is a number, a text or rows of numbers; a chart has a curve, or none for now,
   for each of its names.
@@ -186,13 +186,14 @@ def place_grip(plotter: pyvista.Plotter, name: str, **place: Any) -> None:
     plotter : pyvista.Plotter
         The scene.
     name : str
-        The input: a `Slider` or `Poses`.
+        The input: a `Slider`, `Poses` or `Handles`.
     **place
         For a number its ``path``, shape (n, 3), along which it goes evenly from its lower to its
         upper bound, or None while it cannot be grabbed. A path that ends where it begins has no
         end. If it is a circle about whose axis something turns with the number, a line on this
         thing, ``body``, of shape (m, 3), is grabbed in its place. For poses the ``size`` of their
-        bodies and where they are, ``at``, one point or several.
+        bodies and where they are, ``at``, one point or several. For points that are given in the
+        frame of a turned body its rotation matrix, ``turn``.
     """
     shown(plotter).grips[name] = {
         key: None if value is None else np.asarray(value, float) for key, value in place.items()

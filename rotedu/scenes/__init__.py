@@ -34,6 +34,7 @@ from rotedu.scenes.general_rotation import (
     three_turns_by_hand,
 )
 from rotedu.scenes.introduction import four_descriptions
+from rotedu.scenes.motion import spinning_by_hand
 from rotedu.scenes.ordinary_rotation import figure_1, figure_1_by_hand, rotated_mesh
 from rotedu.scenes.orientations import (
     TWO_ORIENTATIONS,
@@ -86,6 +87,7 @@ __all__ = [
     "rotated_mesh",
     "routes_by_hand",
     "slerp_by_hand",
+    "spinning_by_hand",
     "stages",
     "teaspoon",
     "three_turns_by_hand",

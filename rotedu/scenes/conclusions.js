@@ -1,5 +1,5 @@
 /* Model of `rotedu.scenes.conclusions`. */
-import { DEGREES, ORIGIN } from "./parts.js";
+import { CUBE, DEGREES, ORIGIN } from "./parts.js";
 import {
   axisAngle,
   combine,
@@ -27,7 +27,6 @@ const ROUNDED = {
   "16 bits": to16Bits,
   "32 bits": Math.fround,
 };
-const EDGES = edges();
 const known = new Map();
 
 /** A number with the eleven significant bits of 16-bit numbers, fewer near zero. */
@@ -36,17 +35,6 @@ function to16Bits(x) {
   const exponent = ((high >>> 20) & 2047) - 1023;
   const step = 2 ** (Math.max(exponent, -14) - 10);
   return Math.round(x / step) * step;
-}
-
-/** The edges of a cube, from corner to corner. */
-function edges() {
-  const corners = Array.from({ length: 8 }, (_, i) => [4, 2, 1].map((bit) => (i & bit ? 0.5 : -0.5)));
-  const apart = (p, q) => p.map((x, i) => q[i] - x);
-  return corners.flatMap((p) =>
-    corners
-      .filter((q) => apart(p, q).every((x) => x >= 0) && length(apart(p, q)) === 1)
-      .map((q) => [p, q]),
-  );
 }
 
 /** Unit quaternions, of any size or near 1: `random_turns`. */
@@ -116,7 +104,7 @@ export function wornSpoons({ turns, precision, size, repair }, { degree, in_leng
     const columns = transpose(rotation);
     frame.parts[name] = { matrix: [...columns.flatMap((column) => [...column, 0]), ...place, 1] };
     const moved = (point) => combine(1, place, 1, transform(rotation, point));
-    frame.parts[`box, ${name}`] = { paths: EDGES.map((edge) => edge.map(moved)) };
+    frame.parts[`box, ${name}`] = { paths: CUBE.map((edge) => edge.map(moved)) };
     const edges = columns.map(length);
     const bent = Math.max(...edges.map((x) => Math.abs(x - 1)));
     frame.outputs[`${name}_off`] = repair ? twoDigits(off[i]) + degree : twoDigits(100 * bent) + in_length;

@@ -23,7 +23,7 @@ from rotedu.figures import (
 from rotedu.ordinary_rotation import axis_angle
 from rotedu.orientations import nearest_rotation
 from rotedu.quaternions import Quaternion
-from rotedu.scenes.parts import ORIGIN, add_label, add_lines, add_thin, new_scene, teaspoon
+from rotedu.scenes.parts import CUBE, ORIGIN, add_label, add_lines, add_thin, new_scene, teaspoon
 
 MOST = 1000
 INKS = {"matrix": MATRIX, "quaternion": QUATERNION}
@@ -192,8 +192,6 @@ def worn_spoons_by_hand(
     pyvista.Plotter
         The scene.
     """
-    corners = np.array(list(np.ndindex(2, 2, 2))) - 0.5
-    edges = [(p, q) for p in corners for q in corners if (q - p).sum() == (q != p).sum() == 1]
     spoon = teaspoon(stations=61, around=20)
     spoon.points = spoon.points / 2
     thin = spoon.copy()
@@ -211,7 +209,7 @@ def worn_spoons_by_hand(
             (thin, np.eye(3), VECTOR, 0.005, f"{name} at the start"),
             (spoon, rotation, color, 0.009, name),
         ):
-            box = [[place + which @ p, place + which @ q] for p, q in edges]
+            box = list(place + CUBE @ which.T)
             add_lines(plotter, box, ink, radius, f"box, {title}")
             pose = np.eye(4)
             pose[:3, :3], pose[:3, 3] = which, place

@@ -1,8 +1,20 @@
 /* What the models share. */
-import { rotate, slerp, transpose } from "./sphere.js";
+import { combine, length, rotate, slerp, transpose } from "./sphere.js";
 
 export const DEGREES = 180 / Math.PI;
 export const ORIGIN = [0, 0, 0];
+/** The edges of a cube, from corner to corner: `rotedu.scenes.parts.CUBE`. */
+export const CUBE = cube();
+
+function cube() {
+  const corners = Array.from({ length: 8 }, (_, i) => [4, 2, 1].map((bit) => (i & bit ? 0.5 : -0.5)));
+  const way = (p, q) => combine(1, q, -1, p);
+  return corners.flatMap((p) =>
+    corners
+      .filter((q) => way(p, q).every((x) => x >= 0) && length(way(p, q)) === 1)
+      .map((q) => [p, q]),
+  );
+}
 
 /** Numbers evenly spread from 0 to 1, both included. */
 export function spread(count) {

@@ -20,6 +20,11 @@ ROUND = (540, 480)
 FILLED = 0.865
 """How much of the height the sphere fills; above and below, there is room for a label."""
 ORIGIN = np.zeros(3)
+_CORNERS = np.array(list(np.ndindex(2, 2, 2))) - 0.5
+CUBE = np.array(
+    [(p, q) for p in _CORNERS for q in _CORNERS if (q - p).sum() == (q != p).sum() == 1]
+)
+"""The edges of a cube about the origin, from corner to corner, shape (12, 2, 3)."""
 JUST_INSIDE = 0.99
 """Radius of a surface along the unit sphere: two surfaces in one place would show stripes."""
 

@@ -1,7 +1,8 @@
 /*
  * What can be grabbed in a picture, by mouse, finger and keys alike: points that are dragged over a
- * sphere about the origin, numbers along paths, and bodies that are turned. Each has a button over the
- * picture; a path can be grabbed anywhere, or in its place a body that turns with the number.
+ * sphere about the origin, also one that has turned, numbers along paths, and bodies that are turned.
+ * Each has a button over the picture; a path can be grabbed anywhere, or in its place a body that turns
+ * with the number.
  */
 import { alongSphere, carried, isClosed, nearest, pointOf, rolling } from "./drag.js";
 import { ALONG, drag, stepped } from "./hold.js";
@@ -32,6 +33,7 @@ const RIM = -1e-3;
 const REACH = 0.2;
 // Share of the picture from its border to a handle.
 const BORDER = 0.02;
+const IDENTITY = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
 const SVG = "http://www.w3.org/2000/svg";
 
 /**
@@ -93,13 +95,16 @@ const listed = (value) => (Array.isArray(value[0]) ? value : [value]);
 const replaced = (old, i, value) => (Array.isArray(old[0]) ? old.with(i, value) : value);
 
 /** A point of a sphere. */
-function addPoint({ layer, live, now, change }, { name, spec }, i) {
+function addPoint({ layer, live, now, change, grips }, { name, spec }, i) {
   const handle = createHandle(layer, Array.isArray(spec.names) ? `${name}-${i}` : name, "point");
   const value = () => listed(now()[name])[i];
-  const point = () => scaled(value(), spec.reach);
+  const turn = () => grips()[name]?.turn ?? IDENTITY;
+  const point = () => scaled(transformed(turn(), value()), spec.reach);
   const said = () => label(spec, i, value());
-  const put = (moved, spoken) =>
-    change({ [name]: replaced(now()[name], i, scaled(moved, 1 / spec.reach)) }, spoken && said);
+  const put = (moved, spoken) => {
+    const back = scaled(transformed(transposed(turn()), moved), 1 / spec.reach);
+    change({ [name]: replaced(now()[name], i, back) }, spoken && said);
+  };
   const grabbed = drag(handle, layer, {
     grab(place) {
       const { left, top } = live.project(point());
@@ -268,6 +273,10 @@ function label({ names }, i, point) {
   const name = Array.isArray(names) ? names[i] : names;
   return `${name} at ${point.map((x) => x.toFixed(2).replace("-", "\u2212")).join(", ")}`;
 }
+
+const transformed = (matrix, point) => matrix.map((row) => row.reduce((sum, x, k) => sum + x * point[k], 0));
+
+const transposed = (matrix) => matrix.map((_, i) => matrix.map((row) => row[i]));
 
 function scaled(point, factor) {
   return factor === 1 ? point : point.map((x) => x * factor);

@@ -1,0 +1,103 @@
+/* Model of `rotedu.scenes.motion`. */
+import { CUBE, DEGREES, ORIGIN, placing, spread } from "./parts.js";
+import {
+  axisAngle,
+  combine,
+  cross,
+  length,
+  nearestRotation,
+  product,
+  quaternionMatrix,
+  quaternionProduct,
+  rotationMatrix,
+  transform,
+  transpose,
+  unit,
+} from "./sphere.js";
+
+const SPEED = Math.PI / 2;
+const SECONDS = 1.5;
+const EDGE = 0.9;
+const ACROSS = unit(cross([0, 0, 1], [0.3, -0.88, 0.36]));
+const PLACES = [0, 2.45, 4.65].map((x) => ACROSS.map((y) => x * y));
+const TIP = [EDGE / 2, 0, 0];
+const TIMES = spread(61).map((x) => SECONDS * x);
+const PIECE = 0.025;
+const ROUNDING = 1e-6;
+const IDENTITY = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
+
+/** `spinning_by_hand` */
+export function spinning({ space, body, h, t, repair }, { longest: edges, aside }) {
+  const [omega, own] = [space, body].map((axis) => unit(axis).map((x) => SPEED * x));
+  const [first, second] = [unit(space), unit(body)];
+  const exact = (t) => product(rotationMatrix(first, SPEED * t), rotationMatrix(second, SPEED * t));
+  const right = exact(t);
+  const turn = rotationMatrix(first, SPEED * t);
+
+  const parts = {};
+  const labels = {};
+  for (const [name, arrow] of [["space", first], ["body", transform(turn, second)]]) {
+    parts[name] = { from: ORIGIN, to: arrow };
+    labels[name] = arrow.map((x) => 1.2 * x);
+  }
+  const outputs = {};
+  const charts = { longest: {}, off: {} };
+  const ways = integrators(omega, own, h, repair);
+  Object.entries(ways).forEach(([name, way], i) => {
+    const now = way(t);
+    const put = (matrix) => (point) => combine(1, PLACES[i], 1, transform(matrix, point));
+    const box = (matrix) => ({ paths: CUBE.map((edge) => edge.map((p) => put(matrix)(p.map((x) => EDGE * x)))) });
+    parts[`exact, ${name}`] = box(right);
+    parts[`box, ${name}`] = box(now);
+    parts[name] = { matrix: placing(now, PLACES[i]) };
+    parts[`way, ${name}`] = { paths: [moments(h, t).map((moment) => put(way(moment))(TIP))] };
+    const off = (matrix, rotation) =>
+      DEGREES * axisAngle(product(transpose(nearestRotation(matrix)), rotation)).angle;
+    const drawn = TIMES.map(way);
+    charts.longest[name] = drawn.map(longest);
+    charts.off[name] = drawn.map((matrix, k) => off(matrix, exact(TIMES[k])));
+    outputs[name] = `${edges}${longest(now).toFixed(2)}, ${off(now, right).toFixed(0)}${aside}`;
+  });
+  return { parts, labels, grips: { body: { turn } }, outputs, charts };
+}
+
+const longest = (matrix) => Math.max(...transpose(matrix).map(length));
+
+/** `integrators` */
+function integrators(omega, own, h, repair) {
+  const turned = (vector, t) => rotationMatrix(vector, length(vector) * t);
+  const exponential = (r, h) => product(product(turned(omega, h), r), turned(own, h));
+  const matrix = (m, h) => {
+    const left = transpose(transpose(m).map((column) => cross(omega, column)));
+    const moved = m.map((row, i) => combine(1, row, h, combine(1, left[i], 1, cross(row, own))));
+    return repair ? nearestRotation(moved) : moved;
+  };
+  const quaternion = (q, h) => {
+    const [left, fromRight] = [quaternionProduct([0, ...omega], q), quaternionProduct(q, [0, ...own])];
+    const moved = combine(1, q, h / 2, combine(1, left, 1, fromRight));
+    return repair ? unit(moved) : moved;
+  };
+  const scaled = (q) => quaternionMatrix(q).map((row) => row.map((x) => length(q) ** 2 * x));
+  return {
+    exponential: steps(exponential, IDENTITY, h, (r) => r),
+    "Euler, matrix": steps(matrix, IDENTITY, h, (m) => m),
+    "Euler, quaternion": steps(quaternion, [1, 0, 0, 0], h, scaled),
+  };
+}
+
+/** The matrix that draws a body at a time, after whole steps and the rest of one: `steps`. */
+function steps(step, start, h, drawn) {
+  const states = [start];
+  while (states.length <= SECONDS / h) states.push(step(states.at(-1), h));
+  return (t) => {
+    const whole = Math.min(Math.floor(t / h), states.length - 1);
+    return drawn(step(states[whole], t - whole * h));
+  };
+}
+
+/** `moments` */
+function moments(h, t) {
+  const pieces = Math.ceil(h / PIECE);
+  const whole = Math.max(1, Math.ceil((t * pieces) / h - ROUNDING));
+  return [...Array.from({ length: whole }, (_, k) => (k * h) / pieces), Math.max(t, ROUNDING)];
+}

@@ -24,12 +24,12 @@ from rotedu.ordinary_rotation import axis_angle, rotation_matrix
 
 __all__: list[str] = []
 
-OF_ROTATION_VECTOR = {"U": "", "V": "", "W": ""}
+DEGREES = Wrong("Are these degrees?", "The exercise asks for radians.")
 
 
 @exercise(
     "A.1",
-    fields=OF_ROTATION_VECTOR,
+    fields={"U": "", "V": "", "W": ""},
     expects="a rotation vector, three numbers in radians",
     because="Of all vectors that lead to a matrix, the logarithm is the shortest.",
 )
@@ -49,7 +49,8 @@ def shortest_rotation_vector() -> Iterator[Part]:
             "This is the length, but not the direction.",
             "Where does U go in each of the two turns?",
         ),
-        Mistake(np.rad2deg(right), "Are these degrees?", "The exercise asks for radians."),
+        Mistake(np.rad2deg(right), *DEGREES),
+        Mistake(270 * about_w, *DEGREES),
         Mistake(
             right / 2,
             "This is half of the angle.",
@@ -90,6 +91,11 @@ def rates_of_a_gyroscope() -> Iterator[Part]:
             "You have turned the vector along with the drone.",
             "The columns of R are the drone's axes. Multiply so that each is compared with the"
             " vector.",
+        ),
+        Mistake(
+            -omega,
+            "The drone's second axis does not point along V any more.",
+            "Which of its axes does, after the quarter turn?",
         ),
         Mistake(
             [0, 0, 2],
@@ -162,7 +168,7 @@ def what_a_step_stretches() -> Iterator[Part]:
             "One of the factors is different.",
             "A step adds something at right angles to what was there. Draw the triangle.",
         ),
-        within=6e-5,
+        within=6e-4,
     )
 
 

@@ -14,6 +14,7 @@ from rotedu import scenes
 from rotedu.arcs import angle_between, arc_axis
 from rotedu.closed_curve import closed_curve
 from rotedu.control_points import bisect, control_points, double
+from rotedu.figures import explore
 from rotedu.general_rotation import (
     euler_angles,
     matrix_from_euler_angles,
@@ -260,3 +261,37 @@ def test_the_roll_that_an_arc_brings_is_small_near_the_horizon_only() -> None:
     near = low & (np.sum(p * q, axis=1) > 0.5)
     np.testing.assert_allclose(np.median(off[near]), 3.6, rtol=0, atol=0.5)
     np.testing.assert_allclose(np.quantile(off[near], 0.95), 18, rtol=0, atol=2)
+
+    def test_one_of_five_quaternions_has_the_other_sign(self) -> None:
+        rng = np.random.default_rng(5)
+        truth, size = np.eye(4)[0], 1e-4
+        errors = size * rng.normal(size=(1000, 5, 4)) * [0, 1, 1, 1]
+
+        def off(signs: Any) -> Any:
+            """Errors of the mean, and the length of the sum."""
+            total = (np.array(signs)[:, np.newaxis] * (truth + errors)).sum(axis=1)
+            return total[:, 1:] / total[:, :1], np.abs(total[:, 0])
+
+        (five, length), (three, shorter) = off([1] * 5), off([1, 1, 1, 1, -1])
+        assert np.allclose([length, shorter], [[5.0], [3.0]])
+        assert np.std(three) / np.std(five) == pytest.approx(5 / 3, rel=0.02)
+        for signs in ([1, 1, -1, -1, -1], [-1] * 5):
+            assert np.sum(signs) < 0
+        text = answers("beyond-averages")
+        assert "the sum is three reports long instead of five" in text
+        assert "divided by three now, not by five" in text
+        assert "three or more of the five" in text
+
+    def test_the_means_of_picture_b_a(self) -> None:
+        figure = explore(scenes.mean_by_hand)
+
+        def apart(**inputs: Any) -> float:
+            """How far the two means are apart, in degrees."""
+            return float(figure.draw(**figure.start | inputs).shown.outputs["apart"].value)
+
+        page = pages()["beyond-averages.ipynb"]
+        text = "\n".join(cell.source for cell in page.cells)
+        assert f"the means are {apart():.0f}° apart" in text
+        assert apart(flip=False) == pytest.approx(1 / 3, abs=0.05)
+        least = apart(**scenes.mean_by_hand.tries["no choice of signs helps"])
+        assert f"the best one misses it by {least:.1f}°" in text

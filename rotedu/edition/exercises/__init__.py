@@ -2,6 +2,7 @@
 
 from rotedu.edition.exercises import (
     arcs,
+    averages,
     closed_curve,
     conclusions,
     control_points,
@@ -17,6 +18,7 @@ from rotedu.edition.exercises.judging import Verdict, check
 __all__ = [
     "Verdict",
     "arcs",
+    "averages",
     "check",
     "closed_curve",
     "conclusions",

@@ -36,12 +36,14 @@ def test_one_lecture_takes_the_minutes_that_it_promises() -> None:
     assert f"{minutes} minutes for" in TEXT
 
 
-@pytest.mark.parametrize("weeks", ["Three weeks", "Six weeks"])
-def test_the_weeks_add_up(weeks: str) -> None:
+@pytest.mark.parametrize(
+    ("weeks", "first"), [("Three weeks", 1), ("Six weeks", 1), ("One week more", 7)]
+)
+def test_the_weeks_add_up(weeks: str, first: int) -> None:
     parts = {row[0]: (int(row[2]), int(row[3])) for row in table("Three plans")}
     *plan, total = table(weeks)
-    assert weeks.startswith({3: "Three", 6: "Six"}[len(plan)])
-    for number, row in enumerate(plan, start=1):
+    assert weeks.startswith({1: "One", 3: "Three", 6: "Six"}[len(plan)])
+    for number, row in enumerate(plan, start=first):
         assert row[0] == str(number)
         taken = [parts[part] for part in row[1].split()]
         assert [sum(each) for each in zip(*taken, strict=True)] == [90, 90]

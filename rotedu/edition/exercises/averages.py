@@ -9,6 +9,7 @@ from rotedu.averages import angular_distance, matrix_from_two_columns, mean_rota
 from rotedu.edition.exercises.judging import (
     NOT_THE_TRUTH,
     RADIANS,
+    SCALAR_LAST,
     Mistake,
     Part,
     Wrong,
@@ -62,12 +63,17 @@ def three_chords() -> Iterator[Part]:
             "These are the squares of the distances.",
             "Only the sum of squares is simple. What is missing?",
         ),
+        Mistake(
+            [2 * 2**0.5 * np.sin(30), 2 * np.sin(15), 2 * np.cos(15)],
+            "Have you given degrees to a function that wants radians?",
+            "A distance is not negative, and no chord exceeds the diameter.",
+        ),
         otherwise=Wrong(
             "How large is the turn that leads from one to the other?",
             "Draw the two quaternions as points of a circle: the arc between them is half the"
             " angle of the turn.",
         ),
-        within=2e-3,
+        within=5e-3,
     )
 
 
@@ -186,6 +192,7 @@ def weighted_mean() -> Iterator[Part]:
     """Yield the mean of measurements of two qualities."""
     measured, errors = two_trackers()
     right = mean_rotation(measured, errors**-2)
+    w, x, y, z = Quaternion.from_matrix(right).components
     yield Part(
         right,
         Mistake(
@@ -214,6 +221,7 @@ def weighted_mean() -> Iterator[Part]:
             "It knows most. Use both.",
         ),
         Mistake(rotation_matrix(*TRACKED), *NOT_THE_TRUTH),
+        Mistake(Quaternion(x, [y, z, w]).matrix(), *SCALAR_LAST),
         Mistake(
             right.T,
             "This rotation turns back.",

@@ -2,10 +2,7 @@
 
 import inspect
 import json
-import os
 import re
-import subprocess
-import sys
 import zipfile
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -15,19 +12,13 @@ import pytest
 import test_exercises
 import test_right_answers
 from bs4 import BeautifulSoup
-from html_pages import parse
+from html_pages import build_one_page, parse
 from nbformat import NotebookNode
 from node import run_node
 from notebook_language import BOOK, ROOT, Page, notebooks, part_of, tags
 from runtime import CANNOT_WORK, put_together
 
 SCRIPT = "live/live.js"
-ONE_PAGE = """\
-format: jb-book
-root: book/01-introduction
-chapters:
-  - file: book/glossary
-"""
 EXPLORED = re.compile(r"\bexplore\(scenes\.(\w+)")
 # Lets the page's Python read the tests of the checks.
 STAND_INS = """\
@@ -269,19 +260,7 @@ def test_the_site_has_notebooks_to_hand_in(book: Path) -> None:
 
 @pytest.mark.slow
 def test_one_setting_leaves_python_out(tmp_path: Path) -> None:
-    config = (ROOT / "_config.yml").read_text("utf-8")
-    without = config.replace("python_in_page: true", "python_in_page: false")
-    assert without != config
-    (tmp_path / "config.yml").write_text(without, encoding="utf-8")
-    (tmp_path / "toc.yml").write_text(ONE_PAGE, encoding="utf-8")
-    command = [Path(sys.executable).with_name("jupyter-book"), "build", ROOT]
-    options = ["--config", tmp_path / "config.yml", "--toc", tmp_path / "toc.yml"]
-    subprocess.run(
-        [*command, *options, "--path-output", tmp_path],
-        env=os.environ | {"PYTHONPATH": str(ROOT / "book" / "_ext")},
-        check=True,
-    )
-    html = tmp_path / "_build" / "html"
+    html = build_one_page(tmp_path, "python_in_page: true", "python_in_page: false")
     page = (html / "book" / "01-introduction.html").read_text("utf-8")
     assert "Show the solution" in page
     assert not any(mark in page for mark in ("data-cell", "data-exercise", SCRIPT))

@@ -14,6 +14,21 @@ document.addEventListener("toggle", letReach, true);
 // MyST-NB gives the buttons of hidden cells a label that differs from their text.
 for (const button of document.querySelectorAll(".cell summary")) button.removeAttribute("aria-label");
 
+// Who reports a mistake need not say in which section.
+document.addEventListener("click", ({ target }) => {
+  const link = target.closest("a.report");
+  if (!link) return;
+  const titles = [...document.querySelectorAll("article :is(h1, h2, h3)")];
+  const above = titles.filter((title) => title.getBoundingClientRect().top < innerHeight / 2);
+  const words = above.at(-1)?.cloneNode(true);
+  if (!words || words.tagName === "H1") return;
+  for (const unsaid of words.querySelectorAll(".katex-mathml, .headerlink")) unsaid.remove();
+  const url = new URL(link.href);
+  const page = url.searchParams.get("place").split(", § ")[0];
+  url.searchParams.set("place", `${page}, § ${words.textContent.trim()}`);
+  link.href = url;
+});
+
 // A page opened from a file cannot preload its fonts, so there they may load late.
 if (location.protocol === "file:") {
   for (const style of ["normal", "italic"]) {

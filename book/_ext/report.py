@@ -1,0 +1,30 @@
+"""Offer each reader a form to report a mistake, once the repository has an address."""
+
+import tomllib
+from pathlib import Path
+from typing import Any
+from urllib.parse import urlencode
+
+from docutils import nodes
+from markupsafe import Markup
+from sphinx.application import Sphinx
+
+PROJECT = Path(__file__).parents[2] / "pyproject.toml"
+
+
+def offer(
+    app: Sphinx, page: str, template: str, context: dict[str, Any], doctree: nodes.document | None
+) -> None:
+    """Give a page the address of the form, with the page filled in; book.js adds the section."""
+    if app.config.repository and doctree is not None:
+        place = Markup(context["title"]).striptags()
+        query = urlencode({"template": "mistake.yml", "place": place})
+        context["report"] = f"{app.config.repository.rstrip('/')}/issues/new?{query}"
+
+
+def setup(app: Sphinx) -> dict[str, Any]:
+    """Take the address from the settings of the project."""
+    settings = tomllib.loads(PROJECT.read_text("utf-8"))["tool"]["rotedu"]
+    app.add_config_value("repository", settings["repository"], "env", types=[str])
+    app.connect("html-page-context", offer)
+    return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -1,0 +1,149 @@
+"""The paper about the edition, its citation and its record in an archive agree with the book."""
+
+import json
+import re
+import shutil
+import subprocess
+import tomllib
+from pathlib import Path
+from typing import Any
+from urllib.parse import parse_qs, urlsplit
+
+import pytest
+import yaml
+from derive import ROOT, derive_authors
+from html_pages import build_one_page, parse
+from notebook_language import captions_by_hand
+from uv import find_uv_bin
+
+from rotedu.edition.claims import CLAIMS
+from rotedu.edition.equations import EQUATIONS
+from rotedu.edition.errata import ERRATA
+
+PAPER = ROOT / "paper" / "paper.md"
+FILES = ("CITATION.cff", ".zenodo.json", "pyproject.toml", "paper/paper.md")
+CITATION = ROOT / "CITATION.cff"
+TWO = """\
+authors:
+  - family-names: Hamilton
+    given-names: William Rowan
+    orcid: https://orcid.org/0000-0002-1825-0097
+    affiliation: Trinity College
+  - family-names: Rodrigues
+    given-names: Olinde
+abstract:"""
+
+
+@pytest.fixture
+def copy(tmp_path: Path) -> Path:
+    """A copy of all files that name authors."""
+    (tmp_path / "paper").mkdir()
+    for file in FILES:
+        shutil.copy(ROOT / file, tmp_path / file)
+    return tmp_path
+
+
+def test_the_authors_of_the_citation_are_named_everywhere(copy: Path) -> None:
+    derive_authors(copy)
+    for file in FILES:
+        written = (copy / file).read_text("utf-8") == (ROOT / file).read_text("utf-8")
+        assert written, f"{file} is not up to date: run .venv/bin/python tools/derive.py"
+
+
+def test_new_authors_are_named_everywhere(copy: Path) -> None:
+    citation = copy / "CITATION.cff"
+    text = re.sub(r"(?ms)^authors:.*?^abstract:", TWO, citation.read_text("utf-8"))
+    citation.write_text(text, "utf-8")
+    derive_authors(copy)
+    derive_authors(copy)
+    names = ["William Rowan Hamilton", "Olinde Rodrigues"]
+    project = tomllib.loads((copy / "pyproject.toml").read_text("utf-8"))["project"]
+    assert [author["name"] for author in project["authors"]] == names
+    assert json.loads((copy / ".zenodo.json").read_text("utf-8"))["creators"] == [
+        {
+            "name": "Hamilton, William Rowan",
+            "orcid": "0000-0002-1825-0097",
+            "affiliation": "Trinity College",
+        },
+        {"name": "Rodrigues, Olinde"},
+    ]
+    matter = yaml.safe_load((copy / "paper" / "paper.md").read_text("utf-8").split("---")[1])
+    assert [author["name"] for author in matter["authors"]] == names
+    assert matter["authors"][0]["affiliation"] == matter["affiliations"][0]["index"] == 1
+    assert matter["authors"][0]["orcid"] == "0000-0002-1825-0097"
+    assert matter["affiliations"][0]["name"] == "Trinity College"
+
+
+def test_the_archive_says_what_the_citation_says() -> None:
+    citation = yaml.safe_load(CITATION.read_text("utf-8"))
+    record = json.loads((ROOT / ".zenodo.json").read_text("utf-8"))
+    for name in ("title", "keywords", "license"):
+        assert record[name] == citation[name]
+    assert record["description"].startswith(citation["abstract"])
+    [paper] = citation["references"]
+    assert record["related_identifiers"][0]["identifier"] == paper["doi"]
+
+
+def test_the_paper_is_short_and_counts_what_is_there() -> None:
+    text = PAPER.read_text("utf-8").split("---", 2)[2]
+    assert len(text.split()) <= 1000
+    mended = sum(erratum.kind != "open" for erratum in ERRATA)
+    for number, thing in (
+        (len(EQUATIONS), "numbered equations"),
+        (len(CLAIMS), "claims"),
+        (mended, "errata"),
+        (len(captions_by_hand()), "figures can be moved by hand"),
+    ):
+        assert f"{number} {thing}" in text, f"{number} {thing}"
+
+
+def test_the_paper_cites_what_it_lists() -> None:
+    cited = set(re.findall(r"@([a-z]+\d{4})", PAPER.read_text("utf-8")))
+    library = (ROOT / "paper" / "paper.bib").read_text("utf-8")
+    assert cited == set(re.findall(r"(?m)^@\w+\{(.+),$", library))
+
+
+def test_both_bibliographies_agree() -> None:
+    entries = [
+        dict(re.findall(r"(?ms)^@\w+\{(\w+),\n(.*?)^\}$", (ROOT / file).read_text("utf-8")))
+        for file in ("paper/paper.bib", "book/references.bib")
+    ]
+    paper, book = entries
+    for key in paper.keys() & book.keys():
+        assert paper[key] == book[key], key
+
+
+def test_without_a_repository_no_page_asks_for_a_report(book: Path) -> None:
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))
+    if not project["tool"]["rotedu"]["repository"]:
+        assert not [page for page in book.rglob("*.html") if parse(page).select(".report")]
+
+
+@pytest.mark.slow
+def test_a_report_says_page_and_section(tmp_path: Path, browser: Any) -> None:
+    address = "https://github.example/someone/rotedu"
+    setting = "    add_module_names: false\n"
+    html = build_one_page(tmp_path, setting, f"{setting}    repository: {address}\n")
+    form = yaml.safe_load((ROOT / ".github/ISSUE_TEMPLATE/mistake.yml").read_text("utf-8"))
+    page = browser.new_page(viewport={"width": 1440, "height": 900})
+    page.goto((html / "book" / "01-introduction.html").as_uri())
+    section = page.locator("article h2").nth(2)
+    title = section.inner_text().rstrip("#").strip()
+    section.evaluate("e => e.scrollIntoView({block: 'start', behavior: 'instant'})")
+    page.route("**/issues/new**", lambda route: route.fulfill(body="asked"))
+    page.locator(".toc-drawer a.report").click()
+    page.wait_for_url("**/issues/new**")
+    asked = urlsplit(page.url)
+    page.close()
+    assert f"{asked.scheme}://{asked.netloc}{asked.path}" == f"{address}/issues/new"
+    fields = parse_qs(asked.query)
+    assert fields.keys() == {"template", "place"}
+    assert fields["template"] == ["mistake.yml"]
+    assert "place" in {field.get("id") for field in form["body"]}
+    assert fields["place"] == [f"1 Introduction, § {title}"]
+
+
+@pytest.mark.slow
+def test_the_citation_is_valid() -> None:
+    command = [find_uv_bin(), "tool", "run", "cffconvert", "--validate", "-i", str(CITATION)]
+    subprocess.run(command, check=True)

@@ -6,7 +6,6 @@ from typing import Any
 from urllib.parse import urlencode
 
 from docutils import nodes
-from markupsafe import Markup
 from sphinx.application import Sphinx
 
 PROJECT = Path(__file__).parents[2] / "pyproject.toml"
@@ -17,7 +16,7 @@ def offer(
 ) -> None:
     """Give a page the address of the form, with the page filled in; book.js adds the section."""
     if app.config.repository and doctree is not None:
-        place = Markup(context["title"]).striptags()
+        place = doctree.next_node(nodes.title).astext()
         query = urlencode({"template": "mistake.yml", "place": place})
         context["report"] = f"{app.config.repository.rstrip('/')}/issues/new?{query}"
 

@@ -190,3 +190,8 @@ class TestNumeric:
     def test_has_a_field_for_each_number(self, number: str) -> None:
         asked = EXERCISES[number]
         assert sum(np.size(part.right) for part in asked.parts) == len(asked.fields)
+
+    def test_has_no_function_which_the_page_could_not_run(self, number: str) -> None:
+        parts = EXERCISES[number].parts
+        results = [m.result for part in parts for m in part.mistakes]
+        assert not any(map(callable, [part.right for part in parts] + results))

@@ -2,8 +2,8 @@
 
 The paper is F. Cheng et al., "We Don't Really Need Quaternions in Geometric Modeling, Computer
 Graphics and Animation: Here Is Why", Computer-Aided Design & Applications 20(6), 2023, 1061-1073,
-doi:10.14733/cadaps.2023.1061-1073. Each module serves one section, and every function names the
-equation it computes.
+doi:10.14733/cadaps.2023.1061-1073. Each module serves one section, or a page beyond the paper, and
+every function names the equation that it computes.
 
 Conventions, the same everywhere:
 

@@ -138,6 +138,8 @@ class Handles:
         Points are scaled to this length; 0 means that they keep their own.
     reach : float
         The handle lies at this multiple of the point.
+    through : bool
+        Whether a point on the far side can be caught, too, because nothing hides it.
     """
 
     names: str | Sequence[str]
@@ -145,6 +147,7 @@ class Handles:
     most: int = 0
     length: float = 1.0
     reach: float = 1.0
+    through: bool = False
 
     kind = "points"
 
@@ -160,6 +163,7 @@ class Handles:
             "most": self.most,
             "length": self.length,
             "reach": self.reach,
+            "through": self.through,
         }
 
     def controls(self, name: str, start: Any) -> str:

@@ -11,7 +11,7 @@ import {
   unit,
 } from "./sphere.js";
 
-const BESIDE = [[-2.08, 0, 0.42], [-1.32, 0, 0.42], [-1.7, 0, -0.34]];
+const BESIDE = [[-2.08, 0, 0.36], [-1.32, 0, 0.36], [-1.7, 0, -0.28]];
 const NAME = combine(1, BESIDE[2], 1, [-0.3, 0, 0.32]);
 const SIZE = 0.36;
 const SMALLEST = 1e-9;

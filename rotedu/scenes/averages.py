@@ -25,9 +25,9 @@ U, V, W = np.eye(3)
 GIVEN = ((0.31, -0.59, -0.39, -0.64), (0.62, -0.21, -0.27, -0.71), (0.69, -0.61, 0, -0.38))
 SPREAD = ((-0.06, 0.16, 0.92, -0.36), (-0.28, 0.68, -0.37, -0.57), (0.47, 0.15, 0.31, -0.81))
 """Here no choice of signs lets each pair agree."""
-FACING = Quaternion.from_axis_angle(U, np.pi / 2)
-THIRDS = (Quaternion.from_axis_angle(V, np.radians([-120, 0, 120])) * FACING).components.tolist()
-BESIDE = np.array([[-2.08, 0, 0.42], [-1.32, 0, 0.42], [-1.7, 0, -0.34]])
+HALVES = ((1, 1, 0, 0), (-1, 1, 0, 0), (0, 0, 1, -1))
+"""Each is half a turn from the two others, also with the digits of a link."""
+BESIDE = np.array([[-2.08, 0, 0.36], [-1.32, 0, 0.36], [-1.7, 0, -0.28]])
 """Where the given orientations are turned, beside the ball, and where their names are."""
 NAMES = BESIDE + np.array([-0.3, 0, 0.32])
 SIZE = 0.36
@@ -43,7 +43,7 @@ SMALLEST = 1e-9
     tries={
         "give q₃ the other sign": {"flip": False},
         "no choice of signs helps": {"poses": SPREAD, "flip": False},
-        "thirds of a whole turn": {"poses": THIRDS, "flip": False},
+        "half a turn from each other": {"poses": HALVES, "flip": False},
     },
     poses=Poses([f"spoon {k}" for k in (1, 2, 3)]),
     flip=Switch("−q₃ in place of q₃, the same orientation"),
@@ -71,7 +71,7 @@ def mean_by_hand(poses: ArrayLike = GIVEN, flip: bool = True) -> pyvista.Plotter
     middle = -0.7 * U
     plotter = new_scene(middle - 32 * V + 6 * W, middle, view_angle=4.1)
     limit_turning(plotter, 20)
-    stack_on_phone(plotter, (0, 58, 300, 288, 0.6), (290, 25, 430, 430, 1))
+    stack_on_phone(plotter, (0, 76, 300, 304, 0.57), (290, 25, 430, 430, 1))
     add_sphere(plotter)
     for k, (place, turn) in enumerate(zip(BESIDE, given, strict=True), start=1):
         add_spoon(plotter, turn, place, SIZE, VECTOR, f"R_{k}")

@@ -19,7 +19,7 @@ const SPEED = Math.PI / 2;
 const SECONDS = 1.5;
 const EDGE = 0.9;
 const ACROSS = unit(cross([0, 0, 1], [0.3, -0.88, 0.36]));
-const PLACES = [0, 2.45, 4.65].map((x) => ACROSS.map((y) => x * y));
+const PLACES = [0, 2.55, 4.9].map((x) => ACROSS.map((y) => x * y));
 const TIP = [EDGE / 2, 0, 0];
 const TIMES = spread(61).map((x) => SECONDS * x);
 const PIECE = 0.025;
@@ -38,7 +38,7 @@ export function spinning({ space, body, h, t, repair }, { longest: edges, aside 
   const labels = {};
   for (const [name, arrow] of [["space", first], ["body", transform(turn, second)]]) {
     parts[name] = { from: ORIGIN, to: arrow };
-    labels[name] = arrow.map((x) => 1.2 * x);
+    labels[name] = arrow.map((x) => 1.25 * x);
   }
   const outputs = {};
   const charts = { longest: {}, off: {} };

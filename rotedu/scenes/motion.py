@@ -47,8 +47,8 @@ EDGE = 0.9
 INKS = {"exponential": RESULT, "Euler, matrix": MATRIX, "Euler, quaternion": QUATERNION}
 EYE = 30 * np.array([0.3, -0.88, 0.36])
 ACROSS = np.cross([0, 0, 1], EYE) / np.linalg.norm(EYE[:2])
-PLACES = np.outer([0, 2.45, 4.65], ACROSS)
-MIDDLE = 2.2 * ACROSS
+PLACES = np.outer([0, 2.55, 4.9], ACROSS)
+MIDDLE = 2.25 * ACROSS
 TIP = np.array([EDGE / 2, 0, 0])
 SAMPLES = 61
 """Of a curve in a chart."""
@@ -70,8 +70,8 @@ LONGEST, ASIDE = "edges × ", "° off"
         "both arrows alike": {"body": IN_SPACE},
         "the opposite arrow": {"body": tuple(-x for x in IN_SPACE)},
     },
-    space=Handles("arrow fixed in space"),
-    body=Handles("arrow fixed in the body"),
+    space=Handles("arrow fixed in space", through=True),
+    body=Handles("arrow fixed in the body", through=True),
     h=Slider(0.01, COARSEST, "step, s", step=0.01),
     t=Slider(0, SECONDS, "time, s", step=0.01, plays=6),
     repair=Switch("repair after every step: nearest rotation, quaternion of norm 1"),
@@ -113,19 +113,13 @@ def spinning_by_hand(
     spoon.points = EDGE / 2 * spoon.points
 
     # From far away, so that what is drawn in three places looks the same.
-    plotter = new_scene(MIDDLE + EYE, MIDDLE, view_angle=6.36, size=(720, 340))
+    plotter = new_scene(MIDDLE + EYE, MIDDLE, view_angle=6.75, size=(720, 340))
     limit_turning(plotter, 20)
-    stack_on_phone(plotter, (0, 20, 270, 300, 0.7), (262, 14, 458, 320, 1))
+    stack_on_phone(plotter, (0, 36, 288, 294, 0.78), (256, 36, 464, 294, 1))
     for name, vector in (("space", omega), ("body", right @ own)):
         arrow = vector / SPEED
         add_arrow(plotter, ORIGIN, arrow, AXIS, 0.02, name=name)
-        add_label(
-            plotter,
-            1.2 * arrow,
-            f"in {'space' if name == 'space' else 'the body'}",
-            AXIS,
-            name=name,
-        )
+        add_label(plotter, 1.25 * arrow, name, AXIS)
     place_grip(plotter, "body", turn=turned(omega, t))
 
     ways = integrators(omega, own, h, repair)
@@ -143,7 +137,7 @@ def spinning_by_hand(
         add_thin(plotter, spoon, ink, part).user_matrix = pose
         path = [place + way(moment) @ TIP for moment in moments(h, t)]
         add_line(plotter, path, ink, 0.014, f"way, {name}")
-        add_label(plotter, place - 1.35 * W, name, ink, name=name)
+        add_label(plotter, place - 1.6 * W, name, ink, name=name)
 
         drawn = np.array([*map(way, times), now])
         longest[name] = np.linalg.norm(drawn, axis=1).max(axis=1)

@@ -18,16 +18,17 @@ const CLOSE = 0.2;
 const along = (point, distance, direction) => point.map((x, i) => x + distance * direction[i]);
 
 /**
- * Where a line of sight meets the sphere first; beside it, the nearest point of the rim.
+ * Where a line of sight meets the sphere first, or last; beside it, the nearest point of the rim.
  * @param {number[]} eye
  * @param {number[]} direction of length 1
  * @param {number} radius
+ * @param {boolean} [far] whether the far side is meant
  */
-export function alongSphere(eye, direction, radius) {
+export function alongSphere(eye, direction, radius, far) {
   const middle = -dot(eye, direction);
   const foot = along(eye, middle, direction);
   const beside = dot(foot, foot) - radius * radius;
-  if (beside <= 0) return along(eye, middle - Math.sqrt(-beside), direction);
+  if (beside <= 0) return along(eye, middle + (far ? 1 : -1) * Math.sqrt(-beside), direction);
   // The rim seen from the eye is the circle of the points p with p . eye = radius^2.
   const distance = Math.hypot(...eye);
   const towards = eye.map((x) => x / distance);

@@ -100,6 +100,10 @@ function addPoint({ layer, live, now, change, grips }, { name, spec }, i) {
   const value = () => listed(now()[name])[i];
   const turn = () => grips()[name]?.turn ?? IDENTITY;
   const point = () => scaled(transformed(turn(), value()), spec.reach);
+  const isFar = () => {
+    const eye = live.eye();
+    return point().reduce((sum, x, k) => sum + x * (eye[k] - x), 0) < RIM;
+  };
   const said = () => label(spec, i, value());
   const put = (moved, spoken) => {
     const back = scaled(transformed(transposed(turn()), moved), 1 / spec.reach);
@@ -109,11 +113,12 @@ function addPoint({ layer, live, now, change, grips }, { name, spec }, i) {
     grab(place) {
       const { left, top } = live.project(point());
       // The point keeps its distance from the finger.
-      return { shift: [left - place.share[0], top - place.share[1]], radius: Math.hypot(...point()) };
+      const shift = [left - place.share[0], top - place.share[1]];
+      return { shift, radius: Math.hypot(...point()), far: spec.through && isFar() };
     },
-    move({ shift, radius }, { share }) {
+    move({ shift, radius, far }, { share }) {
       const { eye, direction } = live.sight(share[0] + shift[0], share[1] + shift[1], point());
-      put(alongSphere(eye, direction, radius), false);
+      put(alongSphere(eye, direction, radius, far), false);
     },
     drop: () => put(point(), true),
   });
@@ -123,10 +128,9 @@ function addPoint({ layer, live, now, change, grips }, { name, spec }, i) {
     cover() {
       const { left, top } = live.project(point());
       put2d(handle, left, top);
-      const eye = live.eye();
-      const facing = point().reduce((sum, x, k) => sum + x * (eye[k] - x), 0);
-      // A point on the far side cannot be caught, but the one that is held stays in hand.
-      handle.toggleAttribute("data-behind", facing < RIM && !grabbed());
+      // What a ball hides on its far side cannot be caught, but what is held stays in hand.
+      handle.toggleAttribute("data-behind", isFar() && !spec.through && !grabbed());
+      handle.toggleAttribute("data-far", isFar());
     },
     remove: () => handle.remove(),
   };

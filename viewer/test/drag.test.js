@@ -16,6 +16,12 @@ test("a line of sight meets the near side of the sphere", () => {
   assert.ok(x > 0);
 });
 
+test("a line of sight leaves the sphere on its far side, whose rim is the same", () => {
+  near(alongSphere(EYE, [-1, 0, 0], 2, true), [-2, 0, 0]);
+  const aside = [-1, 1, 0].map((x) => x / Math.sqrt(2));
+  near(alongSphere(EYE, aside, 1, true), alongSphere(EYE, aside, 1));
+});
+
 test("beside the sphere a point slides along the rim", () => {
   for (const angle of [0.1, 2, 4]) {
     const direction = [-1, 2 * Math.cos(angle), 2 * Math.sin(angle)].map((x) => x / Math.sqrt(5));

@@ -186,6 +186,23 @@ test("a point on the far side cannot be caught", () => {
   assert.ok(!handle("points-1").hasAttribute("data-behind"));
 });
 
+test("where no ball hides it, a point is dragged on the far side", () => {
+  const axis = { ...SPECS.axis, through: true };
+  const { live, state, handle } = scene({ axis });
+  live.eye = () => [0, -3, 0];
+  state.inputs.axis = [0, 1, 0];
+  live.draw();
+  assert.ok(!handle("axis").hasAttribute("data-behind"));
+  assert.ok(handle("axis").hasAttribute("data-far"));
+  drag(handle("axis"), 5, 0);
+  const [u, v, w] = state.inputs.axis;
+  near([u, w], [0.2 / 1.5, 0]);
+  assert.ok(v > 0.9);
+  state.inputs.axis = [0, -1, 0];
+  live.draw();
+  assert.ok(!handle("axis").hasAttribute("data-far"));
+});
+
 test("a point at the rim can be caught, whatever rounding says, and one beyond it as long as it is held", () => {
   const { live, state, handle } = scene();
   live.eye = () => [0, -3, 0];

@@ -133,7 +133,7 @@ SPECIAL = {
         {"p": P, "q": [-0.6, 0, -0.8], "flip": True},
     ],
     "mean_by_hand": [
-        {"poses": averages.HALVES, "flip": False},
+        {"poses": averages.THIRDS, "flip": False},
         # A sum of zero: i, and two that add up to its opposite.
         {
             "poses": [[1, 0, 0, 0], [-0.5, 0.75**0.5, 0, 0], [-0.5, -(0.75**0.5), 0, 0]],

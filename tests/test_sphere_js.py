@@ -31,6 +31,7 @@ from rotedu.orientations import (
     squad,
 )
 from rotedu.quaternions import Quaternion
+from rotedu.scenes.averages import singular_values
 
 Array = np.ndarray[Any, Any]
 
@@ -76,6 +77,7 @@ PYTHON: dict[str, Callable[..., Any]] = {
     "slerpRotations": slerp_rotations,
     "closedRotationCurve": closed_rotation_curve,
     "nearestRotation": nearest_rotation,
+    "singularValues": singular_values,
     "matrixFromEulerAngles": euler_matrix,
     "eulerAngles": euler_angles,
     "quaternionFromAxisAngle": lambda *given: Quaternion.from_axis_angle(*given).components,
@@ -260,6 +262,7 @@ def in_three_dimensions(rng: np.random.Generator) -> Iterator[Case]:
         large, middle, small = np.linalg.svd(m)[1]
         gap = (middle + np.sign(np.linalg.det(m / large)) * small) / large
         yield Case("nearestRotation", [m], np.pi - np.arcsin(min(1, gap)))
+        yield Case("singularValues", [m])
     for v in (rng.uniform(-1.5, 1.5), *np.pi / 2 * np.array([1, -1, 1 - 1e-9, 1e-6 - 1])):
         u, w = rng.uniform(-3, 3, 2)
         yield Case("matrixFromEulerAngles", [u, v, w])

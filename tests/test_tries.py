@@ -200,8 +200,12 @@ SHOWN: list[tuple[str, str, dict[str, str]]] = [
     ("mean_by_hand", "no choice of signs helps", {"apart": "22.6°"}),
     (
         "mean_by_hand",
-        "half a turn from each other",
-        {"apart": "no unique mean", "by_quaternions": "109, 109, 109°"},
+        "thirds of a whole turn",
+        {
+            "apart": "no unique mean",
+            "by_quaternions": "120, 0, 120°",
+            "singular": "1.000, 0.000, 0.000",
+        },
     ),
     ("figure_1_by_hand", "θ = 90°", {"first": "0.00", "across": "1.00"}),
     ("figure_1_by_hand", "θ = 180°", {"first": "−1.00", "across": "0.00"}),

@@ -7,6 +7,7 @@ import {
   nearestRotation,
   product,
   quaternionMatrix,
+  singularValues,
   transpose,
   unit,
 } from "./sphere.js";
@@ -15,13 +16,19 @@ const BESIDE = [[-2.08, 0, 0.36], [-1.32, 0, 0.36], [-1.7, 0, -0.28]];
 const NAME = combine(1, BESIDE[2], 1, [-0.3, 0, 0.32]);
 const SIZE = 0.36;
 const SMALLEST = 1e-9;
+const UNCLEAR = 1e-3;
 
 /** `mean_by_hand` */
 export function mean({ poses, flip }, { no_mean }) {
   const q = poses.map(unit);
   if (flip) q[2] = q[2].map((x) => -x);
   const given = q.map(quaternionMatrix);
-  const means = { matrices: meanOfMatrices(given), quaternions: meanOfQuaternions(q) };
+  const singular = singularValues(entrywise(given));
+  const [, second, third] = singular;
+  const means = {
+    matrices: second + third > UNCLEAR ? nearestRotation(entrywise(given)) : null,
+    quaternions: meanOfQuaternions(q),
+  };
 
   const parts = {};
   const labels = { q_3: flip ? null : NAME, "-q_3": flip ? NAME : null };
@@ -30,7 +37,7 @@ export function mean({ poses, flip }, { no_mean }) {
     parts[`R_${i + 1} in the ball`] = { matrix: spoon(turn, ORIGIN, 1) };
     parts[`tip ${i + 1}`] = { at: tip(turn) };
   });
-  const outputs = {};
+  const outputs = { singular };
   for (const [name, turn] of Object.entries(means)) {
     const hidden = !turn;
     parts[name] = hidden ? { hidden } : { matrix: spoon(turn, ORIGIN, 1), hidden };
@@ -47,16 +54,10 @@ const tip = (turn) => turn.map(([x]) => x);
 /** The sixteen numbers, by columns, that turn and shrink a spoon about its place. */
 const spoon = (turn, place, size) => placing(turn.map((row) => row.map((x) => size * x)), place);
 
-/** `rotedu.averages.mean_rotation`, or null where there are several. */
-function meanOfMatrices(given) {
-  const entries = given.map((matrix) => matrix.flat());
-  const [m11, m12, m13, ...rest] = sum(entries).map((x) => x / given.length);
-  try {
-    return nearestRotation([[m11, m12, m13], rest.slice(0, 3), rest.slice(3)]);
-  } catch (error) {
-    if (error.name !== "DegenerateError") throw error;
-    return null;
-  }
+/** The mean of matrices, entry by entry. */
+function entrywise(given) {
+  const entries = sum(given.map((matrix) => matrix.flat())).map((x) => x / given.length);
+  return [entries.slice(0, 3), entries.slice(3, 6), entries.slice(6)];
 }
 
 /** `mean_of_quaternions` */

@@ -6,7 +6,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from rotedu.averages import angular_distance, mean_rotation
 from rotedu.colors import MATRIX, QUATERNION, VECTOR
-from rotedu.errors import DegenerateError
 from rotedu.figures import (
     Poses,
     Switch,
@@ -25,8 +24,10 @@ U, V, W = np.eye(3)
 GIVEN = ((0.31, -0.59, -0.39, -0.64), (0.62, -0.21, -0.27, -0.71), (0.69, -0.61, 0, -0.38))
 SPREAD = ((-0.06, 0.16, 0.92, -0.36), (-0.28, 0.68, -0.37, -0.57), (0.47, 0.15, 0.31, -0.81))
 """Here no choice of signs lets each pair agree."""
-HALVES = ((1, 1, 0, 0), (-1, 1, 0, 0), (0, 0, 1, -1))
-"""Each is half a turn from the two others, also with the digits of a link."""
+FACING = Quaternion.from_axis_angle(U, np.pi / 2)
+THIRDS = (Quaternion.from_axis_angle(V, np.radians([-120, 0, 120])) * FACING).components.tolist()
+UNCLEAR = 1e-3
+"""A mean that is no clearer is none: links keep five digits, and a hand keeps fewer."""
 BESIDE = np.array([[-2.08, 0, 0.36], [-1.32, 0, 0.36], [-1.7, 0, -0.28]])
 """Where the given orientations are turned, beside the ball, and where their names are."""
 NAMES = BESIDE + np.array([-0.3, 0, 0.32])
@@ -43,7 +44,7 @@ SMALLEST = 1e-9
     tries={
         "give q₃ the other sign": {"flip": False},
         "no choice of signs helps": {"poses": SPREAD, "flip": False},
-        "half a turn from each other": {"poses": HALVES, "flip": False},
+        "thirds of a whole turn": {"poses": THIRDS, "flip": False},
     },
     poses=Poses([f"spoon {k}" for k in (1, 2, 3)]),
     flip=Switch("−q₃ in place of q₃, the same orientation"),
@@ -109,6 +110,14 @@ def mean_by_hand(poses: ArrayLike = GIVEN, flip: bool = True) -> pyvista.Plotter
             where="picture",
             color=INKS[name],
         )
+    read_out(
+        plotter,
+        "singular",
+        singular_values(given.mean(axis=0)),
+        "singular values of the mean matrix",
+        3,
+        where="folded",
+    )
     describe(
         plotter,
         "Three blue teaspoons in a row can be turned. Below them, in a see-through ball, pale"
@@ -124,11 +133,18 @@ def mean_by_hand(poses: ArrayLike = GIVEN, flip: bool = True) -> pyvista.Plotter
 
 
 def mean_of_matrices(given: NDArray[np.float64]) -> NDArray[np.float64] | None:
-    """Return the mean of rotations, or None where there are several."""
-    try:
-        return mean_rotation(given)
-    except DegenerateError:
-        return None
+    """Return the mean of rotations, or None where others are nearly as near."""
+    _, second, third = singular_values(given.mean(axis=0))
+    return mean_rotation(given) if second + third > UNCLEAR else None
+
+
+def singular_values(matrix: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the singular values from the largest down, the last with the sign of the determinant.
+
+    The nearest rotation is unique if the two smaller ones do not add up to zero.
+    """
+    _, values, _ = np.linalg.svd(matrix)
+    return np.asarray(values * [1, 1, np.sign(np.linalg.det(matrix))])
 
 
 def mean_of_quaternions(q: NDArray[np.float64]) -> NDArray[np.float64] | None:

@@ -249,6 +249,17 @@ export function nearestRotation(matrix) {
   return quaternionMatrix(vectors[values.indexOf(largest)]);
 }
 
+/**
+ * The singular values of a 3x3 matrix from the largest down, the last with the sign of the determinant:
+ * `rotedu.scenes.averages.singular_values`.
+ */
+export function singularValues(matrix) {
+  const { values } = eigen(sixteenProducts(matrix.map((row) => row.map(finite)), 0));
+  // a + b + c, a - b - c, -a + b - c, -a - b + c
+  const [first, second, third] = values.sort((x, y) => y - x);
+  return [(first + second) / 2, (first + third) / 2, -(second + third) / 2];
+}
+
 /** Turns about U, V, W, as 3x3 matrix: `rotedu.general_rotation.matrix_from_euler_angles`. */
 export function matrixFromEulerAngles(u, v, w) {
   const [cu, cv, cw] = [u, v, w].map((angle) => Math.cos(finite(angle)));

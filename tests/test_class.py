@@ -8,6 +8,7 @@ import subprocess
 import sys
 from collections.abc import Iterator
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import nbformat
@@ -21,7 +22,7 @@ from IPython.core.inputtransformer2 import TransformerManager
 from markdown_it import MarkdownIt
 from mdit_py_plugins.dollarmath import dollarmath_plugin
 from nbclient import NotebookClient
-from notebook_language import Page, notebooks
+from notebook_language import Page, notebooks, part_of
 
 from rotedu import colors
 from rotedu.edition.equations import EQUATIONS
@@ -334,17 +335,81 @@ def test_without_a_wheel_the_first_cell_says_what_is_missing(
         exec(first.source, {})
 
 
-def test_marks_for_nbgrader(folder: Path, tmp_path: Path) -> None:
-    """It cuts out what stands between the marks; the rest is what students get."""
-    Classroom().write(tmp_path, ["nbgrader"])
-    files = [sorted(each.iterdir()) for each in (folder / "student", tmp_path / "nbgrader")]
-    for page, plain, file in zip(SOURCES, *files, strict=True):
-        marked = [cell for cell in cells(file) if "nbgrader" in cell.metadata]
-        assert [cell for cell in cells(file) if cell not in marked] == cells(plain)
-        solutions = [cell.source for cell in marked if cell.metadata.nbgrader.solution]
-        assert solutions == [
-            f"### BEGIN SOLUTION\n{exercise.solution.source}\n### END SOLUTION"
-            for exercise in page.exercises.values()
-        ]
-        tests = [cell.source for cell in marked if cell.metadata.nbgrader.grade]
-        assert tests == [f'assert check("{n}", answer).right' for n in page.exercises]
+@pytest.fixture(scope="module")
+def graded(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
+    """The notebooks for nbgrader, in the order of the folder."""
+    folder = tmp_path_factory.mktemp("graded")
+    Classroom().write(folder, ["nbgrader"])
+    return sorted((folder / "nbgrader").glob("*.ipynb"))
+
+
+def marked(file: Path, part: str) -> dict[str, Any]:
+    """The cells of a part of the exercises that nbgrader knows, by number."""
+    found = [cell for cell in cells(file) if "nbgrader" in cell.metadata]
+    assert all(cell.metadata.nbgrader.grade_id == cell.id for cell in found)
+    parts = [(part_of(cell.id.replace("test-", "start-")), cell) for cell in found]
+    return {number: cell for (_, number), cell in parts if cell.id.startswith(part)}
+
+
+SOLUTION = re.compile("### BEGIN SOLUTION\n(.*?)### END SOLUTION\n?", re.DOTALL)
+HIDDEN = re.compile("### BEGIN HIDDEN TESTS\n.*### END HIDDEN TESTS", re.DOTALL)
+
+
+def lines(code: str) -> list[str]:
+    """The lines of a listing that are not empty."""
+    return list(filter(None, code.split("\n")))
+
+
+def test_nbgrader_gets_one_cell_for_each_answer(folder: Path, graded: list[Path]) -> None:
+    for page, plain, file in zip(
+        SOURCES, sorted((folder / "student").iterdir()), graded, strict=True
+    ):
+        asked = page.exercises
+        starts = marked(file, "start")
+        assert list(starts) == list(asked)
+        for number, start in starts.items():
+            (solution,) = SOLUTION.findall(start.source)
+            check = f'check("{number}", answer)'
+            assert [*lines(solution), check] == lines(asked[number].solution.source)
+            # Without its solution it is what every student gets.
+            assert lines(SOLUTION.sub("", start.source)) == lines(asked[number].start.source)
+        ours = [cell for cell in cells(file) if "nbgrader" not in cell.metadata]
+        assert ours == [cell for cell in cells(plain) if part_of(cell.id)[0] != "start"]
+
+
+def test_a_student_who_renames_check_changes_no_test(graded: list[Path]) -> None:
+    def cheats(*_: object) -> Any:
+        return SimpleNamespace(right=True)
+
+    for page, file in zip(SOURCES, graded, strict=True):
+        tests = marked(file, "test")
+        assert list(tests) == list(page.exercises)
+        for number, test in tests.items():
+            assert test.metadata.nbgrader.locked
+            # What "Run All" meets has nothing that could fail.
+            assert HIDDEN.sub("", test.source) == f"# nbgrader grades Exercise {number} here.\n"
+            names = {"check": cheats, "judge": cheats, "answer": 0}
+            with pytest.raises(AssertionError, match=f"^{re.escape(number)}: not yet"):
+                exec(test.source, names)
+            # What the next exercise finds, if its own answer crashes.
+            with pytest.raises(AssertionError, match=": not answered yet"):
+                exec(test.source, names)
+
+
+def test_points_are_minutes_and_reasons_are_graded_by_hand(graded: list[Path]) -> None:
+    for page, file in zip(SOURCES, graded, strict=True):
+        reasons, tests = marked(file, "why"), marked(file, "test")
+        judged = [n for n, asked in page.exercises.items() if asked.kind == "judge"]
+        assert list(reasons) == judged
+        for number, asked in page.exercises.items():
+            graded_cells = [tests[number], *filter(None, [reasons.get(number)])]
+            points = [cell.metadata.nbgrader.points for cell in graded_cells]
+            assert min(points) > 0
+            assert sum(points) == asked.minutes
+        for number, cell in reasons.items():
+            assert cell.cell_type == "markdown"
+            assert cell.metadata.nbgrader.solution
+            # The reasons of the book are between the marks, and nowhere else.
+            (why,) = SOLUTION.findall(cell.source)
+            assert "<summary>Why</summary>" in why
+            assert f"answer to Exercise {number}**" in SOLUTION.sub("", cell.source)

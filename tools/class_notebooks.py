@@ -16,7 +16,18 @@ from typing import Literal
 import nbformat
 from nbformat import NotebookNode
 from nbformat.v4 import new_code_cell, new_markdown_cell
-from notebook_language import BOOK, ROOT, Block, Page, blocks, notebooks, pages, part_of, tags
+from notebook_language import (
+    BOOK,
+    ROOT,
+    Block,
+    Exercise,
+    Page,
+    blocks,
+    notebooks,
+    pages,
+    part_of,
+    tags,
+)
 from pybtex.database import parse_file
 
 from rotedu import colors
@@ -66,6 +77,45 @@ that stands for the output. The students' notebook has none of them.
 
 A solution that has run shows its output. In front of a class, do not run all cells: select the \
 heading *Exercises* and choose *Run All Above Selected Cell*.\
+"""
+# What nbgrader shows to a student as an answer, and to a teacher with the solution in it.
+ANSWER = """\
+{start}
+### BEGIN SOLUTION
+{solution}
+### END SOLUTION
+{check}\
+"""
+# A student gets the first line alone. The test trusts nothing that a student may have renamed, and
+# an answer that a crash has prevented must not be the one before.
+TEST = """\
+# nbgrader grades Exercise {number} here.
+### BEGIN HIDDEN TESTS
+from rotedu.edition.exercises import check as judge
+
+verdict = judge("{number}", globals().pop("answer", ...))
+assert verdict.right, verdict
+print(verdict)
+### END HIDDEN TESTS\
+"""
+REASONS = """\
+**Reasons for your answer to Exercise {number}**, in two to five sentences:
+
+### BEGIN SOLUTION
+{why}
+### END SOLUTION\
+"""
+# Of the points of a judgement, one in so many is for the reasons.
+FOR_REASONS = 3
+# The settings of a course with these notebooks.
+SETTINGS = """\
+c = get_config()
+c.CourseDirectory.course_id = "rotations"
+# What students see in place of a solution, where "Run All" must not stop.
+c.ClearSolutions.code_stub = {"python": "# Your code, which gives answer its value."}
+c.ClearSolutions.text_stub = "*Your reasons.*"
+# Seconds for a cell.
+c.Execute.timeout = 120
 """
 EXERCISES = "\n\n| Exercise | Kind | Minutes |\n| --- | --- | --- |\n"
 
@@ -238,8 +288,8 @@ class Classroom:
                 reader == "teacher" and "teacher" in tags(cell)
             ):
                 continue
-            if part == "solution" and reader == "nbgrader":
-                yield from marked(cell, number)
+            if part == "start" and reader == "nbgrader":
+                yield from self.graded(page, page.exercises[number])
             elif part in ("solution", "why") and reader != "teacher":
                 continue
             elif cell.cell_type == "markdown":
@@ -248,6 +298,22 @@ class Classroom:
                 yield code_cell(cell)
             else:
                 yield from self.code_cells(page, cell)
+
+    def graded(self, page: Page, asked: Exercise) -> Iterator[NotebookNode]:
+        """Yield what nbgrader needs of an exercise: its answer, its test and perhaps reasons."""
+        name = asked.number.replace(".", "-")
+        for_reasons = asked.minutes // FOR_REASONS if asked.kind == "judge" else 0
+        start, _, check = asked.start.source.rpartition("\n")
+        solution, _, _ = asked.solution.source.rpartition("\n")
+        answer = ANSWER.format(start=start.rstrip(), solution=solution.rstrip(), check=check)
+        yield marked(new_code_cell(answer, id=f"start-{name}"), solution=True)
+        test = new_code_cell(TEST.format(number=asked.number), id=f"test-{name}")
+        yield marked(test, points=asked.minutes - for_reasons)
+        if for_reasons:
+            why = self.markdown(page.name, asked.why.source)
+            text = REASONS.format(number=asked.number, why=why)
+            reasons = new_markdown_cell(text, id=f"why-{name}")
+            yield marked(reasons, solution=True, points=for_reasons)
 
     def notebook(self, page: Page, reader: Reader) -> NotebookNode:
         """Return a page as a notebook for a reader."""
@@ -266,6 +332,8 @@ class Classroom:
                 notebook = self.notebook(page, reader)
                 nbformat.validate(notebook)
                 nbformat.write(notebook, folder / reader / self.names[page.name])
+            if reader == "nbgrader":
+                (folder / reader / "nbgrader_config.py").write_text(SETTINGS, encoding="utf-8")
 
 
 def code_cell(cell: NotebookNode) -> NotebookNode:
@@ -286,18 +354,18 @@ def notes(page: Page) -> NotebookNode:
     return new_markdown_cell(quotation(colors.NEUTRAL, "For the teacher", body), id="notes")
 
 
-def marked(solution: NotebookNode, number: str) -> Iterator[NotebookNode]:
-    """Yield a solution with the marks of nbgrader, and its check as a test."""
-
-    def cell(name: str, code: str, **kind: bool | int) -> NotebookNode:
-        name = f"{name}-{number.replace('.', '-')}"
-        common = {"schema_version": 3, "grade_id": name, "task": False}
-        return new_code_cell(code, id=name, metadata={"nbgrader": common | kind})
-
-    code = f"### BEGIN SOLUTION\n{solution.source}\n### END SOLUTION"
-    yield cell("solution", code, grade=False, locked=False, solution=True)
-    test = f"assert {solution.source.splitlines()[-1]}.right"
-    yield cell("test", test, grade=True, locked=True, solution=False, points=1)
+def marked(cell: NotebookNode, *, solution: bool = False, points: int = 0) -> NotebookNode:
+    """Return a cell with the marks of nbgrader: students write solutions, points make grades."""
+    marks = {
+        "schema_version": 3,
+        "grade_id": cell.id,
+        "solution": solution,
+        "locked": not solution,
+        "grade": bool(points),
+        "task": False,
+    }
+    cell.metadata.nbgrader = marks | ({"points": points} if points else {})
+    return cell
 
 
 def classroom() -> Classroom:

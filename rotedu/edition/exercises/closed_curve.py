@@ -206,6 +206,11 @@ def an_error_that_hides() -> Iterator[Part]:
             "Which of the two is after its point on the curve?",
         ),
         Mistake(middle, "These are the points of step two.", "One more Bisect leads to a_i."),
+        Mistake(
+            slerp(corners, middle, 1 / 3),
+            "You went a third of the way to the points of step two.",
+            "Bisect goes half of it, and so does the paper.",
+        ),
         otherwise=Wrong(
             "Your a_i do not have the error of the paper.",
             "Only the axis of step two is reversed; the angle and the point to be turned stay.",
@@ -258,6 +263,11 @@ def energy_of_one_half() -> Iterator[Part]:
             np.median(half) / np.median(third),
             "You divide a median by a median.",
             "Divide for each hexagon first, then take the median.",
+        ),
+        Mistake(
+            np.median(energy(hexagons, 0.4) / third),
+            "That is the median for 0.4, as it should be.",
+            "Do the same for one half.",
         ),
         Mistake(
             np.mean(half / third),

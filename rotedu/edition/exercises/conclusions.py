@@ -114,6 +114,11 @@ def two_laws_of_growth() -> Iterator[Part]:
             "These are the factors by which the errors grow.",
             "How large is the error that they multiply?",
         ),
+        Mistake(
+            [longer, root],
+            "These are factors, and the wrong way round.",
+            "How large is the error that they multiply, and which errors can cancel?",
+        ),
         otherwise=Wrong(
             "How many times as long is the second chain?",
             "One of the errors grows in proportion to that number, the other like its root.",
@@ -152,7 +157,8 @@ def joints_of_an_arm() -> Iterator[Part]:
             "Take the product of matrices with the cost in the starter cell.",
         ),
         otherwise=Wrong(
-            "Compare the totals for a whole number of joints and for one joint fewer.",
+            "The answer is the smallest whole number of joints that will do. Compare the totals for"
+            " a whole number and for one joint fewer.",
             "The points cost the same on both sides. What does each product save, and what does"
             " the conversion cost?",
         ),

@@ -12,6 +12,7 @@ from rotedu.edition.exercises.judging import (
     Mistake,
     Part,
     Wrong,
+    as_array,
     close,
     exercise,
     numbers,
@@ -61,11 +62,19 @@ def end_of_v() -> Iterator[Part]:
     )
 
 
+def with_or_without_a_fourth(answer: Any) -> Array:
+    """Read three coordinates, or four."""
+    given = as_array(answer, (None,))
+    if len(given) not in (3, 4):
+        raise ValueError(f"one of them has {len(given)}.")
+    return given
+
+
 @exercise(
     "4.2",
     expects="two times three numbers",
     because="A translation moves points and leaves directions alone.",
-    read=parts(numbers(3), numbers(3)),
+    read=parts(*2 * [with_or_without_a_fourth]),
 )
 def point_and_direction() -> Iterator[Part]:
     """Compare with the images of a point and a direction."""
@@ -73,6 +82,14 @@ def point_and_direction() -> Iterator[Part]:
     turned_round = scaling(2) @ translation([5, 0, 0])
     moved, only_scaled = ((chain @ [1, 2, 3, last])[:3] for last in (1, 0))
     moved_first = (turned_round @ [1, 2, 3, 1])[:3]
+    yield Part(
+        lambda point, direction: len(point) == len(direction) == 3,
+        otherwise=Wrong(
+            "The fourth coordinates are known: 1 for the point and 0 for the direction.",
+            "Answer with the first three coordinates of each.",
+        ),
+        example=(chain @ [1, 2, 3, 1], chain @ [1, 2, 3, 0]),
+    )
     yield Part(
         lambda point, direction: close(point, moved),
         Mistake(

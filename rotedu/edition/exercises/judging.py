@@ -403,7 +403,7 @@ def parts(*readers: Callable[[Any], Any]) -> Callable[[Any], tuple[Any, ...]]:
         # The letters of a word are no parts.
         given = (answer,) if isinstance(answer, str) else tuple(answer)
         if len(given) != len(readers):
-            raise ValueError(f"the number of parts is {len(given)}.")
+            raise ValueError(f"the number of parts is {len(given)}, not {len(readers)}.")
         return tuple(reader(part) for reader, part in zip(readers, given, strict=True))
 
     return read

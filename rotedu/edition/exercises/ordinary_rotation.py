@@ -121,7 +121,10 @@ def axis_and_angle_of_a_matrix() -> Iterator[Part]:
 
 @exercise(
     "3.3",
-    expects='two words, each of them "same", "negative", "transpose" or "identity"',
+    expects=(
+        'two words, the first for -turn, the second for -diagonal, each of them "same",'
+        ' "negative", "transpose" or "identity"'
+    ),
     because="It is the inverse rotation, both times.",
     read=parts(*2 * [word("same", "negative", "transpose", "inverse", "identity")]),
 )
@@ -157,7 +160,7 @@ def turned_back() -> Iterator[Part]:
             example=("identity", "transpose"),
         ),
         otherwise=Wrong(
-            "One of the two matrices does change.",
+            "A matrix that you call the same does change.",
             "Where does the sine change its sign, and where does the axis appear once, not twice?",
         ),
         example=("transpose", "same"),

@@ -118,7 +118,7 @@ def unit_quaternion_of_a_turn() -> Iterator[Part]:
 
 @exercise(
     "2.3",
-    expects="four pairs of an axis and an angle in degrees, and the image of U",
+    expects="four pairs of an axis and an angle in degrees, and the image of U, three numbers",
     read=parts(parts(*4 * [parts(numbers(3), numbers())]), numbers(3)),
 )
 def axis_and_angle_at_sight() -> Iterator[Part]:
@@ -146,7 +146,7 @@ def axis_and_angle_at_sight() -> Iterator[Part]:
         lambda *given: all(axis.any() for axis, _ in given),
         otherwise=Wrong(
             "One of your axes is the zero vector.",
-            "If nothing turns, every axis is right. Choose one.",
+            "Where nothing turns, every axis is right: choose one. Elsewhere the vector gives it.",
         ),
         item=0,
         example=([pairs[0], (0 * u, 0), *pairs[2:]], v),

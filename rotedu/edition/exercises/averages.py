@@ -241,6 +241,7 @@ def noisy_copies() -> Array:
 
 @exercise(
     "B.5",
+    fields={"first": "°", "second": "°", "third": "°"},
     expects="three angles in degrees",
     because="The column that comes first keeps its direction, and the errors of the rest are lost.",
 )
@@ -324,6 +325,12 @@ def halfway_errors() -> Array:
 
 @exercise(
     "B.6",
+    fields={
+        "Euler angles": "°",
+        "quaternions as they come": "°",
+        "quaternions followed": "°",
+        "two columns": "°",
+    },
     expects="four angles in degrees",
     because="A sign that is followed is as good as two columns; a rule for the sign is not.",
 )

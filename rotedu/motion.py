@@ -319,7 +319,7 @@ def quaternion_steps(q: Unit4, velocities: Vectors, dt: Step) -> Quaternions:
     Returns
     -------
     ndarray, shape (..., n + 1, 4)
-        Quaternions that are no longer of norm 1, beginning with the given one.
+        Quaternions, longer with each step, beginning with the given one at norm 1.
 
     Raises
     ------

@@ -33,6 +33,7 @@ RNG = np.random.default_rng(29)
 AXES = np.vstack([np.eye(3), -np.eye(3), [[0.6, 0.8, 0], [0, -0.6, 0.8]], random_units(300, 3)])
 SIZES = [0, 1e-300, 1e-12, 1e-8, 1e-4, 0.5, np.pi / 2, 3, np.pi - 1e-4, np.pi - 1e-9]
 ALL = Rotation.random(300, rng=RNG).as_matrix()
+FACTORIALS = ((0, 1), (1, 1), (2, 2), (3, 6), (4, 24))
 vectors = arrays(float, 3, elements=st.floats(-20, 20))
 
 
@@ -222,6 +223,36 @@ class TestIntegrators:
         for omega, components in zip(velocities, found[1:], strict=True):
             q = q + dt / 2 * (Quaternion(0, omega) * q)
             close(components, q.components, 1e-13)
+
+    @given(vectors, st.floats(1e-3, 1))
+    def test_cayley_does_for_a_matrix_what_dividing_does_for_a_quaternion(
+        self, omega: Array, dt: float
+    ) -> None:
+        k, size = dt * crossed(omega), dt * np.linalg.norm(omega)
+        cayley = np.eye(3) + 4 / (4 + size**2) * (k + k @ k / 2)
+        close(cayley, np.linalg.solve(np.eye(3) - k / 2, np.eye(3) + k / 2), 1e-12)
+        w, *v = quaternion_steps([1, 0, 0, 0], [omega], dt)[1]
+        close(cayley, Quaternion(w, v).matrix(), 1e-12)
+
+    def test_at_order_4_the_half_angle_makes_a_sixteenth(self) -> None:
+        """Runge and Kutta's step for y' = i y turns by the argument of a polynomial."""
+        angle = np.radians(10)
+        short = [
+            angle - factor * np.angle(sum((1j * angle / factor) ** k / f for k, f in FACTORIALS))
+            for factor in (1, 2)
+        ]
+        close(short[0] / short[1], 16, 0.2)
+
+    def test_the_mean_of_two_neighbours_is_worse_than_the_middle(self) -> None:
+        true = followed(np.eye(3), 2)
+        t, dt = np.linspace(0, 2, 81, retstep=True)
+        means = (wobble(t)[1:] + wobble(t)[:-1]) / 2
+        by_means, by_middles = (
+            rotation_vector(true.T @ integrate(np.eye(3), velocities, dt)[-1])
+            for velocities in (means, wobble(t[:-1] + dt / 2))
+        )
+        ratio = np.linalg.norm(by_means) / np.linalg.norm(by_middles)
+        assert 4.5 < ratio < 5.5
 
     def test_the_rates(self) -> None:
         """R' = [omega] R makes q' = omega q / 2, and in the body's frame q' = q Omega / 2."""

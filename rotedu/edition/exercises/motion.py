@@ -192,6 +192,11 @@ def orientation_by_gyroscope() -> Iterator[Part]:
     yield Part(
         right,
         Mistake(
+            integrate(start, gyroscope(), dt)[-1],
+            "Are your rates in degrees?",
+            "The log is in degrees a second, and integrate expects radians.",
+        ),
+        Mistake(
             as_if_fixed,
             "You have taken the rates for those of the fixed frame.",
             "A gyroscope turns with the body. From which side must each small turn come?",
@@ -272,6 +277,16 @@ def steps_that_suffice() -> Iterator[Part]:
             "The angle of axis_angle is in radians, and the bound is half a degree.",
         ),
         Mistake(
+            [begin / 2, middle],
+            "The first number is too small: there the error is still beyond the bound.",
+            "Double it once more.",
+        ),
+        Mistake(
+            [begin, middle / 2],
+            "The second number is too small: there the error is still beyond the bound.",
+            "Double it once more.",
+        ),
+        Mistake(
             [begin / 2, middle / 2],
             "With so many steps both are still beyond the bound.",
             "Double the steps until the error is at most 0.5°, and print it each time.",
@@ -319,6 +334,16 @@ def following_an_aeroplane() -> Iterator[Part]:
             "The camera also turns about its line of sight. Take the velocity of the orientation.",
         ),
         Mistake(
+            [right[0], strides.max()],
+            "Your second speed is that of the line of sight itself.",
+            "You need the part of the angular velocity that lies along the line of sight.",
+        ),
+        Mistake(
+            [right[0], -right[1]],
+            "A speed has no sign.",
+            "Give the largest magnitude.",
+        ),
+        Mistake(
             [right[0], np.abs(rates[:, 2]).max()],
             "Your second speed is the one about the vertical.",
             "Which column of the camera is its line of sight? Take the part of the velocity along"
@@ -326,7 +351,8 @@ def following_an_aeroplane() -> Iterator[Part]:
         ),
         otherwise=Wrong(
             "One of the speeds is different.",
-            "Make an orientation of each position by look_at, then ask for the angular velocities.",
+            "Make an orientation of each position by look_at, ask for the angular velocities, and"
+            " take their part along the line of sight.",
         ),
         within=0.1,
     )

@@ -375,7 +375,10 @@ def test_a_declared_input_can_be_given_other_bounds() -> None:
     ("heights", "arrows"),
     [
         ([0.5, 0.9, 0.1, 0.5], []),
-        ([2, 2, 0.5, -1, 0.5], ["36.0,7.0 40.0,0.0 44.0,7.0", "236.0,89.0 240.0,96.0 244.0,89.0"]),
+        (
+            [2, 2, 0.5, -1, 0.5],
+            ["36.0,7.0 40.0,0.0 44.0,7.0", "236.0,121.0 240.0,128.0 244.0,121.0"],
+        ),
         ([[0.5, 0.5, 0.5, 3], [0.5] * 4], ["156.0,7.0 160.0,0.0 164.0,7.0"]),
         (None, []),
     ],
@@ -415,7 +418,8 @@ def test_a_chart_is_there_while_it_has_a_curve(repair: bool) -> None:
     plotter = figure.draw(repair=repair)
     chart = BeautifulSoup(figure.panel(plotter), "html.parser").select_one("[data-chart]")
     assert chart.has_attr("hidden") != repair
-    assert [end.text for end in chart.select(".explorable-range")] == ["100", "10⁻⁸"]
+    numbers = [number.text for number in chart.select(".explorable-ticks span")]
+    assert [numbers[0], numbers[-1]] == ["10⁻⁸", "100"]
     edges = np.array(plotter.shown.outputs["matrix_edges"].value)
     off = plotter.shown.outputs["matrix_off"].value
     assert off == ("5.5°" if repair else f"{100 * abs(edges - 1).max():.0f} % in length")
@@ -443,5 +447,12 @@ def test_a_curve_in_pieces_has_gaps_and_marks() -> None:
         assert [float(piece.split()[-1].split(",")[0]) for piece in pieces] == [80, 160, 240, 320]
         seen = [mark.text for mark in chart.select(".explorable-marks span:not([hidden])")]
         assert seen == ["P₀", "P₁", "P₂", "P₃"]
-    assert curvatures.select_one("[data-zero]")["y1"] == "48.0"
-    assert not speeds.select("[data-zero]")
+    lines = {line["data-tick"]: float(line["y1"]) for line in curvatures.select("[data-tick]")}
+    assert lines == {"-6": 128, "-3": 96, "0": 64, "3": 32, "6": 0}
+    numbers = curvatures.select(".explorable-ticks span")
+    assert [(n.text, n["style"]) for n in numbers[:2]] == [
+        ("−6", "top: 100.0%"),
+        ("−3", "top: 75.0%"),
+    ]
+    assert [n.text for n in speeds.select(".explorable-ticks span")] == ["0", "50", "100", "150"]
+    assert [n.text for n in speeds.select(".explorable-axis span")] == ["0", "once round, u", "1"]

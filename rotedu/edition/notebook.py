@@ -97,6 +97,8 @@ SIDES = {
     "right": {"xytext": (5, 0), "ha": "left", "va": "center"},
     "above": {"xytext": (0, 5), "ha": "center", "va": "bottom"},
     "below": {"xytext": (0, -5), "ha": "center", "va": "top"},
+    "above left": {"xytext": (-2, 4), "ha": "right", "va": "bottom"},
+    "below right": {"xytext": (2, -4), "ha": "left", "va": "top"},
 }
 
 
@@ -110,7 +112,7 @@ def named(lines: Sequence[Any], text: str, side: str = "right", at: int = -1, **
     text : str
         The name.
     side : str
-        Where: left, right, above or below.
+        Where: left, right, above or below; above left or below right of a line that rises.
     at : int
         Beside which of the points of the line; without it, the last one.
     **style : str

@@ -56,7 +56,7 @@ class Chart:
     colors: Mapping[str, str] = field(default_factory=dict)
     marks: Sequence[str] = ()
     dashed: Sequence[str] = ()
-    ends: Sequence[str] = ()
+    ticks: Mapping[float, str] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -254,7 +254,7 @@ def draw_chart(
     colors: Mapping[str, str] | None = None,
     marks: Sequence[str] = (),
     dashed: Sequence[str] = (),
-    ends: Sequence[str] = (),
+    ticks: Mapping[float, str] | None = None,
 ) -> None:
     """Show a chart beside a scene, while it has a curve.
 
@@ -280,11 +280,11 @@ def draw_chart(
         What stands where each piece begins; there may be more names than pieces.
     dashed : sequence of str
         Curves that let see what is below them.
-    ends : sequence of str
-        What stands at the lower and the upper end of the heights, if not these numbers.
+    ticks : mapping of float to str, optional
+        Heights that have a hairline, and what stands beside it; else round numbers.
     """
     heights = {curve: rounded(h) for curve, h in curves.items()}
-    chart = Chart(x, y, heights, label, over, colors or {}, marks, dashed, ends)
+    chart = Chart(x, y, heights, label, over, colors or {}, marks, dashed, ticks or {})
     shown(plotter).charts[name] = chart
 
 

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from rotedu.figures.frames import Chart, Output, Shown
 from rotedu.figures.inputs import Input
 
-WIDTH, HEIGHT = 320, 96
+WIDTH, HEIGHT = 320, 128
 # The arrow where a curve leaves its chart: half its width, and its length.
 ARROW = (4, 7)
 
@@ -49,7 +49,10 @@ def panel(
     rows = {where: "" for where in ("picture", "panel", "folded")}
     for key, output in seen.outputs.items():
         rows[output.where] += _output(key, output)
-    drawn = "".join(_chart(key, chart, start) for key, chart in seen.charts.items())
+    drawn = "".join(
+        _chart(key, chart, start[chart.over], getattr(inputs.get(chart.over), "label", ""))
+        for key, chart in seen.charts.items()
+    )
     chips = "".join(
         f'<a class="try" href="#explore-{name}?{escape(address(values))}">{escape(words)}</a>'
         for words, values in tries.items()
@@ -125,23 +128,30 @@ def _numbers(value: Any) -> Any:
     return 0 if isinstance(value, str) else value
 
 
-def _chart(name: str, chart: Chart, start: Mapping[str, Any]) -> str:
+def _chart(name: str, chart: Chart, value: float, along: str) -> str:
     curves = "".join(
         f'<path data-curve="{escape(curve)}" d="{path_of(heights, chart.y)}"'
-        f' style="color: {chart.colors.get(curve, "inherit")}"'
-        f"{' data-dashed' if curve in chart.dashed else ''}/>"
+        f' style="color: {chart.colors.get(curve, "inherit")}"{_dashed(curve, chart)}/>'
         for curve, heights in chart.curves.items()
     )
-    at = (start[chart.over] - chart.x[0]) / (chart.x[1] - chart.x[0]) * WIDTH
-    low, high = chart.ends or (f"{y:g}".replace("-", "\N{MINUS SIGN}") for y in chart.y)
+    at = (value - chart.x[0]) / (chart.x[1] - chart.x[0]) * WIDTH
     hidden = " hidden" if all(heights is None for heights in chart.curves.values()) else ""
     keys = "".join(
-        f'<span style="color: {chart.colors.get(curve, "inherit")}">{escape(curve)}</span>'
+        f'<span style="color: {chart.colors.get(curve, "inherit")}"{_dashed(curve, chart)}>'
+        f"{escape(curve)}</span>"
         for curve in chart.curves
         if len(chart.curves) > 1
     )
-    level = HEIGHT * chart.y[1] / (chart.y[1] - chart.y[0])
-    zero = f'<line data-zero="" x2="{WIDTH}" y1="{level:.1f}" y2="{level:.1f}"/>'
+    ticks = chart.ticks or {y: _tick(y) for y in round_heights(*chart.y)}
+    depths = [(chart.y[1] - y) / (chart.y[1] - chart.y[0]) for y in ticks]
+    lines = "".join(
+        f'<line data-tick="{y:g}" x2="{WIDTH}" y1="{HEIGHT * at:.1f}" y2="{HEIGHT * at:.1f}"/>'
+        for y, at in zip(ticks, depths, strict=True)
+    )
+    numbers = "".join(
+        f'<span style="top: {100 * at:.1f}%">{text}</span>'
+        for text, at in zip(ticks.values(), depths, strict=True)
+    )
     ink = chart.colors.get("marks", "inherit")
     pieces = max(len(np.atleast_2d(np.array(curve))) for curve in chart.curves.values())
     marks = "".join(
@@ -150,15 +160,55 @@ def _chart(name: str, chart: Chart, start: Mapping[str, Any]) -> str:
     )
     return (
         f'<figure class="explorable-chart" data-chart="{name}" data-over="{chart.over}"'
-        f' data-x="{chart.x[0]:g} {chart.x[1]:g}" data-y="{chart.y[0]:g} {chart.y[1]:g}"{hidden}>'
+        f' data-x="{chart.x[0]:g} {chart.x[1]:g}" data-y="{chart.y[0]:g} {chart.y[1]:g}"{hidden}'
+        f' style="--digits: {max(map(len, ticks.values()))}">'
         f"<figcaption>{escape(chart.label)} {keys}</figcaption>"
-        f'<span class="explorable-range">{high}</span><div class="explorable-plot">'
+        f'<div class="explorable-plot">'
         f'<svg viewBox="0 0 {WIDTH} {HEIGHT}" preserveAspectRatio="none" role="img"'
-        f' aria-label="{escape(chart.label)}">{zero if chart.y[0] < 0 < chart.y[1] else ""}{curves}'
-        f'<line data-mark="" x1="{at:.1f}" x2="{at:.1f}" y1="0" y2="{HEIGHT}"/></svg>'
+        f' aria-label="{escape(chart.label)}">{lines}{curves}'
+        # A line, and a knob at its foot.
+        f'<line data-mark="" x1="{at:.1f}" x2="{at:.1f}" y1="0" y2="{HEIGHT}"/>'
+        f'<line data-mark="" x1="{at:.1f}" x2="{at:.1f}" y1="{HEIGHT}" y2="{HEIGHT}"/></svg>'
+        f'<div class="explorable-ticks">{numbers}</div>'
         f'<div class="explorable-marks" style="color: {ink}">{marks}</div></div>'
-        f'<span class="explorable-range">{low}</span></figure>'
+        f'<div class="explorable-axis"><span>{_tick(chart.x[0])}</span>'
+        f"<span>{escape(along or chart.over)}</span><span>{_tick(chart.x[1])}</span></div></figure>"
     )
+
+
+def round_heights(low: float, high: float) -> list[float]:
+    """Return heights for the hairlines of a chart, both ends among them.
+
+    Parameters
+    ----------
+    low, high : float
+        The ends.
+
+    Returns
+    -------
+    list of float
+        Five or four in even steps, if these have one digit that is not zero; else the ends.
+
+    Examples
+    --------
+    >>> round_heights(0, 150)
+    [0.0, 50.0, 100.0, 150.0]
+    >>> round_heights(-6, 6)
+    [-6.0, -3.0, 0.0, 3.0, 6.0]
+    """
+    for steps in (4, 3):
+        step = (high - low) / steps
+        if step == float(f"{step:.0e}"):
+            return [low + k * step for k in range(steps + 1)]
+    return [low, high]
+
+
+def _tick(y: float) -> str:
+    return f"{y:g}".replace("-", "\N{MINUS SIGN}")
+
+
+def _dashed(curve: str, chart: Chart) -> str:
+    return " data-dashed" if curve in chart.dashed else ""
 
 
 def path_of(heights: Any, y: tuple[float, float]) -> str:

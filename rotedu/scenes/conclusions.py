@@ -233,7 +233,7 @@ def worn_spoons_by_hand(
         y=(-8, 2),
         label="degrees off once repaired",
         colors=INKS,
-        ends=("10⁻⁸", "100"),
+        ticks={-8: "10⁻⁸", -6: "10⁻⁶", -4: "10⁻⁴", -2: "0.01", 0: "1", 2: "100"},
     )
     describe(
         plotter,

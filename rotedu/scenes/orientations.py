@@ -504,7 +504,7 @@ def animate(poses: ArrayLike = POSES, t: float = 0.885, fraction: float = 1 / 2)
         ("speeds", "accelerations"),
         sizes,
         (400.0, 2000.0),
-        ("speed, °/s", "acceleration, °/s²"),
+        ("speed up to 400°/s", "acceleration up to 2000°/s²"),
         strict=True,
     ):
         draw_chart(

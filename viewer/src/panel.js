@@ -131,7 +131,7 @@ function bindChart(chart, specs, now, scrub) {
     [...chart.querySelectorAll("[data-curve]")].map((line) => [line.dataset.curve, line]),
   );
   const marks = chart.querySelectorAll(".explorable-marks span");
-  const here = chart.querySelector("[data-mark]");
+  const here = chart.querySelectorAll("[data-mark]");
   const plot = chart.querySelector("svg");
   if (specs[over]?.kind === "number") {
     grabbed(plot, chart.dataset.chart, specs[over], {
@@ -149,8 +149,7 @@ function bindChart(chart, specs, now, scrub) {
       }
       chart.hidden = [...lines.values()].every((line) => !line.getAttribute("d"));
       const at = ((value - first) / (last - first)) * width;
-      here.setAttribute("x1", at);
-      here.setAttribute("x2", at);
+      for (const line of here) for (const x of ["x1", "x2"]) line.setAttribute(x, at);
       plot.setAttribute("aria-valuenow", value);
       if (specs[over]) plot.setAttribute("aria-valuetext", statement(specs, [over], { [over]: value }));
     },

@@ -1,6 +1,7 @@
 """A colour has one code, in scenes, formulas, charts and on the page that explains it."""
 
 import re
+from itertools import combinations
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -113,6 +114,16 @@ def test_quaternion_and_matrix_stand_apart(eyes: str) -> None:
             assert np.linalg.norm(lab(CODES[name], eyes) - lab(CODES[other], eyes)) > 12, other
     both = [lab(code, eyes) for code in (colors.QUATERNION, colors.MATRIX)]
     assert np.linalg.norm(np.subtract(*both)) > 30
+
+
+@pytest.mark.parametrize("eyes", EYES)
+def test_verdicts_stand_apart(eyes: str) -> None:
+    for shades in settings():
+        kinds = ("result", "condition", "wrong", "background-border")
+        for one, other in combinations((lab(shades[kind], eyes) for kind in kinds), 2):
+            assert np.linalg.norm(one - other) > 15
+        for kind, ink in zip(kinds, ("background", "foreground") * 2, strict=True):
+            assert contrast(shades[kind], shades[f"{ink}-primary"]) > 4
 
 
 @pytest.mark.parametrize("name", CODES)

@@ -29,6 +29,19 @@ document.addEventListener("click", ({ target }) => {
   link.href = url;
 });
 
+// The squares of the first page are one stop for Tab; arrow keys go from one to the next.
+const squares = [...document.querySelectorAll(".squares a")];
+
+squares.forEach((square, i) => {
+  square.tabIndex = i ? -1 : 0;
+  square.addEventListener("keydown", ({ key, ctrlKey, altKey, metaKey }) => {
+    const next = squares[i + { ArrowRight: 1, ArrowLeft: -1 }[key]];
+    if (!next || ctrlKey || altKey || metaKey) return;
+    [square.tabIndex, next.tabIndex] = [-1, 0];
+    next.focus();
+  });
+});
+
 // A page opened from a file cannot preload its fonts, so there they may load late.
 if (location.protocol === "file:") {
   for (const style of ["normal", "italic"]) {

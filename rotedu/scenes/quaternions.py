@@ -277,9 +277,9 @@ def grab_the_spoon(
     turned = SHOWN_TURN < share < 1 - SHOWN_TURN
 
     between = -1.02 * ACROSS
-    plotter = new_scene(eye=between + EYE, target=between, view_angle=19.2)
+    plotter = new_scene(between + EYE, between, view_angle=14.78, size=(720, 368))
     limit_turning(plotter, 20)
-    stack_on_phone(plotter, (8, 78, 320, 326, 0.66), (318, 74, 410, 332, 1))
+    stack_on_phone(plotter, (8, 22, 320, 326, 0.66), (318, 18, 410, 332, 1))
     # The letters leave room for the name of an axis along theirs.
     for direction, aside, letter in zip(np.eye(3), [-W, -W, ACROSS], "UVW", strict=True):
         add_arrow(plotter, TABLE, TABLE + 0.9 * direction, NEUTRAL, 0.006, f"axis {letter}")
@@ -366,9 +366,9 @@ def double_cover_by_hand(turns: float = 2, passed: float = 0.44) -> pyvista.Plot
     q = Quaternion.from_axis_angle(W, angle)
     matrix = rotation_matrix(W, angle)
 
-    plotter = new_scene(eye=MIDDLE + EYE, target=MIDDLE, view_angle=19.2)
+    plotter = new_scene(MIDDLE + EYE, MIDDLE, view_angle=16.05, size=(720, 400))
     limit_turning(plotter, 20)
-    stack_on_phone(plotter, (5, 44, 335, 382, 0.6), (336, 88, 407, 332, 1))
+    stack_on_phone(plotter, (5, 4, 335, 382, 0.6), (336, 48, 407, 332, 1))
     bar = HOME + BAR * W
     add_line(plotter, [bar - 2.5 * WIDTH * U, bar + 2.5 * WIDTH * U], NEUTRAL, 0.025)
     spoon = teaspoon(stations=41, around=16)

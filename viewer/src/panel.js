@@ -3,7 +3,7 @@ import { ALONG, drag, stepped } from "./hold.js";
 import { numberText, statement } from "./speak.js";
 
 const ROUNDING = 1e-9;
-// Seconds for which Play stays at the end, before it starts over.
+// Seconds for which Play stays at the end, before it starts over, unless it goes round only once.
 const REST = 2;
 // The arrow where a curve leaves its chart: half its width, and its length.
 const ARROW = [4, 7];
@@ -258,6 +258,7 @@ function playing(element, specs, now, change) {
     // The figure may show the nearest value for which it has a frame.
     let value = now()[name] < high ? now()[name] : low;
     const start = value;
+    const rest = once ? 0 : (REST * (high - low)) / plays;
     let round = false;
     let last;
     const tick = (time) => {
@@ -266,7 +267,7 @@ function playing(element, specs, now, change) {
       const passed = last === undefined ? 0 : (time - last) / 1000;
       last = time;
       value += (passed * (high - low)) / plays;
-      if (value > high + (REST * (high - low)) / plays) [value, round] = [low, true];
+      if (value > high + rest) [value, round] = [low, true];
       frame = requestAnimationFrame(tick);
       if (!once) return change({ [name]: Math.min(high, value) });
       const over = round && value >= start;

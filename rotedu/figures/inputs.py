@@ -3,6 +3,7 @@
 Each kind checks the values that enter, describes itself to the viewer and writes its controls.
 """
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from html import escape
@@ -11,6 +12,11 @@ from typing import Any
 import numpy as np
 
 SAME = 1e-12
+# A letter that stands for a quantity, with hat or bar and indices, or a product of such
+SYMBOL = re.compile(
+    r"(?<![\w'’/])(?!(?:a|A|I)\b)(?:(?:[a-z][₀-₉]+)+|[A-Za-zθ][\u0302\u0304]?)(?:,?[₀-₉ᵢ₊₋])*"
+    r"(?![\w’'\u0302\u0304])"
+)
 
 
 def unit_vectors(
@@ -40,6 +46,27 @@ def unit_vectors(
     wanted = np.where(abs(lengths - length) < SAME, lengths, length or lengths)
     scaled: list[Any] = (vectors * (wanted / lengths)).tolist()
     return scaled
+
+
+def written(text: str) -> str:
+    """Write words as HTML, with letters that stand for quantities in italics.
+
+    Parameters
+    ----------
+    text : str
+        The words.
+
+    Returns
+    -------
+    str
+        HTML.
+
+    Examples
+    --------
+    >>> print(written("slerp's angle θ at a point P₀, in °/s"))
+    slerp's angle <i>θ</i> at a point <i>P₀</i>, in °/s
+    """
+    return SYMBOL.sub(r"<i>\g<0></i>", escape(text, quote=False))
 
 
 def add_and_remove(name: str, what: str) -> str:
@@ -109,7 +136,7 @@ class Slider:
             return ""
         spec = self.spec()
         bounds = f'min="{self.low:g}" max="{self.high:g}" step="{spec["step"]:g}"'
-        label = escape(self.label or name)
+        label = written(self.label or name)
         buttons = (
             '<span class="explorable-buttons">'
             f'<button type="button" data-action="play" data-input="{name}">Play</button>'
@@ -235,7 +262,7 @@ class Switch:
         checked = " checked" if start else ""
         return (
             f'<label class="explorable-switch"><input type="checkbox" name="{name}"{checked}>'
-            f" {escape(self.label)}</label>"
+            f" {written(self.label)}</label>"
         )
 
 
@@ -270,11 +297,11 @@ class Choice:
         """Write a group of radio buttons."""
         buttons = "".join(
             f'<label><input type="radio" name="{name}" value="{escape(option)}"'
-            f"{' checked' if option == start else ''}> {escape(option)}</label>"
+            f"{' checked' if option == start else ''}> {written(option)}</label>"
             for option in self.options
         )
         return (
-            f'<fieldset class="explorable-choice"><legend>{escape(self.label)}</legend>'
+            f'<fieldset class="explorable-choice"><legend>{written(self.label)}</legend>'
             f"{buttons}</fieldset>"
         )
 

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotedu.figures.frames import Chart, Output, Shown
-from rotedu.figures.inputs import Input
+from rotedu.figures.inputs import Input, written
 
 WIDTH, HEIGHT = 320, 128
 # The arrow where a curve leaves its chart: half its width, and its length.
@@ -54,7 +54,7 @@ def panel(
         for key, chart in seen.charts.items()
     )
     chips = "".join(
-        f'<a class="try" href="#explore-{name}?{escape(address(values))}">{escape(words)}</a>'
+        f'<a class="try" href="#explore-{name}?{escape(address(values))}">{written(words)}</a>'
         for words, values in tries.items()
     )
     more = '<details class="explorable-more"><summary>More numbers</summary>{}</details>'
@@ -116,7 +116,7 @@ def _output(name: str, output: Output) -> str:
     color = f' style="color: {output.color}"' if output.color else ""
     matrix = " explorable-matrix" if np.ndim(_numbers(output.value)) == 2 else ""
     return (
-        f'<label class="explorable-output{matrix}"><span{color}>{escape(output.label)}</span>'
+        f'<label class="explorable-output{matrix}"><span{color}>{written(output.label)}</span>'
         # The status line below speaks; numbers that change with the hand are silent.
         f' <output name="{name}" aria-live="off" data-digits="{output.digits}"'
         f' data-unit="{output.unit}" data-loud="{output.loud}"{loud}>'
@@ -155,14 +155,14 @@ def _chart(name: str, chart: Chart, value: float, along: str) -> str:
     ink = chart.colors.get("marks", "inherit")
     pieces = max(len(np.atleast_2d(np.array(curve))) for curve in chart.curves.values())
     marks = "".join(
-        f"<span{'' if i < pieces else ' hidden'}>{escape(text)}</span>"
+        f"<span{'' if i < pieces else ' hidden'}>{written(text)}</span>"
         for i, text in enumerate(chart.marks)
     )
     return (
         f'<figure class="explorable-chart" data-chart="{name}" data-over="{chart.over}"'
         f' data-x="{chart.x[0]:g} {chart.x[1]:g}" data-y="{chart.y[0]:g} {chart.y[1]:g}"{hidden}'
         f' style="--digits: {max(map(len, ticks.values()))}">'
-        f"<figcaption>{escape(chart.label)} {keys}</figcaption>"
+        f"<figcaption>{written(chart.label)} {keys}</figcaption>"
         f'<div class="explorable-plot">'
         f'<svg viewBox="0 0 {WIDTH} {HEIGHT}" preserveAspectRatio="none" role="img"'
         f' aria-label="{escape(chart.label)}">{lines}{curves}'
@@ -172,7 +172,8 @@ def _chart(name: str, chart: Chart, value: float, along: str) -> str:
         f'<div class="explorable-ticks">{numbers}</div>'
         f'<div class="explorable-marks" style="color: {ink}">{marks}</div></div>'
         f'<div class="explorable-axis"><span>{_tick(chart.x[0])}</span>'
-        f"<span>{escape(along or chart.over)}</span><span>{_tick(chart.x[1])}</span></div></figure>"
+        f"<span>{written(along or chart.over)}</span><span>{_tick(chart.x[1])}</span></div>"
+        "</figure>"
     )
 
 

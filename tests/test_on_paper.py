@@ -198,6 +198,9 @@ def test_captions_tell_no_hand_what_to_do() -> None:
     captions = [caption.get_text() for caption in source().find_all("figcaption")]
     assert len(captions) == len(CAPTIONS)
     assert [text for text in captions if re.search(r"\b([Dd]rag|[Pp]ress|[Cc]lick)", text)] == []
+    teachers = source().select_one("#teaching-with-this-book")
+    orders = [p for p in source().find_all("p") if re.match("Drag|Press [^e]", p.text.strip())]
+    assert [p for p in orders if p not in teachers.find_all("p")] == []
     # What else the caption says is there.
     [mirrors] = [text for text in captions if "Picture 2-a." in text]
     assert "The turn" in mirrors

@@ -3,6 +3,7 @@
 The setting is ``python_in_page``. Without it the book is as it would be without this extension.
 """
 
+import re
 import shutil
 import sys
 from itertools import takewhile
@@ -22,6 +23,11 @@ from notebook_language import notebooks, tags
 from runtime import LIVE, bundle, put_together
 
 SCRIPT = "live/live.js"
+# The end of a starter cell as Pygments writes it, as in on_paper.py.
+STUB = re.compile(
+    r'(?:(?<=\n)|(?<=<pre><span></span>))(<span class="n">answer</span>((?! class="c1").)*\n)?'
+    r'<span class="n">check</span>\(.*\)\n(?=</pre>)'
+)
 
 
 class marked(nodes.container):  # noqa: N801 (docutils names nodes so)
@@ -77,9 +83,10 @@ def depart_marked(writer: Any, node: marked) -> None:
 
 
 def add_script(app: Sphinx, page: str, template: str, context: Any, tree: Any) -> None:
-    """Let a page with cells that run load what runs them."""
+    """Let a page with cells that run load what runs them, and print no line that only judges."""
     if tree and any(tree.findall(marked)):
         app.add_js_file(SCRIPT, defer="defer")
+        context["body"] = STUB.sub(r'<span class="on-screen">\g<0></span>', context["body"])
 
 
 def serve(app: Sphinx) -> None:

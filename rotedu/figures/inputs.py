@@ -91,8 +91,8 @@ class Slider:
         What the number is.
     step : float
         Smallest difference; 0 means a two-hundredth of the range.
-    stride : float
-        How far the button *Step* goes; 0 means an eighth of the range.
+    stride : float or str
+        How far the button *Step* goes, or the input that says so; 0 means an eighth of the range.
     plays : float
         Seconds that the button *Play* takes from `low` to `high`, where it starts over; 0 means no
         buttons.
@@ -105,7 +105,7 @@ class Slider:
     high: float
     label: str = ""
     step: float = 0
-    stride: float = 0
+    stride: float | str = 0
     plays: float = 0
     row: bool = True
 

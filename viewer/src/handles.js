@@ -9,7 +9,7 @@ import { ALONG, drag, stepped } from "./hold.js";
 import { numberText, titleOf } from "./speak.js";
 
 const HINTS = {
-  points: () => "Drag a ring to move its point",
+  points: () => "Drag a ring to move what it holds",
   number: () => "Drag a ring along its path",
   poses: ({ names }) => `Drag ${Array.isArray(names) ? `a ${names[0].replace(/ \d+$/, "")}` : names} to turn it`,
 };
@@ -151,7 +151,7 @@ function addBody({ layer, live, now, change, grips }, { name, spec }, i) {
     const middle = listed(at)[i];
     const [right] = live.axes();
     const { left, top } = live.project(middle);
-    const rim = live.project(middle.map((x, k) => x + size * right[k]));
+    const rim = live.project(middle.map((x, k) => x + size * right[k]), middle);
     return { left, top, width: Math.abs(rim.left - left) };
   };
   /** A place in radii from the middle of the body. */

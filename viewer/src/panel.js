@@ -53,6 +53,11 @@ export function bindPanel(element, specs, now, { change, reset, link, follow }) 
     else if (kind === "switch") change({ [name]: target.checked });
     else if (kind === "choice") change({ [name]: target.value });
   });
+  // What was typed beyond the bounds was shown as the nearest bound.
+  form.addEventListener("change", ({ target }) => {
+    const held = controls.find(({ field }) => field && field === target);
+    if (held) target.value = now()[held.name].toFixed(held.digits);
+  });
   form.addEventListener("click", (event) => {
     const { target } = event;
     // With a key held, a link opens elsewhere.
@@ -276,9 +281,10 @@ function playing(element, specs, now, change) {
     };
     frame = requestAnimationFrame(tick);
   };
-  /** Go on to the next stride; after the end, begin again. */
+  /** Go on to the next stride, which another input may say; after the end, begin again. */
   const step = (name) => {
-    const { low, high, stride } = specs[name];
+    const { low, high, stride: wide } = specs[name];
+    const stride = now()[wide] ?? wide;
     const taken = Math.floor((now()[name] - low) / stride + ROUNDING);
     change({ [name]: now()[name] >= high ? low : Math.min(high, low + (taken + 1) * stride) });
   };

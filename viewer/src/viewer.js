@@ -191,8 +191,8 @@ export async function show(element, file, context, { width, height, alt }) {
     },
     /** Call back after each picture. */
     onDraw: (watch) => watchers.push(watch),
-    /** Where a point is in the picture. */
-    project: (point) => toBox(rows[rowAt(point)], project(lens(camera), point)),
+    /** Where a point is in the picture, in the row that shows what is near another one. */
+    project: (point, near = point) => toBox(rows[rowAt(near)], project(lens(camera), point)),
     /**
      * The line of sight through a place of the picture, given in fractions of its size, where it shows
      * what is near a point.

@@ -51,13 +51,13 @@ test("each point has its handle, at its place and with its name", () => {
   assert.equal(handle("axis").getAttribute("aria-label"), "n at 0.00, 0.00, 1.00");
   assert.equal(handle("axis").type, "button");
   assert.equal(handle("axis").getAttribute("aria-roledescription"), "point");
-  assert.equal(element.querySelector(".scene-hint").textContent, "Drag a ring to move its point");
+  assert.equal(element.querySelector(".scene-hint").textContent, "Drag a ring to move what it holds");
   assert.equal(element.querySelector("canvas + .scene-handles button").className, "scene-handle");
 });
 
 test("a scene says what can be dragged, and keeps its hint if nothing can", () => {
   for (const [name, hint] of [
-    ["points", "Drag a ring to move its point"],
+    ["points", "Drag a ring to move what it holds"],
     ["angle", "Drag a ring along its path"],
     ["spoon", "Drag the spoon to turn it"],
   ]) {
@@ -384,6 +384,15 @@ test("a body turns under the finger, and a whole turn leads to the opposite quat
   state.inputs.spoon = [1, 0, 0, 0];
   for (let i = 0; i < 72; i++) tell(body, "keydown", { key: "ArrowRight" });
   near(state.inputs.spoon, [-1, 0, 0, 0]);
+});
+
+test("where a picture is stacked, a body is measured in its own row", () => {
+  const { live, handles, handle } = scene({ spoon: SPECS.spoon });
+  // The row below would show what is near the rim of the body.
+  const inRow = ([x, , z], below) => ({ left: 0.5 + x / 4 - (below ? 0.9 : 0), top: 0.5 - z / 4 });
+  live.project = (point, near = point) => inRow(point, near[0] > 1.2);
+  handles.update(GRIPS);
+  assert.equal(handle("spoon").style.width, "25%");
 });
 
 test("a body that the picture does not show cannot be grabbed", () => {

@@ -209,6 +209,27 @@ test("a step goes on to the next stride, and from the end to the beginning", () 
   assert.deepEqual(steps, [1.75, 2, 2.25, 2.5, 2.75, 3, 1]);
 });
 
+test("a step may be as wide as another input says", () => {
+  const { stride } = SPECS.u;
+  SPECS.u.stride = "w";
+  const { state, press } = bound({ u: 1, w: 0.3 });
+  for (let i = 0; i < 3; i++) press("step");
+  SPECS.u.stride = stride;
+  state.asked.forEach(({ u }, i) => assert.ok(Math.abs(u - (1.3 + 0.3 * i)) < 1e-9));
+});
+
+test("a field that is left says the number that the figure has", () => {
+  const { find, write, state } = bound();
+  const field = find("[name=u-number]");
+  for (const [typed, held] of [["7", "3.00"], ["-1", "1.00"], ["", "1.00"], ["2.5", "2.50"]]) {
+    write("u-number", typed);
+    assert.equal(field.value, typed);
+    tell(field, "change");
+    assert.equal(field.value, held);
+    assert.equal(state.inputs.u, Number(held));
+  }
+});
+
 test("play goes on from here in its time, rests at the end, starts over, and stops", () => {
   const { state, find, press } = bound({ u: 2.5 });
   press("play");

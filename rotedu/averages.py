@@ -195,9 +195,12 @@ def matrix_from_two_columns(a: Unit3, b: Unit3) -> Rotation:
 
     Notes
     -----
-    This is the method of Gram and Schmidt. Wherever it is defined, it is continuous, and so is the
-    way back, which only leaves out the third column. Therefore networks that predict an orientation
-    often predict these six numbers.
+    This is the method of Gram and Schmidt. What is along a is taken away from b twice: if the two
+    are almost parallel, rounding leaves some of it, and the columns would not be perpendicular.
+
+    Wherever the function is defined, it is continuous, and so is the way back, which only leaves
+    out the third column. Therefore networks that predict an orientation often predict these six
+    numbers.
 
     References
     ----------
@@ -212,7 +215,8 @@ def matrix_from_two_columns(a: Unit3, b: Unit3) -> Rotation:
      [ 0.  0. -1.]]
     """
     refuse_parallel(a, b)
-    second = unit(b - dot(a, b) * a)
+    across = b - dot(a, b) * a
+    second = unit(across - dot(a, across) * a)
     return np.stack([a, second, cross(a, second)], axis=1)
 
 

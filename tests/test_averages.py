@@ -208,6 +208,80 @@ class TestMean:
         # Weights decide between two that are half a turn apart.
         close(mean_rotation(HALF_TURNS[:2], [2, 1]), np.eye(3), 1e-15)
 
+    def test_thirds_of_a_turn_without_a_common_axis_have_one(self) -> None:
+        q = np.array(
+            [[1, 0, 0, 0], [1 / 2, 3**0.5 / 2, 0, 0], [1 / 2, 3**0.5 / 6, (2 / 3) ** 0.5, 0]]
+        )
+        rotations = Quaternion(q[:, 0], q[:, 1:]).matrix()
+        apart = angular_distance(rotations, np.roll(rotations, 1, axis=0))
+        close(apart, 2 * np.pi / 3)
+        close(mean_rotation(rotations), by_quaternions(np.roll(q, -1, axis=1), np.ones(3)))
+
+
+def matrices_of(q: Array) -> Array:
+    """Matrices of quaternions of any length, the scalar part first."""
+    return Rotation.from_quat(q, scalar_first=True).as_matrix()
+
+
+class TestMatricesAndQuaternionsKnowTheSame:
+    Q = RNG.normal(size=(2000, 5, 4))
+    Q /= np.linalg.norm(Q, axis=-1, keepdims=True)
+    A = Q.swapaxes(1, 2) @ Q / 5
+    MEAN = np.reshape(matrices_of(Q.reshape(-1, 4)), (2000, 5, 3, 3)).mean(axis=1)
+
+    def test_each_is_linear_in_the_other(self) -> None:
+        """4 A/n - 1 is Davenport's matrix of the mean matrix."""
+        m, traces = self.MEAN, np.trace(self.MEAN, axis1=1, axis2=2)
+        skew = np.stack([m[:, k - 1, k - 2] - m[:, k - 2, k - 1] for k in range(3)], axis=1)
+        davenport = np.empty((2000, 4, 4))
+        davenport[:, 0, 0] = traces
+        davenport[:, 0, 1:] = davenport[:, 1:, 0] = skew
+        davenport[:, 1:, 1:] = m + m.swapaxes(1, 2) - traces[:, None, None] * np.eye(3)
+        close(4 * self.A - np.eye(4), davenport, 1e-13)
+
+    def test_eigenvalues_follow_from_singular_values(self) -> None:
+        s1, s2, s3 = np.linalg.svd(self.MEAN, compute_uv=False).T
+        signs = np.sign(np.linalg.det(self.MEAN))
+        assert set(signs) == {-1, 1}
+        s3 = signs * s3
+        expected = 1 + np.array([-s1 - s2 + s3, -s1 + s2 - s3, s1 - s2 - s3, s1 + s2 + s3])
+        close(4 * np.linalg.eigvalsh(self.A), expected.T, 1e-13)
+
+
+class TestSumsOfQuaternions:
+    """What page B says of the third way to average."""
+
+    def test_are_near_both_means_and_as_far_from_the_truth(self) -> None:
+        found = []
+        for vectors in RNG.normal(scale=np.radians(40) / 3**0.5, size=(200, 10, 3)):
+            scattered = Rotation.from_rotvec(vectors)
+            q = scattered.as_quat()
+            agreeing = np.where(q @ q[:1].T < 0, -q, q).sum(axis=0)
+            by_chord, by_angle = scattered.mean(), scattered.mean()
+            for _ in range(20):
+                by_angle *= Rotation.from_rotvec((by_angle.inv() * scattered).as_rotvec().mean(0))
+            by_sum = Rotation.from_quat(agreeing)
+            at_random = Rotation.from_quat(RNG.choice([-1, 1], 10) @ q)
+            means = (by_sum, by_chord, by_angle)
+            found.append(
+                [(by_angle.inv() * mean).magnitude() for mean in means[:2]]
+                + [mean.magnitude() for mean in (*means, at_random, scattered[0])]
+            )
+        sum_off, chord_off, *truth, at_random, single = np.degrees(np.median(found, axis=0))
+        assert 3 < chord_off / sum_off < 6
+        assert np.ptp(truth) < 0.1 < chord_off < min(truth)
+        assert at_random > single + 5
+
+    def test_may_be_right_though_signs_cannot_agree_in_pairs(self) -> None:
+        turns = Rotation.from_rotvec(np.outer(np.radians([-100, 0, 100]), E3))
+        q = turns.as_quat(canonical=True)
+        assert q[0] @ q[2] < 0 < q[0] @ q[1]
+        close(mean_rotation(turns.as_matrix()), Rotation.from_quat(q.sum(0)).as_matrix())
+
+    def test_mean_matrices_of_ten_random_rotations_often_reflect(self) -> None:
+        random = Rotation.random(20000, rng=RNG).as_matrix().reshape(2000, 10, 3, 3)
+        assert 0.25 < np.mean(np.linalg.det(random.mean(axis=1)) < 0) < 0.32
+
 
 class TestTwoColumns:
     @given(LENGTHS, LENGTHS)
@@ -242,6 +316,15 @@ class TestTwoColumns:
 
     def test_nearly_parallel(self) -> None:
         close(matrix_from_two_columns(E1, [1, 1e-6, 0]), np.eye(3), 1e-9)
+
+    @pytest.mark.parametrize(("kind", "apart"), [(np.float64, 1e-6), (np.float32, 3e-3)])
+    def test_stays_a_rotation_where_they_are_nearly_parallel(self, kind: Any, apart: float) -> None:
+        a = RNG.normal(size=(300, 3))
+        b = a + apart * np.linalg.norm(a, axis=1, keepdims=True) * random_units(300, 3, rng=RNG)
+        across = np.linalg.norm(np.cross(a, b), axis=1) / np.linalg.norm(a, axis=1) ** 2
+        clear = across > apart / 2
+        found = matrix_from_two_columns(a[clear].astype(kind), b[clear].astype(kind))
+        close(found.swapaxes(1, 2) @ found - np.eye(3), 0, 10 * np.finfo(kind).eps)
 
     def test_is_continuous_where_quaternions_with_a_rule_for_the_sign_jump(self) -> None:
         before, after = rotation_matrix(E3, np.radians([179.9, 180.1]))

@@ -275,9 +275,13 @@ def test_the_roll_that_an_arc_brings_is_small_near_the_horizon_only() -> None:
         (five, length), (three, shorter) = off([1] * 5), off([1, 1, 1, 1, -1])
         assert np.allclose([length, shorter], [[5.0], [3.0]])
         assert np.std(three) / np.std(five) == pytest.approx(5 / 3, rel=0.02)
-        for signs in ([1, 1, -1, -1, -1], [-1] * 5):
-            assert np.sum(signs) < 0
+        for signs in ([1, 1, -1, -1, -1], [1, 1, 1, -1, -1]):
+            (one, shortest) = off(signs)
+            assert np.allclose(shortest, 1)
+            assert np.std(one) / np.std(five) == pytest.approx(5, rel=0.02)
+            assert ((np.array(signs) @ np.ones(5)) < 0) == (signs.count(-1) == 3)
         text = answers("beyond-averages")
+        assert "with three of five, as with two, the sum is one report long" in text
         assert "the sum is three reports long instead of five" in text
         assert "divided by three now, not by five" in text
         assert "three or more of the five" in text

@@ -62,6 +62,16 @@ def three_chords() -> Iterator[Part]:
             "Only the sum of squares is simple. What is missing?",
         ),
         Mistake(
+            [matrices, theta / 2, np.pi - theta / 2],
+            "Between quaternions you give the arcs.",
+            "The chord goes straight through the sphere. How long is it?",
+        ),
+        Mistake(
+            [60, 30, 150],
+            "These are angles, in degrees.",
+            "A chord has a length. What does an arc of such an angle have for a chord?",
+        ),
+        Mistake(
             [2 * 2**0.5 * np.sin(30), 2 * np.sin(15), 2 * np.cos(15)],
             "Have you given degrees to a function that wants radians?",
             "A distance is not negative, and no chord exceeds the diameter.",
@@ -109,6 +119,11 @@ def two_means_about_one_axis() -> Iterator[Part]:
             "Its chords are those of quaternions. Take those of the matrices.",
         ),
         Mistake(np.deg2rad(right), *RADIANS),
+        Mistake(
+            90 - right,
+            "You count one turn by 0° and two by 90°.",
+            "Two of the three bodies are not turned.",
+        ),
         Mistake(
             [45, 45],
             "There are two turns by 0° and one by 90°.",
@@ -217,6 +232,11 @@ def weighted_mean() -> Iterator[Part]:
             mean_rotation(measured[3:]),
             "You leave the fine tracker out.",
             "It knows most. Use both.",
+        ),
+        Mistake(
+            np.tensordot(errors**-2, measured, 1) / np.sum(errors**-2),
+            "Your weights are right, but this matrix does not only turn.",
+            "A mean matrix shrinks. Which rotation is nearest to it?",
         ),
         Mistake(rotation_matrix(*TRACKED), *NOT_THE_TRUTH),
         Mistake(Quaternion(x, [y, z, w]).matrix(), *SCALAR_LAST),

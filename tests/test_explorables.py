@@ -141,8 +141,8 @@ SPECIAL = {
         },
     ],
     "spinning_by_hand": [
-        *({"t": t, "h": h} for t in (0.0, 0.01, 0.6, 1.5) for h in (0.01, 0.03, 0.12)),
-        {"t": 1.37, "h": 0.12, "repair": True},
+        *({"t": t, "h": h} for t in (0.0, 0.01, 0.6, 1.5) for h in (0.01, 0.03, 0.1)),
+        {"t": 1.37, "h": 0.1, "repair": True},
     ],
     # Arrows too short to be drawn.
     "three_turns_by_hand": [{"u": 0.0, "v": -5.0, "axes": "carried along"}],

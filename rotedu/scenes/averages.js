@@ -12,8 +12,8 @@ import {
   unit,
 } from "./sphere.js";
 
-const BESIDE = [[-2.08, 0, 0.36], [-1.32, 0, 0.36], [-1.7, 0, -0.28]];
-const NAME = combine(1, BESIDE[2], 1, [-0.33, 0, -0.25]);
+const BESIDE = [[-2.13, 0, 0.36], [-1.42, 0, 0.36], [-1.77, 0, -0.28]];
+const NAME = combine(1, BESIDE[2], 1, [0, 0, -0.43]);
 const SIZE = 0.36;
 const SMALLEST = 1e-9;
 const UNCLEAR = 1e-3;

@@ -28,9 +28,9 @@ FACING = Quaternion.from_axis_angle(U, np.pi / 2)
 THIRDS = (Quaternion.from_axis_angle(V, np.radians([-120, 0, 120])) * FACING).components.tolist()
 UNCLEAR = 1e-3
 """A mean that is no clearer is none: links keep five digits, and a hand keeps fewer."""
-BESIDE = np.array([[-2.08, 0, 0.36], [-1.32, 0, 0.36], [-1.7, 0, -0.28]])
-"""Where the given orientations are turned, beside the ball, and where their names are."""
-NAMES = BESIDE + np.array([[-0.26, 0, 0.33], [-0.26, 0, 0.33], [-0.33, 0, -0.25]])
+BESIDE = np.array([[-2.13, 0, 0.36], [-1.42, 0, 0.36], [-1.77, 0, -0.28]])
+"""Where the given orientations are turned, quite beside the ball, and where their names are."""
+NAMES = BESIDE + np.outer([1, 1, -1], [0, 0, 0.43])
 SIZE = 0.36
 INKS = {"matrices": MATRIX, "quaternions": QUATERNION}
 NO_MEAN = "no unique mean"
@@ -69,10 +69,10 @@ def mean_by_hand(poses: ArrayLike = GIVEN, flip: bool = True) -> pyvista.Plotter
     means = {"matrices": mean_of_matrices(given), "quaternions": mean_of_quaternions(q)}
 
     # From far away, so that spoons in the same pose look the same wherever they are.
-    middle = -0.7 * U
-    plotter = new_scene(middle - 32 * V + 6 * W, middle, view_angle=4.1)
+    middle = -0.73 * U
+    plotter = new_scene(middle - 32 * V + 6 * W, middle, view_angle=4.18)
     limit_turning(plotter, 20)
-    stack_on_phone(plotter, (0, 76, 300, 304, 0.57), (290, 25, 430, 430, 1))
+    stack_on_phone(plotter, (0, 66, 303, 332, 0.57), (295, 29, 425, 422, 1))
     add_sphere(plotter)
     for k, (place, turn) in enumerate(zip(BESIDE, given, strict=True), start=1):
         add_spoon(plotter, turn, place, SIZE, VECTOR, f"R_{k}")

@@ -4,6 +4,7 @@ import {
   axisAngle,
   combine,
   cross,
+  dot,
   length,
   nearestRotation,
   product,
@@ -17,9 +18,13 @@ import {
 
 const SPEED = Math.PI / 2;
 const SECONDS = 1.5;
-const EDGE = 0.9;
-const ACROSS = unit(cross([0, 0, 1], [0.3, -0.88, 0.36]));
-const PLACES = [0, 2.55, 4.9].map((x) => ACROSS.map((y) => x * y));
+const EDGE = 0.85;
+const ARROW = 0.85;
+const EYE = [0.3, -0.88, 0.36];
+const ACROSS = unit(cross([0, 0, 1], EYE));
+const UPWARDS = unit(cross(EYE, ACROSS));
+const ASLANT = 0.6;
+const PLACES = [0, 2.72, 5.07].map((x) => ACROSS.map((y) => x * y));
 const TIP = [EDGE / 2, 0, 0];
 const TIMES = spread(61).map((x) => SECONDS * x);
 const PIECE = 0.025;
@@ -36,9 +41,10 @@ export function spinning({ space, body, h, t, repair }, { longest: edges, aside 
 
   const parts = {};
   const labels = {};
-  for (const [name, arrow] of [["space", first], ["body", transform(turn, second)]]) {
-    parts[name] = { from: ORIGIN, to: arrow };
-    labels[name] = arrow.map((x) => 1.25 * x);
+  for (const [name, axis, side] of [["space", first, 1], ["body", transform(turn, second), -1]]) {
+    const tip = axis.map((x) => ARROW * x);
+    parts[name] = { from: ORIGIN, to: tip };
+    labels[name] = beside(tip, side);
   }
   const outputs = {};
   const charts = { longest: {}, off: {} };
@@ -51,8 +57,10 @@ export function spinning({ space, body, h, t, repair }, { longest: edges, aside 
     parts[`box, ${name}`] = box(now);
     parts[name] = { matrix: placing(now, PLACES[i]) };
     parts[`way, ${name}`] = { paths: [moments(h, t).map((moment) => put(way(moment))(TIP))] };
-    const off = (matrix, rotation) =>
-      DEGREES * axisAngle(product(transpose(nearestRotation(matrix)), rotation)).angle;
+    // All but one matrix are a rotation times a number.
+    const turnOf = (matrix) =>
+      name === "Euler, matrix" && !repair ? nearestRotation(matrix) : scaled(1 / longest(matrix), matrix);
+    const off = (matrix, rotation) => DEGREES * axisAngle(product(transpose(turnOf(matrix)), rotation)).angle;
     const drawn = TIMES.map(way);
     charts.longest[name] = drawn.map(longest);
     charts.off[name] = drawn.map((matrix, k) => off(matrix, exact(TIMES[k])));
@@ -60,6 +68,14 @@ export function spinning({ space, body, h, t, repair }, { longest: edges, aside 
   });
   return { parts, labels, grips: { body: { turn } }, outputs, charts };
 }
+
+/** Where the name of an arrow is: its tip, and `beside` it. */
+function beside(tip, side) {
+  const angle = Math.atan2(dot(tip, UPWARDS), dot(tip, ACROSS)) + side * ASLANT;
+  return combine(1, tip, 1, combine(0.42 * Math.cos(angle), ACROSS, 0.3 * Math.sin(angle), UPWARDS));
+}
+
+const scaled = (factor, matrix) => matrix.map((row) => row.map((x) => factor * x));
 
 const longest = (matrix) => Math.max(...transpose(matrix).map(length));
 
@@ -77,11 +93,10 @@ function integrators(omega, own, h, repair) {
     const moved = combine(1, q, h / 2, combine(1, left, 1, fromRight));
     return repair ? unit(moved) : moved;
   };
-  const scaled = (q) => quaternionMatrix(q).map((row) => row.map((x) => length(q) ** 2 * x));
   return {
     exponential: steps(exponential, IDENTITY, h, (r) => r),
     "Euler, matrix": steps(matrix, IDENTITY, h, (m) => m),
-    "Euler, quaternion": steps(quaternion, [1, 0, 0, 0], h, scaled),
+    "Euler, quaternion": steps(quaternion, [1, 0, 0, 0], h, (q) => scaled(dot(q, q), quaternionMatrix(q))),
   };
 }
 
@@ -91,7 +106,8 @@ function steps(step, start, h, drawn) {
   while (states.length <= SECONDS / h) states.push(step(states.at(-1), h));
   return (t) => {
     const whole = Math.min(Math.floor(t / h), states.length - 1);
-    return drawn(step(states[whole], t - whole * h));
+    const rest = t - whole * h;
+    return drawn(rest ? step(states[whole], rest) : states[whole]);
   };
 }
 

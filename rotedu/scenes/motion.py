@@ -42,13 +42,17 @@ from rotedu.scenes.parts import (
 SPEED = np.pi / 2
 """Of each of the two velocities, in radians a second."""
 SECONDS = 1.5
-COARSEST = 0.12
-EDGE = 0.9
+COARSEST = 0.1
+EDGE = 0.85
+ARROW = 0.85
 INKS = {"exponential": RESULT, "Euler, matrix": MATRIX, "Euler, quaternion": QUATERNION}
 EYE = 30 * np.array([0.3, -0.88, 0.36])
 ACROSS = np.cross([0, 0, 1], EYE) / np.linalg.norm(EYE[:2])
-PLACES = np.outer([0, 2.55, 4.9], ACROSS)
-MIDDLE = 2.25 * ACROSS
+UPWARDS = np.cross(EYE, ACROSS) / np.linalg.norm(EYE)
+PLACES = np.outer([0, 2.72, 5.07], ACROSS)
+MIDDLE = 2.33 * ACROSS - 0.04 * UPWARDS
+ASLANT = 0.6
+"""Angle from an arrow to its name in the picture, so that names of arrows that are alike part."""
 TIP = np.array([EDGE / 2, 0, 0])
 SAMPLES = 61
 """Of a curve in a chart."""
@@ -58,7 +62,7 @@ ROUNDING = 1e-6
 W = np.array([0.0, 0.0, 1.0])
 IN_SPACE = (-0.15, 0.17, 0.97)
 IN_BODY = (-0.73, -0.53, 0.43)
-LONGEST, ASIDE = "edges × ", "° off"
+LONGEST, ASIDE = "edge up to ", "° wrong"
 
 
 @explorable(
@@ -70,10 +74,10 @@ LONGEST, ASIDE = "edges × ", "° off"
         "both arrows alike": {"body": IN_SPACE},
         "the opposite arrow": {"body": tuple(-x for x in IN_SPACE)},
     },
-    space=Handles("arrow fixed in space", through=True),
-    body=Handles("arrow fixed in the body", through=True),
-    h=Slider(0.01, COARSEST, "step, s", step=0.01),
-    t=Slider(0, SECONDS, "time, s", step=0.01, plays=6),
+    space=Handles("arrow fixed in space", reach=ARROW, through=True),
+    body=Handles("arrow fixed in the body", reach=ARROW, through=True),
+    h=Slider(0.01, COARSEST, "step in seconds", step=0.01),
+    t=Slider(0, SECONDS, "time in seconds", step=0.01, stride="h", plays=6),
     repair=Switch("repair after every step: nearest rotation, quaternion of norm 1"),
 )
 def spinning_by_hand(
@@ -113,13 +117,13 @@ def spinning_by_hand(
     spoon.points = EDGE / 2 * spoon.points
 
     # From far away, so that what is drawn in three places looks the same.
-    plotter = new_scene(MIDDLE + EYE, MIDDLE, view_angle=6.75, size=(720, 340))
+    plotter = new_scene(MIDDLE + EYE, MIDDLE, view_angle=5.885, size=(720, 292))
     limit_turning(plotter, 20)
-    stack_on_phone(plotter, (0, 36, 288, 294, 0.78), (256, 36, 464, 294, 1))
-    for name, vector in (("space", omega), ("body", right @ own)):
-        arrow = vector / SPEED
-        add_arrow(plotter, ORIGIN, arrow, AXIS, 0.02, name=name)
-        add_label(plotter, 1.25 * arrow, name, AXIS)
+    stack_on_phone(plotter, (0, 22, 262, 270, 0.74), (253, 6, 467, 286, 1))
+    for name, vector, side in (("space", omega, 1), ("body", right @ own, -1)):
+        tip = ARROW / SPEED * vector
+        add_arrow(plotter, ORIGIN, tip, AXIS, 0.02, name=name)
+        add_label(plotter, tip + beside(tip, side), name, AXIS)
     place_grip(plotter, "body", turn=turned(omega, t))
 
     ways = integrators(omega, own, h, repair)
@@ -137,7 +141,7 @@ def spinning_by_hand(
         add_thin(plotter, spoon, ink, part).user_matrix = pose
         path = [place + way(moment) @ TIP for moment in moments(h, t)]
         add_line(plotter, path, ink, 0.014, f"way, {name}")
-        add_label(plotter, place - 1.6 * W, name, ink, name=name)
+        add_label(plotter, place - 1.5 * W, name, ink, name=name)
 
         drawn = np.array([*map(way, times), now])
         longest[name] = np.linalg.norm(drawn, axis=1).max(axis=1)
@@ -146,8 +150,8 @@ def spinning_by_hand(
         told = f"{LONGEST}{longest[name][-1]:.2f}, {off[name][-1]:.0f}{ASIDE}"
         read_out(plotter, name, told, name, where="picture", color=ink)
     for chart, curves, y, text in (
-        ("longest", longest, (0.5, 2.5), "longest edge"),
-        ("off", off, (0, 20), "degrees off"),
+        ("longest", longest, (1, 2.5), "longest edge"),
+        ("off", off, (0, 20), "degrees wrong"),
     ):
         draw_chart(
             plotter,
@@ -168,6 +172,13 @@ def spinning_by_hand(
         " large. Lines show the ways of the spoons' tips, which lead outwards in ochre and violet.",
     )
     return plotter
+
+
+def beside(tip: NDArray[np.float64], side: int) -> NDArray[np.float64]:
+    """Return the way from the tip of an arrow to its name, clear of the ring around the tip."""
+    angle = np.arctan2(tip @ UPWARDS, tip @ ACROSS) + side * ASLANT
+    way: NDArray[np.float64] = 0.42 * np.cos(angle) * ACROSS + 0.3 * np.sin(angle) * UPWARDS
+    return way
 
 
 def turned(omega: NDArray[np.float64], t: ArrayLike) -> NDArray[np.float64]:

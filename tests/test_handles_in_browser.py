@@ -180,6 +180,21 @@ def test_a_whole_scene_fits_a_low_screen(
     assert box["height"] >= 0.55 * size[1]
 
 
+def test_in_full_screen_the_controls_stay(open_figure: Callable[..., Any]) -> None:
+    figure = live(open_figure(CURVE, viewport={"width": 1440, "height": 900}))
+    page = figure.page
+    figure.locator(".scene-canvas").first.focus()
+    page.keyboard.press("f")
+    page.wait_for_function("() => document.fullscreenElement?.matches('.explorable')")
+    settle(page)
+    above, below = (figure.locator(x).bounding_box() for x in (".scene", ".explorable-controls"))
+    assert above["height"] > 450
+    assert above["y"] + above["height"] <= below["y"]
+    assert below["y"] + below["height"] <= 900
+    page.keyboard.press("f")
+    page.wait_for_function("() => !document.fullscreenElement")
+
+
 @pytest.mark.parametrize("name", nightly(BY_HAND, CURVE))
 def test_a_finger_has_room(name: str, open_figure: Callable[..., Any]) -> None:
     figure = live(open_figure(name, **PHONE))

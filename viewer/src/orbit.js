@@ -29,8 +29,10 @@ export function orbit(camera, scene, canvas, target, swing) {
   }
   controls.saveState();
 
-  const isFull = () => document.fullscreenElement === scene;
-  const full = () => (isFull() ? document.exitFullscreen() : scene.requestFullscreen());
+  // A figure that answers the hand takes its controls along.
+  const whole = scene.closest(".explorable") ?? scene;
+  const isFull = () => document.fullscreenElement === whole;
+  const full = () => (isFull() ? document.exitFullscreen() : whole.requestFullscreen());
 
   // Within the page, the wheel and a finger that moves up or down scroll the page.
   const grip = () => {
@@ -38,7 +40,7 @@ export function orbit(camera, scene, canvas, target, swing) {
     controls.touches.TWO = isFull() ? TOUCH.DOLLY_PAN : TOUCH.DOLLY_ROTATE;
   };
   grip();
-  scene.addEventListener("fullscreenchange", grip);
+  whole.addEventListener("fullscreenchange", grip);
   scene.addEventListener(
     "wheel",
     (event) => {

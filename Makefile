@@ -61,8 +61,9 @@ lab: $(READY) $(VIEWER) ## open the notebooks in JupyterLab, with figures that t
 	    "its port (docker run -p 8888:8888) and call: make lab LAB=--ip=0.0.0.0"
 	$(BIN)/jupyter lab $(LAB_AS_ROOT) $(LAB) book
 
-class: $(READY) ## write notebooks for a class, with and without solutions
+class: $(READY) ## write notebooks for a class, with and without solutions, and questions
 	$(BIN)/python tools/class_notebooks.py
+	$(BIN)/python tools/questions.py $(SEED)
 
 pdf: $(READY) .venv/browser ## print the book into _build/pdf
 	$(BIN)/python tools/print_book.py pdf

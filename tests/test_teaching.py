@@ -221,6 +221,75 @@ def test_a_figure_is_live_and_large_and_keeps_its_keys(page: Any) -> None:
     assert press(page, "ArrowRight") == 2
 
 
+# Lecture rooms project one or the other.
+SCREENS = nightly([(1280, 720), (1920, 1080)], (1280, 720))
+CUT = """() => [...document.querySelectorAll(".presented .explorable")]
+    .filter((figure) => figure.checkVisibility())
+    .map((figure) => [figure, ...figure.querySelectorAll(".scene, .explorable-panel")])
+    .filter((boxes) => Math.max(...boxes.map((box) => box.getBoundingClientRect().height))
+        > document.querySelector(".present-bar").getBoundingClientRect().top)
+    .map(([figure]) => figure.dataset.name)"""
+
+
+@pytest.mark.parametrize("screen", SCREENS, ids=str)
+@pytest.mark.parametrize("name", nightly(CHAPTERS, "05-closed-curve"))
+def test_a_figure_fits_a_slide_and_its_code_is_not_shown(
+    browser: Any, site: str, name: str, screen: tuple[int, int]
+) -> None:
+    page = browser.new_page(viewport=dict(zip(("width", "height"), screen, strict=True)))
+    page.goto(f"{site}/book/{name}.html")
+    page.get_by_role("button", name="Slides").click()
+    code = page.locator(".cell:has(.explorable) > .cell_input")
+    for _ in range(page.locator("article section").count()):
+        assert page.evaluate(CUT) == []
+        assert not code.locator("visible=true").count()
+        page.keyboard.press("ArrowRight")
+    page.close()
+
+
+def test_page_down_shows_a_figure_whole(page: Any) -> None:
+    figure = page.locator(".presented .explorable").first
+    before = figure.bounding_box()
+    edge = page.get_by_role("navigation", name="Sections").bounding_box()["y"]
+    assert before["y"] + before["height"] > edge
+    press(page, "PageDown")
+    for part in (".scene", ".explorable-panel"):
+        box = figure.locator(part).bounding_box()
+        assert 0 <= box["y"] <= box["y"] + box["height"] <= edge
+
+
+def test_a_chip_sets_its_figure_on_the_slide(page: Any) -> None:
+    figure = page.locator(".presented .explorable").first
+    figure.scroll_into_view_if_needed()
+    figure.locator(".scene[data-state=live]").wait_for(timeout=20_000)
+    chip = figure.locator("a.try").last
+    chip.click()
+    words = re.split(r"\s", chip.inner_text())[0]
+    figure.locator(".explorable-status", has_text=words).wait_for(state="attached")
+    assert page.evaluate(VISIBLE) == ["ordinary-rotation"]
+
+
+def test_the_screen_is_filled_and_given_back(page: Any) -> None:
+    filled = "document.fullscreenElement !== null"
+    page.keyboard.press("F5")
+    page.wait_for_function(filled)
+    page.get_by_role("button", name="Full screen", exact=True).last.click()
+    page.wait_for_function(f"!({filled})")
+    assert place(page) == 1
+
+
+def test_slides_begin_where_the_reader_is(browser: Any, site: str) -> None:
+    page = browser.new_page(viewport={"width": 1400, "height": 720})
+    page.goto(f"{site}/book/03-ordinary-rotation.html")
+    page.locator("article section").nth(4).evaluate(
+        "section => section.scrollIntoView({ behavior: 'instant' })"
+    )
+    page.get_by_role("button", name="Present from here").click()
+    said = page.locator("nav[aria-label=Sections] [role=status]").inner_text()
+    assert said.startswith("5 of")
+    page.close()
+
+
 def test_space_opens_a_folded_answer(page: Any) -> None:
     answer = page.locator(".presented details.sd-dropdown > summary").first
     answer.focus()

@@ -69,11 +69,17 @@ if (pageHead) {
       <button type="button" aria-label="Previous section">←</button>
       <span role="status"></span>
       <button type="button" aria-label="Next section">→</button>
+      <button type="button">Full screen</button>
       <button type="button">Leave</button>
     </nav>`,
   );
+  document
+    .querySelector(".toc-sticky")
+    ?.insertAdjacentHTML("beforeend", '<button type="button">Present from here</button>');
   const bar = document.querySelector(".present-bar");
-  const buttons = [pageHead.querySelector("button"), ...bar.querySelectorAll("button")];
+  const buttons = [pageHead, bar, document.querySelector(".toc-sticky")].flatMap((box) => [
+    ...(box?.querySelectorAll("button") ?? []),
+  ]);
 
   const show = (index) => {
     const section = sections[index];
@@ -94,7 +100,20 @@ if (pageHead) {
     root.classList.add("presenting");
     show(place);
   };
+  const startHere = () => {
+    const middle = innerHeight / 2;
+    const read = sections.findLastIndex((each) => each.getBoundingClientRect().top < middle);
+    root.classList.add("presenting");
+    show(Math.max(read, 0));
+  };
+  const fill = () => {
+    if (document.fullscreenElement) document.exitFullscreen();
+    else root.requestFullscreen();
+    // The button gives back the space bar.
+    sections[place].focus({ preventScroll: true });
+  };
   const leave = () => {
+    if (document.fullscreenElement) document.exitFullscreen();
     root.classList.remove("presenting");
     sections[place].scrollIntoView({ behavior: "instant" });
     letReach();
@@ -102,8 +121,15 @@ if (pageHead) {
   const presents = () => root.classList.contains("presenting");
   const scrolls = (step) =>
     step > 0 ? root.scrollTop + root.clientHeight < root.scrollHeight - 2 : root.scrollTop > 0;
+  // A figure that the lower edge of the screen would cut.
+  const cut = () =>
+    [...sections[place].querySelectorAll(".explorable")].find((figure) => {
+      const { top, bottom } = figure.getBoundingClientRect();
+      const edge = bar.getBoundingClientRect().top;
+      return top > edge / 10 && top < edge && bottom > edge;
+    });
 
-  const actions = [start, () => show(place - 1), () => show(place + 1), leave];
+  const actions = [start, () => show(place - 1), () => show(place + 1), fill, leave, startHere];
   buttons.forEach((button, i) => button.addEventListener("click", actions[i]));
 
   addEventListener("keydown", (event) => {
@@ -112,10 +138,19 @@ if (pageHead) {
     const kept = target.closest(".scene, .explorable, input, [contenteditable], [tabindex='0']");
     if (key === "Escape") return kept ? sections[place].focus() : leave();
     if (kept || (key === " " && target.closest("a, button, summary"))) return;
+    if (key === "F5") {
+      event.preventDefault();
+      return fill();
+    }
     const step = key === " " && event.shiftKey ? -1 : steps[key];
     if (!step && !(key in ends)) return;
     // A section taller than the screen scrolls before it makes way for another.
-    if (step && !key.startsWith("Arrow") && scrolls(step)) return;
+    if (step && !key.startsWith("Arrow") && scrolls(step)) {
+      const figure = step > 0 && cut();
+      if (!figure) return;
+      event.preventDefault();
+      return figure.scrollIntoView({ behavior: "instant" });
+    }
     event.preventDefault();
     show(ends[key] ?? place + step);
   });

@@ -24,6 +24,7 @@ from mdit_py_plugins.dollarmath import dollarmath_plugin
 from nbclient import NotebookClient
 from notebook_language import Page, notebooks, part_of
 
+import rotedu
 from rotedu import colors
 from rotedu.edition.equations import EQUATIONS
 
@@ -333,6 +334,45 @@ def test_without_a_wheel_the_first_cell_says_what_is_missing(
     monkeypatch.setattr(importlib.util, "find_spec", lambda _: None)
     with pytest.raises(ModuleNotFoundError, match="install rotedu"):
         exec(first.source, {})
+
+
+BUTTONS = re.compile(r'<a href="(.+?)"[^>]*>Open in (\w+)</a>')
+
+
+def test_a_student_can_open_a_notebook_of_the_release_elsewhere(folder: Path) -> None:
+    """On Binder, which runs postBuild at the tag, and on Colab, for which a branch is pushed."""
+    release = (ROOT / ".github" / "workflows" / "release.yml").read_text("utf-8")
+    assert '/$GITHUB_REPOSITORY" class\n' in release
+    tag = f"v{rotedu.__version__}"
+    classroom = Classroom(repository="https://github.example/someone/rotedu/")
+    written = {file.name for file in (folder / "student").iterdir()}
+    for page in SOURCES:
+        found = BUTTONS.findall(classroom.notebook(page, "student").cells[2].source)
+        (binder, _), (colab, _) = found
+        assert [place for _, place in found] == ["Binder", "Colab"]
+        place, _, name = binder.rpartition("/class/student/")
+        assert place == f"https://mybinder.org/v2/gh/someone/rotedu/{tag}?urlpath=lab/tree"
+        place, _, on_colab = colab.rpartition("/blob/class/")
+        assert place == "https://colab.research.google.com/github/someone/rotedu"
+        assert name == on_colab
+        written.remove(name)
+        first = classroom.notebook(page, "student").cells[0].source
+        wheel = f"rotedu-{rotedu.__version__}-py3-none-any.whl"
+        assert f"https://github.example/someone/rotedu/releases/download/{tag}/{wheel}" in first
+    assert not written
+
+
+def test_only_students_are_sent_elsewhere_and_only_with_a_repository() -> None:
+    page = SOURCES[0]
+    classroom = Classroom(repository="https://github.example/someone/rotedu")
+    for reader in ("teacher", "nbgrader"):
+        assert not BUTTONS.findall(everything(classroom.notebook(page, reader).cells))
+    assert "github.example" not in everything(classroom.notebook(page, "teacher").cells[1:])
+    for cell in Classroom().notebook(page, "student").cells:
+        assert not BUTTONS.findall(cell.source)
+        assert "releases/download" not in cell.source
+    named = Classroom(repository="https://github.example/someone/rotedu", wheel="/srv/r.whl")
+    assert '"/srv/r.whl[notebooks]"' in named.first_cell().source
 
 
 @pytest.fixture(scope="module")

@@ -113,20 +113,27 @@ def test_both_bibliographies_agree() -> None:
         assert paper[key] == book[key], key
 
 
-def test_without_a_repository_no_page_asks_for_a_report(book: Path) -> None:
+def test_without_a_repository_no_page_leads_there(book: Path) -> None:
     project = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))
     if not project["tool"]["rotedu"]["repository"]:
-        assert not [page for page in book.rglob("*.html") if parse(page).select(".report")]
+        found = [page for page in book.rglob("*.html") if parse(page).select(".report, .source")]
+        assert not found
+        # What is handed out, too.
+        for notebook in (book / "_static" / "live" / "notebooks").iterdir():
+            assert not re.search("mybinder|colab|github", notebook.read_text("utf-8"))
 
 
 @pytest.mark.slow
-def test_a_report_says_page_and_section(tmp_path: Path, browser: Any) -> None:
+def test_a_page_leads_to_its_source_and_a_report_says_page_and_section(
+    tmp_path: Path, browser: Any
+) -> None:
     address = "https://github.example/someone/rotedu"
     setting = "    add_module_names: false\n"
     html = build_one_page(tmp_path, setting, f"{setting}    repository: {address}\n")
     form = yaml.safe_load((ROOT / ".github/ISSUE_TEMPLATE/mistake.yml").read_text("utf-8"))
     page = browser.new_page(viewport={"width": 1440, "height": 900})
     page.goto((html / "book" / "01-introduction.html").as_uri())
+    assert page.locator(".bottom-of-page a.source").get_attribute("href") == address
     section = page.locator("article h2").nth(2)
     title = section.inner_text().rstrip("#").strip()
     section.evaluate("e => e.scrollIntoView({block: 'start', behavior: 'instant'})")

@@ -47,9 +47,24 @@ def test_a_release_is_checked_before_it_is_published() -> None:
 def test_the_job_that_publishes_runs_nobodys_code() -> None:
     publish = yaml.safe_load((FOLDER / "release.yml").read_text("utf-8"))["jobs"]["publish"]
     assert publish["permissions"] == {"contents": "write"}
-    download, create = publish["steps"]
+    download, create, push = publish["steps"]
     assert download["uses"].startswith("actions/download-artifact@")
-    assert re.fullmatch(r"gh release create [^;&|`(\n]+", create["run"])
+    unzip, *commands = push["run"].splitlines()
+    for command in [create["run"], *commands]:
+        assert re.fullmatch(r"(gh|git) [^;&|`(\n]+", command), command
+    # Nothing else of the archive can reach the folder in which git runs.
+    assert unzip == 'unzip -q -j dist/student.zip "*.ipynb" -d class'
+
+
+def test_a_release_has_package_notebooks_and_book() -> None:
+    steps = yaml.safe_load((FOLDER / "release.yml").read_text("utf-8"))["jobs"]["build"]["steps"]
+    commands = "\n".join(step.get("run", "") for step in steps)
+    assert "cp _build/pdf/rotedu.pdf _build/epub/rotedu.epub dist\n" in commands
+    assert "cd _build/html\nzip --quiet --recurse-paths ../../dist/site.zip ." in commands
+    assert "in student teacher; do zip" in commands
+    (built,) = (i for i, step in enumerate(steps) if "pdf epub book" in step.get("run", ""))
+    (handed,) = (i for i, step in enumerate(steps) if step.get("with", {}).get("path") == "dist")
+    assert built < handed == len(steps) - 1
 
 
 @pytest.mark.slow

@@ -1,7 +1,7 @@
 """Write the notebooks for a class: without solutions in ``student``, with them in ``teacher``.
 
 They are the notebooks of the book in plain Markdown, for places that know no MyST. The settings
-``book`` and ``wheel`` are in ``pyproject.toml``, under ``tool.rotedu``.
+``book``, ``repository`` and ``wheel`` are in ``pyproject.toml``, under ``tool.rotedu``.
 """
 
 import argparse
@@ -12,6 +12,7 @@ import tomllib
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Literal
+from urllib.parse import urlsplit
 
 import nbformat
 from nbformat import NotebookNode
@@ -30,7 +31,7 @@ from notebook_language import (
 )
 from pybtex.database import parse_file
 
-from rotedu import colors
+from rotedu import __version__, colors
 
 CLASS = ROOT / "class"
 
@@ -71,6 +72,16 @@ if find_spec("rotedu") is None:
 FOR_THE_STUDENT = """\
 *Begin with **Run**, **Run All Cells**. Figures and exercises need the cells above them.*\
 """
+# Where students need to install nothing themselves. The workflow Release makes tag and branch.
+PLACES = {
+    "Binder": "https://mybinder.org/v2/gh/{project}/v{version}?urlpath=lab/tree/class/student/{name}",
+    "Colab": "https://colab.research.google.com/github/{project}/blob/class/{name}",
+}
+BUTTON = (
+    '<a href="{address}" style="border: 1px solid; border-radius: 4px; padding: 0.2em 0.6em">'
+    "Open in {place}</a>"
+)
+WHEEL = "{repository}/releases/download/v{version}/rotedu-{version}-py3-none-any.whl"
 FOR_THE_TEACHER = """\
 Solutions are folded below their exercises: click the bar that stands for the code, then the bar \
 that stands for the output. The students' notebook has none of them.
@@ -161,11 +172,16 @@ class Classroom:
         pages that are no notebooks are not linked.
     wheel : str
         The address or path from which a notebook installs rotedu, if any.
+    repository : str
+        The address of the repository on GitHub. With one, a student's notebook can be opened on
+        Binder and on Colab, and installs the wheel of its release unless another is named.
     """
 
-    def __init__(self, book: str = "", wheel: str = "") -> None:
+    def __init__(self, book: str = "", wheel: str = "", repository: str = "") -> None:
         self.book = book.rstrip("/")
-        self.wheel = wheel
+        self.repository = repository.rstrip("/")
+        release = {"repository": self.repository, "version": __version__}
+        self.wheel = wheel or (WHEEL.format(**release) if repository else "")
         self.names = class_names()
         self.anchors = {
             # On the page of the book, equations have names of their own.
@@ -268,6 +284,19 @@ class Classroom:
             metadata={"jupyter": {"source_hidden": True}},
         )
 
+    def begin(self, page: Page, reader: Reader) -> NotebookNode:
+        """Return a cell that says how to begin, and leads a student to where all is installed."""
+        text = FOR_THE_STUDENT
+        if self.repository and reader == "student":
+            project = urlsplit(self.repository).path.strip("/")
+            known = {"project": project, "version": __version__, "name": self.names[page.name]}
+            buttons = (
+                BUTTON.format(place=place, address=address.format(**known))
+                for place, address in PLACES.items()
+            )
+            text += "\n\n" + " ".join(buttons)
+        return new_markdown_cell(text, id="begin")
+
     def code_cells(self, page: Page, cell: NotebookNode) -> Iterator[NotebookNode]:
         """Yield a cell with code, or the text of the table that it makes, if that has links."""
         table = "".join(output.get("data", {}).get("text/markdown", "") for output in cell.outputs)
@@ -318,9 +347,8 @@ class Classroom:
     def notebook(self, page: Page, reader: Reader) -> NotebookNode:
         """Return a page as a notebook for a reader."""
         cells = list(self.cells(page, reader))
-        begin = new_markdown_cell(FOR_THE_STUDENT, id="begin")
         # Below the title.
-        cells.insert(2, notes(page) if reader == "teacher" else begin)
+        cells.insert(2, notes(page) if reader == "teacher" else self.begin(page, reader))
         return nbformat.v4.new_notebook(cells=cells, metadata=page.notebook.metadata)
 
     def write(self, folder: Path, readers: Iterable[Reader] = ("student", "teacher")) -> None:
@@ -371,7 +399,7 @@ def marked(cell: NotebookNode, *, solution: bool = False, points: int = 0) -> No
 def classroom() -> Classroom:
     """Return what writes notebooks with the addresses of ``pyproject.toml``."""
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
-    return Classroom(project["tool"]["rotedu"]["book"], project["tool"]["rotedu"]["wheel"])
+    return Classroom(**project["tool"]["rotedu"])
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""Offer each reader a form to report a mistake, once the repository has an address."""
+"""Lead readers to the sources and to a form for mistakes, once the repository has an address."""
 
 import tomllib
 from pathlib import Path
@@ -14,11 +14,12 @@ PROJECT = Path(__file__).parents[2] / "pyproject.toml"
 def offer(
     app: Sphinx, page: str, template: str, context: dict[str, Any], doctree: nodes.document | None
 ) -> None:
-    """Give a page the address of the form, with the page filled in; book.js adds the section."""
+    """Give a page both addresses; the form's names the page, to which book.js adds the section."""
+    context["repository"] = app.config.repository.rstrip("/")
     if app.config.repository and doctree is not None:
         place = doctree.next_node(nodes.title).astext()
         query = urlencode({"template": "mistake.yml", "place": place})
-        context["report"] = f"{app.config.repository.rstrip('/')}/issues/new?{query}"
+        context["report"] = f"{context['repository']}/issues/new?{query}"
 
 
 def setup(app: Sphinx) -> dict[str, Any]:

@@ -11,17 +11,19 @@ from urllib.parse import parse_qs, urlsplit
 
 import pytest
 import yaml
-from derive import ROOT, derive_authors
+from derive import ROOT, derive_authors, derive_version
 from html_pages import build_one_page, parse
 from notebook_language import captions_by_hand
 from uv import find_uv_bin
 
+import rotedu
 from rotedu.edition.claims import CLAIMS
 from rotedu.edition.equations import EQUATIONS
 from rotedu.edition.errata import ERRATA
 
 PAPER = ROOT / "paper" / "paper.md"
 FILES = ("CITATION.cff", ".zenodo.json", "pyproject.toml", "paper/paper.md")
+VERSIONED = ("CHANGELOG.md", "CITATION.cff", "book/run-a-class.md")
 CITATION = ROOT / "CITATION.cff"
 TWO = """\
 authors:
@@ -36,9 +38,9 @@ abstract:"""
 
 @pytest.fixture
 def copy(tmp_path: Path) -> Path:
-    """A copy of all files that name authors."""
-    (tmp_path / "paper").mkdir()
-    for file in FILES:
+    """A copy of all files that name authors or the version."""
+    for file in {*FILES, *VERSIONED}:
+        (tmp_path / file).parent.mkdir(exist_ok=True)
         shutil.copy(ROOT / file, tmp_path / file)
     return tmp_path
 
@@ -72,6 +74,30 @@ def test_new_authors_are_named_everywhere(copy: Path) -> None:
     assert matter["authors"][0]["affiliation"] == matter["affiliations"][0]["index"] == 1
     assert matter["authors"][0]["orcid"] == "0000-0002-1825-0097"
     assert matter["affiliations"][0]["name"] == "Trinity College"
+
+
+def test_the_version_of_the_package_is_named_everywhere(copy: Path) -> None:
+    derive_version(copy, rotedu.__version__)
+    for file in VERSIONED:
+        written = (copy / file).read_text("utf-8") == (ROOT / file).read_text("utf-8")
+        assert written, f"{file} is not up to date: run .venv/bin/python tools/derive.py"
+
+
+def test_a_new_version_is_named_everywhere_with_its_date(copy: Path) -> None:
+    changes = copy / "CHANGELOG.md"
+    changes.write_text(f"## [2.3.4] - 2027-01-31\n\n{changes.read_text('utf-8')}", "utf-8")
+    derive_version(copy, "2.3.4")
+    derive_version(copy, "2.3.4")
+    citation = yaml.safe_load((copy / "CITATION.cff").read_text("utf-8"))
+    assert citation["version"] == "2.3.4"
+    assert str(citation["date-released"]) == "2027-01-31"
+    commands = (copy / "book/run-a-class.md").read_text("utf-8")
+    assert set(re.findall(r"rotedu-([^-]+)-py3-none-any\.whl", commands)) == {"2.3.4"}
+    # One that has not been released yet has no date.
+    derive_version(copy, "2.4.0")
+    citation = yaml.safe_load((copy / "CITATION.cff").read_text("utf-8"))
+    assert citation["version"] == "2.4.0"
+    assert "date-released" not in citation
 
 
 def test_the_archive_says_what_the_citation_says() -> None:

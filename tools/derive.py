@@ -2,8 +2,8 @@
 
 The line **Time** takes its minutes from ``reading_time``. Each notebook begins with the macros for
 the colours of its formulas, JupyterLab gets the paper's numbers of the equations, and what the book
-folds, JupyterLab folds. CITATION.cff gets the addresses of ``tool.rotedu`` in pyproject.toml, and
-package, archive and paper get the authors of CITATION.cff.
+folds, JupyterLab folds. CITATION.cff gets the addresses of ``tool.rotedu`` in pyproject.toml, the
+version of the package and its date in CHANGELOG; package, archive and paper get its authors.
 ``make notebooks`` calls this after it has run the notebooks.
 """
 
@@ -20,7 +20,7 @@ from nbformat.v4 import new_markdown_cell
 from notebook_language import Block, Page, blocks, pages, part_of, tags
 from reading_time import count
 
-from rotedu import colors
+from rotedu import __version__, colors
 
 ROOT = Path(__file__).parents[1]
 TIME = re.compile(r"\*\*Time\*\* .*? for the exercises\.|\*\*Time\*\* \d+ minutes to read\.")
@@ -109,6 +109,19 @@ def derive_citation(file: Path, book: str, repository: str) -> None:
     file.write_text(re.sub(r"(?m)^authors:$", rf"{lines}\g<0>", bare), "utf-8")
 
 
+def derive_version(root: Path, version: str) -> None:
+    """Name everywhere the version of the package, and in the citation its date if it has one."""
+    heading = rf"(?m)^## \[{re.escape(version)}\] - (\S+)$"
+    date = re.search(heading, (root / "CHANGELOG.md").read_text("utf-8"))
+    dated = f"version: {version}\n" + (f"date-released: {date[1]}\n" if date else "")
+    for name, old, new in (
+        ("CITATION.cff", r"(?m)^version: .*\n(date-released: .*\n)?", dated),
+        ("book/run-a-class.md", r"rotedu-[\d.]+-py3", f"rotedu-{version}-py3"),
+    ):
+        file = root / name
+        file.write_text(re.sub(old, new, file.read_text("utf-8")), "utf-8")
+
+
 def full_name(author: dict[str, str]) -> str:
     """Return a name as its bearer writes it."""
     return author.get("name") or f"{author['given-names']} {author['family-names']}"
@@ -164,6 +177,7 @@ def derive_all() -> None:
         derive(page.file)
     settings = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["tool"]["rotedu"]
     derive_citation(ROOT / "CITATION.cff", settings["book"], settings["repository"])
+    derive_version(ROOT, __version__)
     derive_authors(ROOT)
 
 

@@ -126,6 +126,18 @@ def test_the_source_distribution_leaves_the_book_out_and_needs_no_git(
     )
 
 
+def test_the_source_distribution_can_bundle_its_viewer(wheel: Path, tmp_path: Path) -> None:
+    (source,) = wheel.parent.glob("rotedu-*.tar.gz")
+    with tarfile.open(source) as archive:
+        archive.extractall(tmp_path, filter="data")
+    (folder,) = tmp_path.iterdir()
+    viewer = folder / "rotedu" / "figures" / "static" / "figure.js"
+    packed = viewer.read_bytes()
+    viewer.unlink()
+    run(sys.executable, "tools/bundle.py", cwd=folder)
+    assert viewer.read_bytes() == packed
+
+
 def test_no_wheel_is_built_without_the_viewer(tmp_path: Path) -> None:
     """An editable installation needs no viewer, and says what to run only when it is needed."""
     tracked = run(

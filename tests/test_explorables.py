@@ -375,6 +375,8 @@ def test_a_declared_input_can_be_given_other_bounds() -> None:
     ("heights", "arrows"),
     [
         ([0.5, 0.9, 0.1, 0.5], []),
+        # What only rounding puts beyond an edge is on it.
+        ([-2e-16, 0.5, 0.5, 1 + 3e-16], []),
         (
             [2, 2, 0.5, -1, 0.5],
             ["36.0,7.0 40.0,0.0 44.0,7.0", "236.0,121.0 240.0,128.0 244.0,121.0"],

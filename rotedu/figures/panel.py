@@ -18,6 +18,7 @@ from rotedu.figures.inputs import Input, written
 WIDTH, HEIGHT = 320, 128
 # The arrow where a curve leaves its chart: half its width, and its length.
 ARROW = (4, 7)
+ROUNDING = 1e-9
 
 
 def panel(
@@ -234,7 +235,7 @@ def _line(points: Iterable[tuple[float, float]]) -> str:
 
 def _cut_off(piece: NDArray[np.float64]) -> list[tuple[float, int]]:
     """Return the middle of each stretch where a curve is beyond its chart, and the edge, 1 or 0."""
-    sides = np.subtract(piece > 1, piece < 0, dtype=int)
+    sides = np.subtract(piece > 1 + ROUNDING, piece < -ROUNDING, dtype=int)
     found = []
     for side, stretch in itertools.groupby(range(len(piece)), sides.__getitem__):
         indices = list(stretch)

@@ -204,7 +204,7 @@ function path(pieces, { width, height, low, high }) {
 
 /** Where a curve is beyond its chart: the middle of each such stretch, and the edge, 1 or 0. */
 function cutOff(shares) {
-  const edges = shares.map((share) => (share > 1 ? 1 : share < 0 ? 0 : null));
+  const edges = shares.map((share) => (share > 1 + ROUNDING ? 1 : share < -ROUNDING ? 0 : null));
   const found = [];
   for (let k = 0, end; k < edges.length; k = end) {
     for (end = k + 1; edges[end] === edges[k]; ) end++;

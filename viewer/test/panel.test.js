@@ -154,6 +154,10 @@ test("an arrow stands in the middle of what a chart cuts off, at its edge", () =
   assert.deepEqual(arrows, ["116.0,7.0 120.0,0.0 124.0,7.0", "316.0,89.0 320.0,96.0 324.0,89.0"]);
   const [, line] = find("[data-curve=one]").getAttribute("d").split("M");
   assert.equal(line, "0.0,48.0 80.0,-4.8 160.0,-4.8 240.0,48.0 320.0,100.8");
+
+  // What only rounding puts beyond an edge is on it.
+  panel.show(START, { outputs: {}, charts: { heights: { one: [-1 - 2e-16, 0, 1 + 3e-16] } } });
+  assert.equal(find("[data-curve=one]").getAttribute("d").split("M").length, 2);
 });
 
 test("the mark of a chart stands at the value of its input", () => {

@@ -214,7 +214,7 @@ def test_every_link_leads_somewhere(reader: list[Path]) -> None:
             assert link
             name, _, anchor = link.partition("#")
             if "://" in link:
-                assert re.match(r"https://(doi\.org/10\.|splines\.)", link)
+                assert re.match(r"https://(doi\.org/10\.|arxiv\.org/abs/|splines\.)", link)
             else:
                 assert not anchor or anchor in there[name or file.name]
                 assert name in there or not name

@@ -72,7 +72,7 @@ def mean_by_hand(poses: ArrayLike = GIVEN, flip: bool = True) -> pyvista.Plotter
     middle = -0.73 * U
     plotter = new_scene(middle - 32 * V + 6 * W, middle, view_angle=4.18)
     limit_turning(plotter, 20)
-    stack_on_phone(plotter, (0, 66, 303, 332, 0.57), (295, 29, 425, 422, 1))
+    stack_on_phone(plotter, (0, 66, 303, 332, 0.56), (295, 29, 425, 422, 1))
     add_sphere(plotter)
     for k, (place, turn) in enumerate(zip(BESIDE, given, strict=True), start=1):
         add_spoon(plotter, turn, place, SIZE, VECTOR, f"R_{k}")

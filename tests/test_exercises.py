@@ -42,10 +42,11 @@ def complex_numbers(answer: Any, make: Any) -> Any:
 
 @cache
 def answers(number: str) -> tuple[Any, Any]:
-    """Run an exercise alone, after the imports of its page; return the answers before and after."""
+    """Run an exercise alone, after the imports and the figure of its page; return both answers."""
     page = IN_BOOK[number]
     asked = page.exercises[number]
     lines = [line for line in page.code[0].source.splitlines() if not line.startswith("%")]
+    lines += [cell.source for cell in page.code if cell.source.startswith("figure = ")][:1]
     names: dict[str, Any] = {}
     with matplotlib.rc_context():
         exec("\n".join([*lines, asked.start.source]), names)

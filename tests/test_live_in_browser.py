@@ -303,7 +303,7 @@ def test_an_answer_is_judged_kept_and_handed_in(
     read: Callable[..., Reader], tmp_path: Path
 ) -> None:
     reader = read()
-    assert reader.solved() == "0 of 5 solved"
+    assert reader.solved() == "0 of 6 solved"
     assert reader.check("5.14") == ("Not answered yet.", None)
     wrong = "Not yet. Your point is not on the sphere."
     assert reader.check("5.14", "[1, 2, 3]") == (f"{wrong} {HINT}", "false")
@@ -316,7 +316,7 @@ def test_an_answer_is_judged_kept_and_handed_in(
     assert "For more" not in reader.output("start-5-14")
     assert reader.fill("5.12", "60", "30", "\u221290")[1] == "false"
     assert reader.fill("5.12", "60", "30", "180/2\u00b0")[1] == "true"
-    assert reader.solved() == "2 of 5 solved"
+    assert reader.solved() == "2 of 6 solved"
 
     saved = save(reader, tmp_path)
     sources = {cell.id: cell.source for cell in saved.cells}
@@ -326,26 +326,26 @@ def test_an_answer_is_judged_kept_and_handed_in(
     assert not any(name.startswith(("solution", "why")) for name in sources)
 
     reader.page.reload()
-    assert reader.solved() == "2 of 5 solved"
+    assert reader.solved() == "2 of 6 solved"
     assert reader.verdict("5.14") == (text, "true")
     assert "de_casteljau(wide, 0.4)" in reader.code("start-5-14")
     assert reader.exercise("5.12").locator("input").last.input_value() == "180/2\u00b0"
     reader.button("forget").click()
-    assert (reader.solved(), reader.page.evaluate(KEYS)) == ("0 of 5 solved", [])
+    assert (reader.solved(), reader.page.evaluate(KEYS)) == ("0 of 6 solved", [])
     assert reader.exercise("5.12").locator("input").last.input_value() == ""
-    assert reader.page.locator(".live-head").inner_text().startswith("0 of 5 solved\nYour code")
+    assert reader.page.locator(".live-head").inner_text().startswith("0 of 6 solved\nYour code")
     present = reader.page.locator(".page-head button").bounding_box()
     head = reader.page.locator(".live-head").bounding_box()
     assert head["x"] > present["x"] + present["width"]
     reader.button("undo").click()
-    assert reader.solved() == "2 of 5 solved"
+    assert reader.solved() == "2 of 6 solved"
     reader.button("reset-all").click()
     assert reader.page.locator(".live-head .live-message").inner_text().startswith("All cells are")
-    assert (reader.solved(), reader.verdict("5.14")) == ("2 of 5 solved", ("", None))
+    assert (reader.solved(), reader.verdict("5.14")) == ("2 of 6 solved", ("", None))
     reader.button("undo").click()
     assert reader.verdict("5.14") == (text, "true")
     reader.write("start-5-14", "answer = 0")
-    assert (reader.solved(), reader.verdict("5.14")) == ("2 of 5 solved", ("", None))
+    assert (reader.solved(), reader.verdict("5.14")) == ("2 of 6 solved", ("", None))
 
 
 def save(reader: Reader, folder: Path) -> NotebookNode:
@@ -366,7 +366,7 @@ def test_a_page_from_a_file_says_what_to_do(book: Path, open_page: Open) -> None
     assert "python -m http.server" in reader.message("code-6")
     assert reader.state("code-6") == "stored"
     assert reader.fill("5.12", "60", "30", "90")[1] == "true"
-    assert reader.solved() == "1 of 5 solved"
+    assert reader.solved() == "1 of 6 solved"
 
 
 # What a cell runs, and what it then shows.
@@ -474,11 +474,11 @@ def test_where_nothing_is_kept_the_page_says_so(
 ) -> None:
     reader = read(script=NOTHING_KEPT, quiet=False)
     assert reader.fill("5.12", "60", "30", "90")[1] == "true"
-    assert reader.solved() == "1 of 5 solved"
+    assert reader.solved() == "1 of 6 solved"
     assert "keeps nothing" in reader.page.locator(".live-head").inner_text()
     assert any("[60, 30, 90]" in cell.source for cell in save(reader, tmp_path).cells)
     reader.page.reload()
-    assert reader.solved() == "0 of 5 solved"
+    assert reader.solved() == "0 of 6 solved"
 
 
 @pytest.mark.slow
@@ -493,7 +493,7 @@ def test_what_an_older_edition_kept_is_not_lost(
         key_of = key.replace("start-5-12", name)
         reader.page.evaluate("([key, text]) => localStorage.setItem(key, text)", [key_of, text])
     reader.page.reload()
-    assert reader.solved() == "1 of 5 solved"
+    assert reader.solved() == "1 of 6 solved"
     assert reader.run("code-6") == stored_output("code-6")
     last = save(reader, tmp_path).cells[-1]
     assert (last.cell_type, "x = 1" in last.source) == ("markdown", True)

@@ -13,6 +13,7 @@ from rotedu.edition.exercises.judging import (
     Mistake,
     Part,
     Wrong,
+    as_array,
     as_rotation,
     exercise,
 )
@@ -142,6 +143,7 @@ def two_means_about_one_axis() -> Iterator[Part]:
     fields={f"set {k}": "" for k in range(1, 6)},
     expects="five numbers, each 1 or 0",
     because="What decides is the mean matrix: whether it has one nearest rotation.",
+    read=lambda answer: as_array([float(each) for each in answer], (5,)),
 )
 def which_have_a_mean() -> Iterator[Part]:
     """Yield which of five sets of rotations have a unique mean."""

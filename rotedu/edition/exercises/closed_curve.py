@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Iterator
 
 import numpy as np
+import numpy.typing as npt
 
 from rotedu._vectors import Array
 from rotedu.arcs import angle_between, arc_axis, slerp
@@ -21,9 +22,13 @@ from rotedu.edition.exercises.judging import (
     unit,
     word,
 )
+from rotedu.errors import DegenerateError
 from rotedu.ordinary_rotation import rotate
 
 __all__: list[str] = []
+
+# How far points may be from their middle, in radians: 60 degrees, as read from a picture.
+SPREAD = np.deg2rad(60.5)
 
 
 @exercise(
@@ -140,6 +145,94 @@ def in_one_row(control: Array, order: Iterable[int], u: float) -> Array:
             row[k] = slerp(row[k - 1], row[k], u)
     point: Array = row[3]
     return point
+
+
+def normalised(vectors: npt.ArrayLike) -> Array:
+    """Scale vectors to length 1."""
+    array = np.asarray(vectors, np.float64)
+    unit_vectors: Array = array / np.linalg.norm(array, axis=-1, keepdims=True)
+    return unit_vectors
+
+
+def jumps_of_curvature(points: Array, step: float = 3e-4) -> Array:
+    """Return how much the geodesic curvature of the closed curve jumps at each of its points."""
+    a, b = control_points(points)
+    pieces = np.stack([points, a, np.roll(b, -1, axis=0), np.roll(points, -1, axis=0)], axis=1)
+    ends = np.array([0.0, 1.0])
+    before, c, after = (de_casteljau(pieces[:, np.newaxis], ends + x) for x in (-step, 0, step))
+    velocity, acceleration = (after - before) / (2 * step), (after - 2 * c + before) / step**2
+    sideways = (np.cross(c, velocity) * acceleration).sum(axis=-1)
+    leaving, arriving = (sideways / np.linalg.norm(velocity, axis=-1) ** 3).T
+    jumps: Array = np.abs(leaving - np.roll(arriving, 1))
+    return jumps
+
+
+def hardly_jumps(points: Array) -> bool:
+    """Tell whether the curvature jumps nowhere by more than 0.2, as the figure rounds it."""
+    try:
+        return bool(jumps_of_curvature(points).max() < 0.205)
+    except DegenerateError:
+        return False
+
+
+@exercise(
+    "5.22",
+    expects="the points of your curve, shape (n, 3)",
+    because="With all gaps equal, the two pieces that meet at a point are mirror images.",
+    read=numbers(None, 3),
+)
+def curve_without_jumps() -> Iterator[Part]:
+    """Test points that were found by hand, to a degree and three decimals."""
+    at_start = normalised([[0.8, -0.4, 0.4], [0.5, 0.8, -0.4], [0.6, 0.7, 0.4], [0.1, 0.4, 0.9]])
+    square = normalised([[1, 0.7, 0], [1, 0, 0.7], [1, -0.7, 0], [1, 0, -0.7]])
+    yield Part(
+        lambda points: (
+            len(points) >= 3 and bool((np.abs(np.linalg.norm(points, axis=1) - 1) < 2e-3).all())
+        ),
+        Mistake(
+            lambda points: len(points) < 3,
+            "A closed curve has at least three points.",
+            "Copy all rows that the cell prints.",
+            example=square[:2],
+        ),
+        otherwise=Wrong(
+            "Your points are not on the sphere.",
+            "Have you lost a sign or a digit? The cell prints x, y and z of each point.",
+        ),
+        example=2 * square,
+    )
+    yield Part(
+        lambda points: bool((points @ normalised(points.mean(axis=0)) > np.cos(SPREAD)).all()),
+        otherwise=Wrong(
+            "One of your points is more than 60° from the middle of all.",
+            "Keep them on the side of the sphere that you look at.",
+        ),
+        example=normalised([[0, 1, 0.1], [1, 0, 0.1], [0, -1, 0.1], [-1, 0, 0.1]]),
+    )
+    yield Part(
+        lambda points: bool(
+            (angle_between(points, np.roll(points, 1, 0)) > np.deg2rad(39.5)).all()
+        ),
+        otherwise=Wrong(
+            "Two of your neighbours are less than 40° apart.",
+            "The last point and the first are neighbours, too.",
+        ),
+        example=normalised([[1, 0.3, 0], [1, 0, 0.3], [1, -0.3, 0], [1, 0, -0.3]]),
+    )
+    yield Part(
+        hardly_jumps,
+        Mistake(
+            at_start,
+            "These are the points with which Figure 8 begins.",
+            "Drag some, and watch the jumps under *More numbers*.",
+        ),
+        otherwise=Wrong(
+            "The curvature still jumps by more than 0.2.",
+            "Where a jump is large, compare how far away the two neighbours are.",
+        ),
+        within=2e-3,
+        example=normalised([[1, 0.9, 0], [1, 0, 0.6], [1, -0.7, 0], [1, 0.3, -0.7]]),
+    )
 
 
 @exercise(

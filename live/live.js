@@ -13,7 +13,7 @@ const UNKEPT = "This browser keeps nothing: save your work before you leave.";
 const FORGOTTEN = "Your code and answers on this page are forgotten.";
 const AS_IN_BOOK = "All cells are as in the book; your score is kept.";
 const SOURCE = `../../_sources/book/${name}.ipynb`;
-const STUDENT = `notebooks/${name}.ipynb`;
+const STUDENT = document.querySelector(".page-head a[download]").href;
 const fetched = {};
 
 /** Fetch a notebook once; what has failed may be tried again. */
@@ -42,7 +42,7 @@ const save = make("a", { className: "answers", download: `${name}-my-work.ipynb`
 const forget = button("forget", "Forget", () => takeBack(FORGOTTEN, true));
 const resetAll = button("reset-all", "Reset all", () => takeBack(AS_IN_BOOK));
 const note = make("span", { className: "live-message" });
-save.href = new URL(STUDENT, home);
+save.href = STUDENT;
 save.addEventListener("click", saveNotebook);
 
 // Another script makes the forms.

@@ -7,7 +7,6 @@ import zipfile
 from pathlib import Path
 from typing import Any, NamedTuple
 
-import nbformat
 import pytest
 import test_exercises
 import test_right_answers
@@ -248,14 +247,6 @@ def test_pages_mark_the_cells_that_run_and_the_exercises(pages: dict[str, Beauti
 
 def test_a_page_without_cells_loads_no_script(pages: dict[str, BeautifulSoup]) -> None:
     assert not pages["glossary.html"].select(f"script[src*='{SCRIPT}']")
-
-
-def test_the_site_has_notebooks_to_hand_in(book: Path) -> None:
-    for page in notebooks():
-        student = nbformat.read(book / "_static" / "live" / "notebooks" / page.name, as_version=4)
-        parts = {part_of(cell.id)[0] for cell in student.cells}
-        assert not {"solution", "why"} & parts
-        assert bool(page.exercises) == ("start" in parts)
 
 
 @pytest.mark.slow

@@ -175,10 +175,15 @@ class Classroom:
     repository : str
         The address of the repository on GitHub. With one, a student's notebook can be opened on
         Binder and on Colab, and installs the wheel of its release unless another is named.
+    alone : bool
+        Whether a notebook is on its own, with no others beside it to lead to.
     """
 
-    def __init__(self, book: str = "", wheel: str = "", repository: str = "") -> None:
+    def __init__(
+        self, book: str = "", wheel: str = "", repository: str = "", *, alone: bool = False
+    ) -> None:
         self.book = book.rstrip("/")
+        self.alone = alone
         self.repository = repository.rstrip("/")
         release = {"repository": self.repository, "version": __version__}
         self.wheel = wheel or (WHEEL.format(**release) if repository else "")
@@ -207,7 +212,8 @@ class Classroom:
             return f"[{text}]({anchor})" if anchor else text
         if self.book:
             return f"[{text}]({self.book}/book/{Path(target).stem}.html{in_book})"
-        return f"[{text}]({self.names[target]}{anchor})" if target in self.names else text
+        beside = target in self.names and not self.alone
+        return f"[{text}]({self.names[target]}{anchor})" if beside else text
 
     def cited(self, page: str, role: str, key: str) -> str:
         """Return a citation as text, with a link to its source."""
@@ -396,10 +402,10 @@ def marked(cell: NotebookNode, *, solution: bool = False, points: int = 0) -> No
     return cell
 
 
-def classroom() -> Classroom:
+def classroom(*, alone: bool = False) -> Classroom:
     """Return what writes notebooks with the addresses of ``pyproject.toml``."""
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
-    return Classroom(**project["tool"]["rotedu"])
+    return Classroom(**project["tool"]["rotedu"], alone=alone)
 
 
 if __name__ == "__main__":

@@ -10,7 +10,6 @@ from itertools import takewhile
 from pathlib import Path
 from typing import Any
 
-import nbformat
 from docutils import nodes
 from sphinx.application import Sphinx
 from sphinx.transforms.post_transforms import SphinxPostTransform
@@ -18,8 +17,7 @@ from sphinx.transforms.post_transforms import SphinxPostTransform
 from cells import belongs_to_solution, code_cells, exercise_of, notebook_cell, part_of_exercise
 
 sys.path.append(str(Path(__file__).parents[2] / "tools"))
-from class_notebooks import classroom
-from notebook_language import notebooks, tags
+from notebook_language import tags
 from runtime import LIVE, bundle, put_together
 
 SCRIPT = "live/live.js"
@@ -90,7 +88,7 @@ def add_script(app: Sphinx, page: str, template: str, context: Any, tree: Any) -
 
 
 def serve(app: Sphinx) -> None:
-    """Put Python and the notebooks to hand in among the static files of the website."""
+    """Put Python among the static files of the website."""
     if not app.config.python_in_page or app.builder.name != "html":
         return
     folder = Path(app.outdir).parent / "static" / "live"
@@ -99,10 +97,6 @@ def serve(app: Sphinx) -> None:
     licences = [file.read_text("utf-8") for file in sorted(LIVE.glob("licences/*.txt"))]
     with (folder.parent / "licences.txt").open("a", encoding="utf-8") as file:
         file.write("\n\n\n".join(["", *licences]))
-    (folder / "notebooks").mkdir()
-    edition = classroom()
-    for page in notebooks():
-        nbformat.write(edition.notebook(page, "student"), folder / "notebooks" / page.name)
 
 
 def setup(app: Sphinx) -> dict[str, Any]:

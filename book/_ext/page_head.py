@@ -1,17 +1,27 @@
 """Offer each notebook for download below the title of its page, and describe the page in its head.
 
-A notebook therefore needs no link to itself.
+What is offered is the students' edition, which runs wherever rotedu is installed.
 """
 
+import sys
 import textwrap
+from pathlib import Path
 from typing import Any
 
+import nbformat
 from docutils import nodes
-from sphinx import addnodes
 from sphinx.application import Sphinx
 from sphinx.transforms import SphinxTransform
 
-LINK = "Download this page as a notebook"
+sys.path.append(str(Path(__file__).parents[2] / "tools"))
+from class_notebooks import class_names, classroom
+from notebook_language import notebooks
+
+NOTEBOOKS = "_static/notebooks"
+HEAD = (
+    '<a href="../{folder}/{file}" download>Download notebook</a>'
+    ' (<a href="run-a-class.html#laptops">what it needs</a>)'
+)
 DESCRIPTION_LENGTH = 160
 
 
@@ -29,15 +39,28 @@ class WritePageHead(SphinxTransform):
             return
         words = textwrap.shorten(prose.astext(), DESCRIPTION_LENGTH)
         self.document += nodes.meta(name="description", content=words)
-        source = self.env.doc2path(self.env.docname, base=False)
-        if str(source).endswith(".ipynb"):
-            link = addnodes.download_reference("", LINK, reftarget=f"/{source}")
+        file = class_names().get(f"{Path(self.env.docname).name}.ipynb")
+        if file:
+            text = HEAD.format(folder=NOTEBOOKS, file=file)
+            link = nodes.raw("", text, format="html")
             head = nodes.paragraph("", "", link, classes=["page-head"])
             title.parent.insert(title.parent.index(title) + 1, head)
+
+
+def write_notebooks(app: Sphinx) -> None:
+    """Put the notebooks to download among the static files of the website."""
+    if app.builder.name != "html":
+        return
+    folder = Path(app.outdir).parent / "static" / Path(NOTEBOOKS).name
+    folder.mkdir()
+    edition = classroom(alone=True)
+    for page in notebooks():
+        nbformat.write(edition.notebook(page, "student"), folder / edition.names[page.name])
 
 
 def setup(app: Sphinx) -> dict[str, Any]:
     """Register the step, and set an option that furo adds too late for _config.yml."""
     app.config.pygments_dark_style = "github-dark-high-contrast"
     app.add_transform(WritePageHead)
+    app.connect("builder-inited", write_notebooks)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -145,7 +145,7 @@ def test_without_a_repository_no_page_leads_there(book: Path) -> None:
         found = [page for page in book.rglob("*.html") if parse(page).select(".report, .source")]
         assert not found
         # What is handed out, too.
-        for notebook in (book / "_static" / "live" / "notebooks").iterdir():
+        for notebook in (book / "_static" / "notebooks").iterdir():
             assert not re.search("mybinder|colab|github", notebook.read_text("utf-8"))
 
 

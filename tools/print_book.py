@@ -52,14 +52,6 @@ NAME_SIGNATURES = """() => document.querySelectorAll("dt.sig[id]").forEach(signa
     signature.removeAttribute("id");
 })"""
 
-# Lines of code from which on it may go over the page, and away from its output.
-LONG = 12
-BREAK_LONG_CODE = """long => document.querySelectorAll("pre").forEach(code => {
-    if (code.textContent.trim().split("\\n").length < long) return;
-    code.style.breakInside = "auto";
-    code.closest(".cell_input")?.style.setProperty("break-after", "auto");
-})"""
-
 # Formulas end with spaces of no width.
 TITLES = """() => [...document.querySelectorAll("article :is(h1, h2, h3, h4, h5, h6)")].map(
     title => title.textContent.replaceAll("\\u200b", ""))"""
@@ -108,7 +100,6 @@ def print_pages(page: Any) -> list[str]:
     page.add_style_tag(content=page.evaluate(RUNNING_TITLES))
     page.evaluate(SHOW_FORMULAS)
     page.evaluate(NAME_SIGNATURES)
-    page.evaluate(BREAK_LONG_CODE, LONG)
     page.evaluate("document.fonts.ready")
     page.pdf(**PRINT)
     page.evaluate(NUMBER_CONTENTS, starts(PDF))

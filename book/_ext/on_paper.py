@@ -55,7 +55,9 @@ SENTENCES = re.compile(r"(?<=[.?])\s+")
 FIGURE = "figure = explore("
 HAND = re.compile(r"\b(click|drag(ged)?|grab(bed)?|open|press|pull)\b", re.IGNORECASE)
 # What begins with an order to the hand
-ORDER = re.compile(r"^(Drag|Press)\b")
+ORDER = re.compile(
+    r"^(Drag|Press|Tip|Switch|Set the mirrors|Let t run|Turn a spoon|You get there by hand)\b"
+)
 PAPER = Path(__file__).parents[1] / "_paper"
 BUILD = Path(__file__).parents[2] / "_build"
 FONTS = LIBRARIES / "@fontsource" / "source-serif-4" / "files"

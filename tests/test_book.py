@@ -318,6 +318,18 @@ def test_the_search_finds(browser: Any, site: str, query: str, wanted: str) -> N
     page.close()
 
 
+def test_the_search_quotes_what_is_text(browser: Any, site: str) -> None:
+    """It quotes no labels and buttons of figures, and each formula once."""
+    page = browser.new_page()
+    page.goto(f"{site}/search.html?q=mirrors")
+    quoted = page.locator("#search-results .context")
+    quoted.first.wait_for()
+    assert page.locator("a[href*='02-quaternions']").count()
+    wrong = re.compile(r"explore\(|With JavaScript|\\[a-z]")
+    assert [text for text in quoted.all_text_contents() if wrong.search(text)] == []
+    page.close()
+
+
 # What HTML knows; data-... may be any.
 ATTRIBUTES = {
     "script": "async crossorigin defer fetchpriority id integrity nomodule referrerpolicy src type",

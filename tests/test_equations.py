@@ -4,7 +4,10 @@ import ast
 import functools
 import importlib
 import inspect
+import os
 import re
+import subprocess
+import sys
 from collections import Counter
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -125,3 +128,23 @@ class TestTables:
         for section in NUMBERED:
             assert f"equation_table({section})" in pages()["equations.md"].text
         assert "figure_table()" in pages()["equations.md"].text
+
+
+def test_the_search_keeps_the_numbers_of_pages_that_stay(tmp_path: Path) -> None:
+    source, built = tmp_path / "source", tmp_path / "built"
+    source.mkdir()
+    for name, number in (("index", "1-1"), ("other", "1-2")):
+        equation = f".. math:: a\n   :label: eq-{number}\n"
+        (source / f"{name}.rst").write_text(
+            f"{name}\n=====\n\n{equation}\n.. toctree::\n   :glob:\n\n   o*\n"
+        )
+    command = [sys.executable, "-m", "sphinx", "-q", "-C", "-D", "extensions=paper_numbers"]
+    path = Path(__file__).parents[1] / "book" / "_ext"
+    for changed in ("", "A word more.\n"):
+        with (source / "index.rst").open("a") as page:
+            page.write(f"\n{changed}")
+        environment = os.environ | {"PYTHONPATH": str(path)}
+        subprocess.run([*command, source, built], env=environment, check=True)
+        index = (built / "searchindex.js").read_text("utf-8")
+        entries = re.search(r'"indexentries": ?\{(.*?)\}', index)[1]
+        assert re.findall(r'"(\d-\d)":', entries) == ["1-1", "1-2"]

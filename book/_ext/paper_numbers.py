@@ -12,6 +12,7 @@ from sphinx.application import Sphinx
 from sphinx.directives.patches import MathDirective
 from sphinx.domains.math import MathDomain
 from sphinx.transforms import SphinxTransform
+from sphinx.util.index_entries import split_index_msg
 
 PREFIX = "eq-"
 
@@ -51,9 +52,23 @@ class IndexNumbers(SphinxTransform):
                 around.insert(around.index(equation), addnodes.index(entries=[entry]))
 
 
+def remember_entries(app: Sphinx) -> list[Any]:
+    """Give the search the entries of all pages: Sphinx forgets those of pages that it keeps."""
+    for docname, entries in app.env.domains["index"].entries.items():
+        words = {
+            (word, target, main)
+            for kind, value, target, main, _ in entries
+            for word in split_index_msg(kind, value)
+        }
+        app.env._search_index_index_entries[docname] = sorted(words)
+    return []
+
+
 def setup(app: Sphinx) -> dict[str, Any]:
-    """Replace Sphinx's own domain and directive, and register the step."""
+    """Replace Sphinx's own domain and directive, and register the steps."""
     app.add_domain(PaperMathDomain, override=True)
     app.add_directive("math", NumberedEquation, override=True)
     app.add_transform(IndexNumbers)
+    # Before the index of the search is written
+    app.connect("html-collect-pages", remember_entries)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

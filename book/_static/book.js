@@ -42,6 +42,17 @@ squares.forEach((square, i) => {
   });
 });
 
+// What the search quotes is text: no labels and buttons of figures, and each formula once.
+if (typeof Search !== "undefined") {
+  const { htmlToText } = Search;
+  const unsaid = ".scene, .explorable, .chart, .cell:has(figure) > .cell_input, .page-head, form, noscript, .katex-mathml";
+  Search.htmlToText = (html, anchor) => {
+    const page = new DOMParser().parseFromString(html, "text/html");
+    for (const part of page.querySelectorAll(unsaid)) part.remove();
+    return htmlToText(page.documentElement.outerHTML, anchor);
+  };
+}
+
 // A page opened from a file cannot preload its fonts, so there they may load late.
 if (location.protocol === "file:") {
   for (const style of ["normal", "italic"]) {

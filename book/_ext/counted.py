@@ -15,6 +15,7 @@ def count(app: Sphinx, config: Config) -> None:
     """Add what is counted to the substitutions of MyST."""
     config.myst_substitutions |= {
         "claims": len(CLAIMS),
+        "claims_of_paper": sum(claim.of_paper for claim in CLAIMS),
         "equations": len(EQUATIONS),
         # Open entries are no errors.
         "errata": sum(erratum.kind != "open" for erratum in ERRATA),

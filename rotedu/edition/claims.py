@@ -94,6 +94,11 @@ class Claim:
         return f"[{CHAPTERS[self.chapter]}]({self.chapter}.ipynb)"
 
     @property
+    def of_paper(self) -> bool:
+        """Whether the paper claims or reports it."""
+        return not OTHERS & set(self.where)
+
+    @property
     def judgement(self) -> str:
         """The verdict, in Markdown, with its condition and its reason, if there are any."""
         condition = self.condition and f"if {self.condition}"
@@ -744,10 +749,14 @@ def verdict_table() -> Table:
     Returns
     -------
     Table
-        Folklore and what nobody claimed are not counted.
+        It counts all claims, and those of the paper, without folklore and what nobody claimed.
     """
-    given = Counter(claim.verdict for claim in CLAIMS if not OTHERS & set(claim.where))
+    given = Counter(claim.verdict for claim in CLAIMS)
+    of_paper = Counter(claim.verdict for claim in CLAIMS if claim.of_paper)
     return Table(
-        ["Verdict", "Means", "Claims"],
-        [[signed(word), VERDICTS[word], str(given[word])] for word in VERDICTS],
+        ["Verdict", "Means", "Claims", "Of the paper"],
+        [
+            [signed(word), VERDICTS[word], str(given[word]), str(of_paper[word])]
+            for word in VERDICTS
+        ],
     )

@@ -1,4 +1,4 @@
-"""Keep on one line what belongs together: a formula and its comma or brackets, (4-1), 18 + 12.
+"""Keep on one line what belongs together: a formula and its comma or brackets, (4-1), 5-b, 18 + 12.
 
 Browsers may break a line after any formula, as after a picture, and no character prevents it.
 """
@@ -13,8 +13,10 @@ from sphinx.transforms.post_transforms import SphinxPostTransform
 OPENING = re.compile(r"[(\N{LEFT DOUBLE QUOTATION MARK}]+$")
 MARKS = re.compile(r"[.,;:!?)\N{RIGHT DOUBLE QUOTATION MARK}]+")
 UNSEEN = re.compile(r"\\textcolor\{[^}]*\}|\\[A-Za-z]+|[\\{}^_\s]")
-# Numbers of equations, counts of operations, shapes.
-NUMBERS = re.compile(r"(\(\d-\d+\)|\d+ [+×] \d+)")
+# Numbers of equations and of pictures, counts of operations, shapes.
+NUMBERS = re.compile(r"(\(\d-\d+\)|\b[\dA-Z]-[a-z]\b|\d+ [+×] \d+)")
+AROUND = (nodes.paragraph, nodes.caption, nodes.emphasis, nodes.strong)
+AROUND += (nodes.inline, nodes.reference)
 # On a phone, a longer formula must be able to break.
 SHORT = 16
 
@@ -32,7 +34,7 @@ class KeepTogether(SphinxPostTransform):
     def run(self, **_: Any) -> None:
         """Treat the numbers in all texts, and the marks around each formula."""
         for text in list(self.document.findall(nodes.Text)):
-            if not isinstance(text.parent, nodes.paragraph | nodes.emphasis | nodes.strong):
+            if not isinstance(text.parent, AROUND):
                 continue
             # Every second part is a match of the pattern.
             parts = [nodes.Text(part) for part in NUMBERS.split(text)]

@@ -11,6 +11,7 @@ from typing import Any, ClassVar
 
 import comm
 import nbformat
+import numpy as np
 import pytest
 from bs4 import BeautifulSoup
 from comm.base_comm import BaseComm
@@ -138,7 +139,9 @@ HAND_OVER = """
 import io
 import numpy as np
 from PIL import Image
-colors = np.random.default_rng(0).integers(0, 256, (48, 72, 3), np.uint8)
+colors = np.random.default_rng(0).integers(100, 256, (48, 72, 3), np.uint8)
+colors[:24] -= 100
+colors[:2, :3] = 138, 119, 64
 file = io.BytesIO()
 Image.fromarray(colors).save(file, "PNG")
 size = {"width": 36, "height": 24}
@@ -168,7 +171,10 @@ def test_for_a_reader_widgets_are_the_default_and_vtk_draws_nothing(
     assert notebook.cells[3].outputs[0].text == "False\n"
 
     file = base64.b64decode(picture.data["image/png"])
-    assert Image.open(io.BytesIO(file)).size == (72, 48)
+    kept = Image.open(io.BytesIO(file)).convert("RGB")
+    assert kept.size == (72, 48)
+    # Six pixels of a name, among thousands of others.
+    np.testing.assert_allclose(kept.getpixel((1, 1)), (138, 119, 64), atol=8)
     assert len(file) < 72 * 48 * 1.5
     html, _ = HTMLExporter().from_notebook_node(notebook)
     (image,) = BeautifulSoup(html, "html.parser").select(".jp-OutputArea img")

@@ -3,6 +3,8 @@ import { ALONG, drag, stepped } from "./hold.js";
 import { numberText, statement } from "./speak.js";
 
 const ROUNDING = 1e-9;
+// Points whose sum is a smaller share of their length lie opposite each other.
+const OPPOSITE = 1e-6;
 // Seconds for which Play stays at the end, before it starts over, unless it goes round only once.
 const REST = 2;
 // The arrow where a curve leaves its chart: half its width, and its length.
@@ -238,9 +240,22 @@ function added(points) {
   const after = (i) => points[(i + 1) % points.length];
   const gaps = points.map((point, i) => Math.hypot(...point.map((x, k) => x - after(i)[k])));
   const widest = gaps.indexOf(Math.max(...gaps));
-  const between = points[widest].map((x, k) => x + after(widest)[k]);
-  const scale = Math.hypot(...points[widest]) / Math.hypot(...between);
+  const size = Math.hypot(...points[widest]);
+  const sum = points[widest].map((x, k) => x + after(widest)[k]);
+  const between = Math.hypot(...sum) > OPPOSITE * size ? sum : away(points, widest);
+  const scale = size / Math.hypot(...between);
   return points.toSpliced(widest + 1, 0, between.map((x) => x * scale));
+}
+
+/** A direction at right angles to a point: away from all points or, where these balance, any. */
+function away(points, from) {
+  const point = points[from];
+  const dot = (p, q) => p.reduce((sum, x, k) => sum + x * q[k], 0);
+  const outwards = point.map((_, k) => points.reduce((sum, { [k]: x }) => sum - x, 0));
+  const axes = point.map((_, i) => point.map((_, k) => Number(i === k)));
+  return [outwards, ...axes]
+    .map((way) => way.map((x, k) => x - (dot(way, point) / dot(point, point)) * point[k]))
+    .find((way) => Math.hypot(...way) > OPPOSITE * Math.hypot(...point));
 }
 
 /** Move a slider from its low to its high end, again and again, while the figure is on the screen. */

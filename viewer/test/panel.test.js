@@ -197,6 +197,17 @@ test("the widest gap may be the last", () => {
   assert.ok(Math.abs(y / x - 0.5) < 1e-12);
 });
 
+test("between opposite points a new one stands away from the others, or anywhere across", () => {
+  const half = [[0.6, 0, 0.8], [0, 1, 0], [-0.6, 0, -0.8]];
+  const circle = bound({ points: half });
+  circle.press("add");
+  circle.state.inputs.points[3].forEach((x, k) => assert.ok(Math.abs(x - [0, -1, 0][k]) < 1e-12));
+  const both = bound({ points: [[0.6, 0, 0.8], [-0.6, 0, -0.8]] });
+  both.press("add");
+  const [x, y, z] = both.state.inputs.points[1];
+  assert.ok(Math.abs(Math.hypot(x, y, z) - 1) < 1e-12 && Math.abs(0.6 * x + 0.8 * z) < 1e-12);
+});
+
 test("buttons for the whole figure; the form itself does nothing", () => {
   const { state, find, press } = bound();
   press("reset");

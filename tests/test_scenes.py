@@ -311,11 +311,7 @@ def test_what_a_misprint_makes_wrong_is_red(misprints: list[str], wrong: list[in
         meant = pyvista.Color(colors.WRONG if k in wrong else ink)
         assert {plotter.actors[part].prop.color for part in (name, f"path {k}")} == {meant}
     seen = [label for label in scene_labels(plotter) if label["position"]]
-    named = {
-        label["color"]
-        for label in seen
-        if label["text"] in [construction.PLAIN[name] for name in names]
-    }
+    named = {label["color"] for label in seen if label["text"] in names}
     assert named == {plotter.actors[name].prop.color.hex_rgb for name in names}
 
 

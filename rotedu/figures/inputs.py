@@ -17,6 +17,8 @@ SYMBOL = re.compile(
     r"(?<![\w'’/])(?!(?:a|A|I)\b)(?:(?:[a-z][₀-₉]+)+|[A-Za-zθ][\u0302\u0304]?)(?:,?[₀-₉ᵢ₊₋])*"
     r"(?![\w’'\u0302\u0304])"
 )
+INDEX = re.compile(r"[₀-₉ᵢ₊₋]+(?:,[₀-₉ᵢ₊₋]+)*")
+LOWERED = dict(zip(map(ord, "₀₁₂₃₄₅₆₇₈₉ᵢ₊₋"), [*"0123456789", "<i>i</i>", "+", "−"], strict=True))
 
 
 def unit_vectors(
@@ -49,7 +51,7 @@ def unit_vectors(
 
 
 def written(text: str) -> str:
-    """Write words as HTML, with letters that stand for quantities in italics.
+    """Write words as HTML, with letters that stand for quantities as in formulas.
 
     Parameters
     ----------
@@ -64,9 +66,10 @@ def written(text: str) -> str:
     Examples
     --------
     >>> print(written("slerp's angle θ at a point P₀, in °/s"))
-    slerp's angle <i>θ</i> at a point <i>P₀</i>, in °/s
+    slerp's angle <i>θ</i> at a point <i>P<sub>0</sub></i>, in °/s
     """
-    return SYMBOL.sub(r"<i>\g<0></i>", escape(text, quote=False))
+    symbols = SYMBOL.sub(r"<i>\g<0></i>", escape(text, quote=False))
+    return INDEX.sub(lambda index: f"<sub>{index[0].translate(LOWERED)}</sub>", symbols)
 
 
 def add_and_remove(name: str, what: str) -> str:

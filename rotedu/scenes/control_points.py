@@ -34,8 +34,6 @@ BEFORE, HERE, AFTER = "$P_{i-1}$", "$P_i$", "$P_{i+1}$"
 REFLECTED, MIDDLE = r"$\bar P_{i-1}$", r"$\bar P_i$"
 A, B = "$a_i$", "$b_i$"
 NAMES = (BEFORE, HERE, AFTER, REFLECTED, MIDDLE, A, B)
-# A formula has thirty elements, and its page has as many as a phone can bear.
-PLAIN = dict(zip(NAMES, ("Pᵢ₋₁", "Pᵢ", "Pᵢ₊₁", "P̄ᵢ₋₁", "P̄ᵢ", "aᵢ", "bᵢ"), strict=True))
 # From the camera of the other figures, the plane of P_i, a_i and b_i would be seen edge on.
 SIDE = (-1.35, 5.5, 0.9)
 COLORS = dict(zip(NAMES, (VECTOR, VECTOR, VECTOR, CROSS, CROSS, RESULT, RESULT), strict=True))
@@ -261,10 +259,11 @@ STEPS = (
     "0 three given points",
     "1 Double: go on",
     "2 Bisect: aim between",
-    "3 Bisect: halfway back, aᵢ",
-    "4 Double: the other side, bᵢ",
+    "3 Bisect: halfway back",
+    "4 Double: to the other side",
 )
 NOT_YET = "–"
+JUMPS = r"$\mathrm{here}\ a_i\ \mathrm{jumps}$"
 # By the number of tests that say no.
 VERDICTS = ("all say yes", "one says no", "two say no", "three say no", "all say no")
 INKS = {"cross": CROSS, "result": RESULT, "wrong": WRONG}
@@ -356,13 +355,13 @@ def control_points_by_hand(
         (AFTER, after, [here, reflected]),
     ):
         add_point(plotter, point, VECTOR, 0.036, name=name)
-        add_label(plotter, beside(point, joined), PLAIN[name], VECTOR, name.strip("$"))
+        add_label(plotter, beside(point, joined), name, VECTOR)
     add_arcs(plotter, [reflected], [after], CROSS, name="halved")
     plotter.actors["halved"].visibility = step > 1
     opposite = add_point(plotter, -reflected, NEUTRAL, 0.03, name="opposite")
     opposite.visibility = step >= 1
     place = beside(-reflected, (), INWARD) if step >= 1 else None
-    add_label(plotter, place, "here aᵢ jumps", "black", "opposite")
+    add_label(plotter, place, JUMPS, name="opposite")
     for name, color in (("way of a", RESULT), ("way of P", VECTOR)):
         # Nothing has moved yet, and a tube needs a length.
         add_line(plotter, [before, here], color, 0.006, name).visibility = False
@@ -383,10 +382,9 @@ def control_points_by_hand(
         line.visibility = taken
         add_point(plotter, way[-1], color, name=name).visibility = taken
         place = beside(way[-1], others, distance) if taken else None
-        title = name.strip("$")
-        add_label(plotter, None if wrong else place, PLAIN[name], ink, title)
+        add_label(plotter, None if wrong else place, name, ink)
         # No frame colours a label, so a point that a misprint spoils has another one.
-        add_label(plotter, place if wrong else None, PLAIN[name], WRONG, f"{title} spoiled")
+        add_label(plotter, place if wrong else None, name, WRONG, f"{name.strip('$')} spoiled")
 
     near, far = (angle_between(here, q) for q in (a, b))
     span = angle_between(reflected, after)

@@ -16,6 +16,7 @@ function shown(element) {
     texts: all("output").map(({ name, textContent, className }) => [name, textContent, className]),
     paths: all("[data-curve]").map((curve) => numbers(curve.getAttribute("d"))),
     marks: all(".explorable-marks span").map(({ hidden }) => hidden),
+    names: all("[data-name]").map(({ hidden, style }) => [hidden, hidden || style.top]),
     places: all("[data-mark]").map((mark) => numbers(mark.getAttribute("x1"))),
     checked: all("[type=checkbox], [type=radio]").map(({ checked }) => checked),
   };
@@ -41,7 +42,7 @@ for (const { spec, panel, cases } of figures) {
       const other = document.createElement("div");
       other.innerHTML = wanted;
       const [mine, python] = [shown(element), shown(other)];
-      for (const kind of ["texts", "marks", "checked"]) {
+      for (const kind of ["texts", "marks", "names", "checked"]) {
         assert.deepEqual(mine[kind], python[kind], where);
       }
       near(mine.paths, python.paths, 0.11, where);

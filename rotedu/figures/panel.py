@@ -19,6 +19,9 @@ WIDTH, HEIGHT = 320, 128
 # The arrow where a curve leaves its chart: half its width, and its length.
 ARROW = (4, 7)
 ROUNDING = 1e-9
+# So many curves have their names beside their ends, as far apart as this share of the height; more
+# have them above.
+NAMED, LINE = 3, 0.13
 
 
 def panel(
@@ -141,7 +144,13 @@ def _chart(name: str, chart: Chart, value: float, along: str) -> str:
         f'<span style="color: {chart.colors.get(curve, "inherit")}"{_dashed(curve, chart)}>'
         f"{escape(curve)}</span>"
         for curve in chart.curves
-        if len(chart.curves) > 1
+        if len(chart.curves) > NAMED
+    )
+    beside = name_tops(chart) if 1 < len(chart.curves) <= NAMED else {}
+    names = "".join(
+        f'<span data-name="{escape(curve)}" style="color: {chart.colors.get(curve, "inherit")};'
+        f' top: {100 * (top or 0):.0f}%"{" hidden" if top is None else ""}>{escape(curve)}</span>'
+        for curve, top in beside.items()
     )
     ticks = chart.ticks or {y: _tick(y) for y in round_heights(*chart.y)}
     depths = [(chart.y[1] - y) / (chart.y[1] - chart.y[0]) for y in ticks]
@@ -162,7 +171,8 @@ def _chart(name: str, chart: Chart, value: float, along: str) -> str:
     return (
         f'<figure class="explorable-chart" data-chart="{name}" data-over="{chart.over}"'
         f' data-x="{chart.x[0]:g} {chart.x[1]:g}" data-y="{chart.y[0]:g} {chart.y[1]:g}"{hidden}'
-        f' style="--digits: {max(map(len, ticks.values()))}">'
+        f' style="--digits: {max(map(len, ticks.values()))};'
+        f' --letters: {max(map(len, beside), default=0)}">'
         f"<figcaption>{written(chart.label)} {keys}</figcaption>"
         f'<div class="explorable-plot">'
         f'<svg viewBox="0 0 {WIDTH} {HEIGHT}" preserveAspectRatio="none" role="img"'
@@ -170,7 +180,7 @@ def _chart(name: str, chart: Chart, value: float, along: str) -> str:
         # A line, and a knob at its foot.
         f'<line data-mark="" x1="{at:.1f}" x2="{at:.1f}" y1="0" y2="{HEIGHT}"/>'
         f'<line data-mark="" x1="{at:.1f}" x2="{at:.1f}" y1="{HEIGHT}" y2="{HEIGHT}"/></svg>'
-        f'<div class="explorable-ticks">{numbers}</div>'
+        f'<div class="explorable-ticks">{numbers}</div><div class="explorable-names">{names}</div>'
         f'<div class="explorable-marks" style="color: {ink}">{marks}</div></div>'
         f'<div class="explorable-axis"><span>{_tick(chart.x[0])}</span>'
         f"<span>{written(along or chart.over)}</span><span>{_tick(chart.x[1])}</span></div>"
@@ -203,6 +213,40 @@ def round_heights(low: float, high: float) -> list[float]:
         if step == float(f"{step:.0e}"):
             return [low + k * step for k in range(steps + 1)]
     return [low, high]
+
+
+def name_tops(chart: Chart) -> dict[str, float | None]:
+    """Return how far down the names of curves stand: beside their ends, but apart.
+
+    Parameters
+    ----------
+    chart : Chart
+        The chart.
+
+    Returns
+    -------
+    dict
+        For each curve a share of the height, or None while there is no such curve.
+
+    Examples
+    --------
+    >>> flat = Chart((0, 1), (0, 1), {"p": [1, 0], "q": [0, 0], "r": None}, "", "t")
+    >>> name_tops(flat)
+    {'p': 0.87, 'q': 1.0, 'r': None}
+    """
+    low, high = chart.y
+    ends = {
+        curve: round(float(np.clip((high - np.ravel(heights)[-1]) / (high - low), 0, 1)), 2)
+        for curve, heights in chart.curves.items()
+        if heights is not None
+    }
+    tops: dict[str, float | None] = dict.fromkeys(chart.curves)
+    above = -LINE
+    for k, curve in enumerate(sorted(ends, key=ends.__getitem__)):
+        room_below = LINE * (len(ends) - 1 - k)
+        above = min(max(ends[curve], above + LINE), 1 - room_below)
+        tops[curve] = round(above, 2)
+    return tops
 
 
 def _tick(y: float) -> str:

@@ -334,8 +334,8 @@ def slerp_by_hand(
         dict(zip(("start", "end"), weights(theta, times), strict=True)),
         over="t",
         x=(0, 1),
-        y=(0, 8),
-        label="weights of the ends",
+        y=(0, 4),
+        label="weights of the ends (above 4 not shown)",
         colors={"start": VECTOR, "end": NEUTRAL},
     )
     draw_chart(

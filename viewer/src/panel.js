@@ -9,6 +9,8 @@ const OPPOSITE = 1e-6;
 const REST = 2;
 // The arrow where a curve leaves its chart: half its width, and its length.
 const ARROW = [4, 7];
+// How far apart the names of curves are, as a share of the height of their chart.
+const LINE = 0.13;
 // How many numbers matter where no figure says so.
 const MAIN = 2;
 const calm = matchMedia("(prefers-reduced-motion: reduce)");
@@ -137,6 +139,8 @@ function bindChart(chart, specs, now, scrub) {
   const lines = new Map(
     [...chart.querySelectorAll("[data-curve]")].map((line) => [line.dataset.curve, line]),
   );
+  const names = [...chart.querySelectorAll("[data-name]")];
+  const ends = {};
   const marks = chart.querySelectorAll(".explorable-marks span");
   const here = chart.querySelectorAll("[data-mark]");
   const plot = chart.querySelector("svg");
@@ -152,8 +156,10 @@ function bindChart(chart, specs, now, scrub) {
       for (const [curve, heights] of Object.entries(curves)) {
         const pieces = Array.isArray(heights?.[0]) ? heights : [heights ?? []];
         lines.get(curve).setAttribute("d", path(pieces, box));
+        ends[curve] = pieces.at(-1).at(-1);
         marks.forEach((mark, i) => (mark.hidden = i >= pieces.length));
       }
+      placeNames(names, ends, box);
       chart.hidden = [...lines.values()].every((line) => !line.getAttribute("d"));
       const at = ((value - first) / (last - first)) * width;
       for (const line of here) for (const x of ["x1", "x2"]) line.setAttribute(x, at);
@@ -161,6 +167,21 @@ function bindChart(chart, specs, now, scrub) {
       if (specs[over]) plot.setAttribute("aria-valuetext", statement(specs, [over], { [over]: value }));
     },
   };
+}
+
+/** Put the names of curves beside their ends, but apart; one without a curve has no name. */
+function placeNames(names, ends, { low, high }) {
+  for (const name of names) name.hidden = ends[name.dataset.name] === undefined;
+  const found = names.filter(({ hidden }) => !hidden).map(({ dataset, style }) => {
+    const end = (high - ends[dataset.name]) / (high - low);
+    return { style, end: Math.round(100 * Math.min(1, Math.max(0, end))) / 100 };
+  });
+  found.sort((one, other) => one.end - other.end);
+  let above = -LINE;
+  found.forEach(({ style, end }, k) => {
+    above = Math.min(Math.max(end, above + LINE), 1 - LINE * (found.length - 1 - k));
+    style.top = `${(100 * above).toFixed(0)}%`;
+  });
 }
 
 /** Let a number be dragged along a chart, and be moved by keys. */

@@ -22,6 +22,7 @@ const PANEL = `<form class="explorable-panel"><fieldset disabled>
   <figure data-chart="heights" data-over="u" data-x="1 3" data-y="-1 1">
     <svg viewBox="0 0 320 96"><path data-curve="one" d=""/><path data-curve="two" d=""/>
     <line data-mark="" x1="0" x2="0"/></svg>
+    <div class="explorable-names"><span data-name="one">one</span><span data-name="two">two</span></div>
     <div class="explorable-marks"><span>P</span><span hidden>Q</span></div></figure>
   <button type="button" data-action="reset">Reset</button>
   <button type="button" data-action="link">Link</button>
@@ -133,6 +134,20 @@ test("a chart is there while it has a curve", () => {
   assert.equal(find("[data-chart]").hidden, true);
   drawn({ two: [0, 1] });
   assert.equal(find("[data-chart]").hidden, false);
+});
+
+test("names stand beside the ends of curves, but apart, and without a curve there is none", () => {
+  const { panel, find } = bound();
+  const placed = (curves) => {
+    panel.show(START, { outputs: {}, charts: { heights: curves } });
+    return ["one", "two"].map((name) => find(`[data-name=${name}]`)).map(
+      ({ hidden, style }) => (hidden ? null : style.top),
+    );
+  };
+  assert.deepEqual(placed({ one: [0, 0.5], two: [0, -0.5] }), ["25%", "75%"]);
+  assert.deepEqual(placed({ one: [0, 0.5], two: [0, 0.52] }), ["37%", "24%"]);
+  assert.deepEqual(placed({ one: [[1, 1], [0, -1]], two: [0, -3] }), ["87%", "100%"]);
+  assert.deepEqual(placed({ two: null }), ["100%", null]);
 });
 
 test("each curve has its own path, in pieces of one width", () => {

@@ -201,7 +201,9 @@ def worn_spoons_by_hand(
     if repair:
         kept = [nearest_rotation(rotation) for rotation in kept]
 
-    plotter = new_scene(eye=(3.0, -7.4, 3.6), target=(0.04, 0, -0.1), view_angle=15.2)
+    plotter = new_scene(
+        (2.93, -7.43, 3.64), (-0.03, -0.03, -0.06), view_angle=11.6, size=(720, 366)
+    )
     limit_turning(plotter, 20)
     for side, rotation, (name, color) in zip((-1, 1), kept, INKS.items(), strict=True):
         place = side * ACROSS

@@ -3,6 +3,7 @@ import { DEGREES, ORIGIN, turning } from "./parts.js";
 import { combine, cross, dot, length, rotate, rotationMatrix, unit } from "./sphere.js";
 
 const HAIR = 1e-6;
+const ASIDE = [-0.03, 0.13, 0];
 
 /** `figure_1_by_hand` */
 export function figure1({ vector: r, axis, theta, around }, _, changed) {
@@ -43,10 +44,10 @@ export function figure1({ vector: r, axis, theta, around }, _, changed) {
       around: { path: circle, body: [ORIGIN, other] },
     },
     labels: {
-      "\\theta": combine(1, center, 0.58, rotate(spoke, n, 0.6 * angle)),
+      "\\theta": combine(1, center, 0.28, rotate(spoke, n, 0.5 * angle)),
       "\\vec r_\\parallel": combine(0.4, center, -0.16, spoke),
       "\\vec r_\\perp": combine(1, combine(1, center, 0.72, spoke), 0.09, n),
-      "\\hat n": n.map((x) => 1.26 * x),
+      "\\hat n": combine(1.1, n, 1, ASIDE),
       "\\vec r": beside(r, -0.12),
       "\\vec r^{\\,\\prime}": beside(turned, 0.12),
       "\\vec r_2": beside(other, 0),

@@ -66,7 +66,10 @@ def figure_1(
 
 # Height of what Figure 1 looks at, its field of view, and its size; as drawn in the paper, and with
 # room for any axis and any vector of that length.
-AS_DRAWN, ALL_ROUND = (0.48, 21.5, SIZE), (0.1, 26.5, (600, 540))
+AS_DRAWN, ALL_ROUND = (0.48, 21.5, SIZE), (0.01, 24.8, (600, 504))
+
+# To the right in the picture, clear of the ring around a tip.
+ASIDE = np.array([-0.03, 0.13, 0])
 
 
 def turned_vector(
@@ -82,7 +85,7 @@ def turned_vector(
     spoke = r - center
 
     plotter = new_scene((4.5, 0.95, height + 2.42), (0.0, 0.03, height), view_angle, size)
-    add_label(plotter, (0, 0.05, -0.11), "$O$")
+    add_label(plotter, (0, 0.13, -0.1), "$O$")
 
     add_line(plotter, turning(r, n, 2 * np.pi, 80), NEUTRAL, radius=0.005, name="circle")
     sector = fan(center, center + turning(0.42 * spoke, n, angle))
@@ -92,14 +95,14 @@ def turned_vector(
     add_lines(plotter, spokes, NEUTRAL, radius=0.004, name="spokes")
     add_point(plotter, center, NEUTRAL, radius=0.022, name="centre")
     add_line(plotter, [ORIGIN, center], NEUTRAL, radius=0.012, name="height")
-    add_label(plotter, center + rotate(0.58 * spoke, n, 0.6 * angle), r"$\theta$")
+    add_label(plotter, center + rotate(0.28 * spoke, n, 0.5 * angle), r"$\theta$")
     add_label(plotter, 0.4 * center - 0.16 * spoke, r"$\vec r_\parallel$")
     add_label(plotter, center + 0.72 * spoke + 0.09 * n, r"$\vec r_\perp$")
 
     add_arrow(plotter, ORIGIN, 1.1 * n, AXIS, radius=0.006, name="n")
     add_arrow(plotter, ORIGIN, r, VECTOR, radius=0.007, name="r")
     add_arrow(plotter, ORIGIN, turned, RESULT, radius=0.012, name="turned")
-    add_label(plotter, 1.26 * n, r"$\hat n$", AXIS)
+    add_label(plotter, 1.1 * n + ASIDE, r"$\hat n$", AXIS)
     name_tips(plotter, [r, turned], center, n, (-0.12, 0.12))
     add_terms(plotter, terms(r, n, angle), radius=0.02, name="term")
     return plotter

@@ -116,7 +116,7 @@ def carried_around_by_hand(
     nearness = 1 + np.sum(p * after)
     area = 2 * np.arctan2(np.linalg.det(p), nearness)
 
-    plotter = sphere_scene(eye=(3.3, 3.3, 3.5))
+    plotter = sphere_scene(eye=(2.93, 3.26, 3.82))
     inside = spherical_triangle(p)
     name = place_part(plotter, "inside", points=inside.points)
     plotter.add_mesh(inside, color=RESULT, opacity=0.3, lighting=False, pickable=False, name=name)
@@ -380,7 +380,7 @@ def four_ways_between(
         add_label(plotter, 1.15 * turn[:, 0], name, VECTOR)
     add_line(plotter, short, RESULT, radius=0.011)
     add_dashes(plotter, euler[:, :3, 0], CROSS, dash=4, gap=2)
-    add_dashes(plotter, long, NEUTRAL, dash=1, gap=2)
+    add_dashes(plotter, long, NEUTRAL, dash=1, gap=1, radius=0.013)
     between = np.linspace(0, 1, beads + 1)[1:-1]
     for place in tips(slerp(q1, q2, between)):
         add_point(plotter, place, RESULT, radius=0.03)
@@ -408,12 +408,17 @@ def four_ways_between(
 
 
 def add_dashes(
-    plotter: pyvista.Plotter, path: NDArray[np.float64], color: str, dash: int, gap: int
+    plotter: pyvista.Plotter,
+    path: NDArray[np.float64],
+    color: str,
+    dash: int,
+    gap: int,
+    radius: float = 0.009,
 ) -> None:
     """Add a broken line: draw `dash` steps of a path, leave out `gap` steps, and so on."""
     starts = range(0, len(path) - dash, dash + gap)
     dashes = [pyvista.MultipleLines(path[start : start + dash + 1]) for start in starts]
-    tubes = [line.tube(radius=0.009, n_sides=8, capping=True) for line in dashes]
+    tubes = [line.tube(radius=radius, n_sides=8, capping=True) for line in dashes]
     add_thin(plotter, pyvista.merge(tubes), color)
 
 

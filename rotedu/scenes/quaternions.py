@@ -150,7 +150,9 @@ def two_mirrors_by_hand(
     once = m1 * Quaternion(0, start.T) * m1
     twice = m2 * once * m2
 
-    plotter = new_scene(eye=(-4.55, -2.65, 5.8), target=(-0.06, -0.04, 0), view_angle=21.5)
+    plotter = new_scene(
+        eye=(-4.55, -2.65, 5.8), target=(-0.06, -0.04, 0), view_angle=20.45, size=(600, 456)
+    )
     add_arrow(plotter, -0.15 * W, 0.3 * W, AXIS)
     add_label(plotter, -0.42 * W, r"$\hat n$", AXIS)
     for radius in (INNER, OUTER):
@@ -160,7 +162,7 @@ def two_mirrors_by_hand(
     place_grip(plotter, "letter", path=turning(out(-180, OUTER), W, 2 * np.pi), body=stem)
     aside = out(first + between / 2 + 130, INNER)
     place_grip(plotter, "both", path=turning(aside, W, 2 * np.pi))
-    add_label(plotter, out(first + both + between / 2 + 130, INNER + 0.3), "both mirrors")
+    add_label(plotter, out(first + both + between / 2 + 130, INNER + 0.22), "both")
     # The second mirror is longer: both show where they coincide.
     for name, angle, m, k, size in zip(
         ("first", "second"), angles, (m1, m2), (1, 2), (1.4, 1.65), strict=True
@@ -596,7 +598,7 @@ def add_ball_of_turns(plotter: pyvista.Plotter, color: str) -> pyvista.Actor:
     is the middle, half turns are half way, and -1, a whole turn about any axis, is the skin.
     """
     add_point(plotter, ORIGIN, NEUTRAL, 0.035, name="one")
-    add_label(plotter, -0.11 * ACROSS - 0.1 * W, "$1$", name="one")
+    add_label(plotter, -0.16 * W, "$1$", name="one")
     ball = pyvista.Sphere(radius=0.985, theta_resolution=32, phi_resolution=21)
     name = place_part(plotter, "skin")
     skin = plotter.add_mesh(

@@ -29,6 +29,7 @@ from test_figures_in_browser import (
     CONTEXTS,
     LABELS,
     LIKE_A_POSTER,
+    NO_WEBGL,
     Open,
     Strict,
     bring_live,
@@ -707,6 +708,19 @@ def test_a_model_that_errs_leaves_a_figure_that_turns(
     assert any("differs from Python in speed" in text for text in said)
     assert not figure.locator("[data-handle]").count()
     assert figure.locator("input").first.is_disabled()
+
+
+def test_without_webgl_two_pictures_stand_side_by_side(open_figure: Callable[..., Any]) -> None:
+    """The reason stands below both."""
+    figure = open_figure("camera_by_hand", script=NO_WEBGL)
+    come_to(figure.locator(".scene"))
+    reason = figure.locator(".scene-message")
+    reason.wait_for()
+    boxes = [figure.locator(kind).bounding_box() for kind in (".scene", ".scene-view")]
+    left, right = boxes
+    assert left["x"] + left["width"] <= right["x"]
+    assert right["y"] < left["y"] + left["height"]
+    assert all(reason.bounding_box()["y"] > box["y"] + box["height"] - 1 for box in boxes)
 
 
 def test_without_scripts_there_is_the_poster(

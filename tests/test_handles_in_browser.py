@@ -163,6 +163,14 @@ def test_on_a_phone_scene_and_charts_are_seen_together(open_figure: Callable[...
         assert high <= 800.5
 
 
+def test_on_a_phone_no_button_stands_on_a_picture(open_figure: Callable[..., Any]) -> None:
+    figure = live(open_figure(CURVE, **PHONE))
+    scene, tools = (figure.locator(x).bounding_box() for x in (".scene", ".scene-tools"))
+    assert tools["y"] + tools["height"] <= scene["y"] + 0.5
+    for button in figure.locator(".scene-tools button").all():
+        button.click(trial=True)
+
+
 @pytest.mark.parametrize(
     "size", nightly([(844, 390), (667, 375), (640, 400), (720, 450)], (667, 375))
 )

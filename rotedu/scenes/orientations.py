@@ -393,7 +393,7 @@ def four_ways_between(
         (short[46], 1.27, "slerp, matrices", RESULT),
         (uneven[1], 1.17, "nlerp", CROSS),
         (euler[40, :3, 0], 1.22, "Euler angles", CROSS),
-        (long[58], 1.17, "slerp, the long way", NEUTRAL),
+        (long[48], 1.2, "slerp, the long way", NEUTRAL),
     ):
         add_label(plotter, size * place, name, color)
     describe(

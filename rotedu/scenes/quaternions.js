@@ -61,7 +61,7 @@ export function twoMirrors({ first, second, both, letter }, { lamp }) {
     image: { matrix: columns(once) },
     "image of the image": { matrix: columns(twice) },
   };
-  const labels = { both: out(first + both + between / 2 + 130, INNER + 0.22) };
+  const labels = { both: out(first + both + between / 2 + 130, INNER + 0.28) };
   const grips = {
     letter: {
       path: round(out(-180, OUTER)),

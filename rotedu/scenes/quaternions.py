@@ -162,7 +162,7 @@ def two_mirrors_by_hand(
     place_grip(plotter, "letter", path=turning(out(-180, OUTER), W, 2 * np.pi), body=stem)
     aside = out(first + between / 2 + 130, INNER)
     place_grip(plotter, "both", path=turning(aside, W, 2 * np.pi))
-    add_label(plotter, out(first + both + between / 2 + 130, INNER + 0.22), "both")
+    add_label(plotter, out(first + both + between / 2 + 130, INNER + 0.28), "both")
     # The second mirror is longer: both show where they coincide.
     for name, angle, m, k, size in zip(
         ("first", "second"), angles, (m1, m2), (1, 2), (1.4, 1.65), strict=True

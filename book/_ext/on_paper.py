@@ -56,7 +56,8 @@ FIGURE = "figure = explore("
 HAND = re.compile(r"\b(click|drag(ged)?|grab(bed)?|open|press|pull)\b", re.IGNORECASE)
 # What begins with an order to the hand
 ORDER = re.compile(
-    r"^(Drag|Press|Tip|Switch|Set the mirrors|Let t run|Turn a spoon|You get there by hand)\b"
+    r"^(Drag|Press|Tip|Switch|Set the mirrors|Let t run|Try an arc|Turn a spoon"
+    r"|You get there by hand)\b"
 )
 PAPER = Path(__file__).parents[1] / "_paper"
 BUILD = Path(__file__).parents[2] / "_build"

@@ -471,7 +471,7 @@ def add_horizon(plotter: pyvista.Plotter) -> None:
     for k in range(HORIZONS):
         # Halfway between two meridians.
         azimuth = 2 * np.pi * (k + 3 / 4) / HORIZONS
-        place = 0.98 * np.array([np.cos(azimuth), np.sin(azimuth), 0.1])
+        place = 0.98 * np.array([np.cos(azimuth), np.sin(azimuth), 0.14])
         add_label(plotter, place, "horizon", name=f"horizon {k}", view=RIDE)
     add_label(plotter, (0.06, 0, 0.98), "straight up", view=RIDE)
 

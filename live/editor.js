@@ -20,6 +20,9 @@ const likeListings = tagHighlighter([
 ]);
 const LEAVE = 5000; // How long Tab leaves the editor after Escape.
 
+/** Code without the spaces that do not break, which WebKit types after a sign, and which Python refuses. */
+const asTyped = (code) => code.replaceAll("\u00a0", " ");
+
 /** Open an editor for the code `doc`, with attributes for the element that is edited. */
 export function open(parent, doc, attributes, { run, change }) {
   return new EditorView({
@@ -42,7 +45,7 @@ export function open(parent, doc, attributes, { run, change }) {
       EditorView.contentAttributes.of(attributes),
       // The theme has keys of its own: a slash would go to the search.
       EditorView.domEventHandlers({ keydown: (event) => void event.stopPropagation() }),
-      EditorView.updateListener.of((update) => update.docChanged && change(update.state.doc.toString())),
+      EditorView.updateListener.of((update) => update.docChanged && change(asTyped(update.state.doc.toString()))),
     ],
   });
 }

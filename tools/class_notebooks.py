@@ -28,6 +28,7 @@ from notebook_language import (
     pages,
     part_of,
     tags,
+    unfolded,
 )
 from pybtex.database import parse_file
 
@@ -190,9 +191,10 @@ class Classroom:
         self.names = class_names()
         self.anchors = {
             # On the page of the book, equations have names of their own.
-            name: (page.name, f"equation-{name}" if block.kind == "math" else name)
+            name: (page.name, f"equation-{name}" if block.kind == "math" else name, cell.id)
             for page in pages().values()
-            for block in page.blocks
+            for cell in page.text_cells
+            for block in unfolded(cell.source)
             if (name := block.anchor)
         }
         self.sources = parse_file(BOOK / "references.bib").entries
@@ -202,18 +204,19 @@ class Classroom:
         if "://" in address:
             return f"[{text}]({address})"
         target, _, anchor = address.partition("#")
-        in_book = ""
+        in_book = in_lab = ""
         if anchor:
             if anchor not in self.anchors:
                 raise ValueError(f"{page}: expected a target on some page, got #{anchor}")
-            target, in_book = self.anchors[anchor]
-            anchor, in_book = f"#{anchor}", f"#{in_book}"
+            target, in_book, cell = self.anchors[anchor]
+            anchor, in_book, in_lab = f"#{anchor}", f"#{in_book}", f"#cell-id={cell}"
         if target == page:
             return f"[{text}]({anchor})" if anchor else text
         if self.book:
             return f"[{text}]({self.book}/book/{Path(target).stem}.html{in_book})"
         beside = target in self.names and not self.alone
-        return f"[{text}]({self.names[target]}{anchor})" if beside else text
+        # JupyterLab goes to a place of another notebook by its cell alone.
+        return f"[{text}]({self.names[target]}{in_lab})" if beside else text
 
     def cited(self, page: str, role: str, key: str) -> str:
         """Return a citation as text, with a link to its source."""

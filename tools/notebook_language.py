@@ -165,14 +165,16 @@ class Page:
         """The cells with code."""
         return [cell for cell in self.cells if cell.cell_type == "code"]
 
+    @property
+    def text_cells(self) -> list[NotebookNode]:
+        """The cells with text, without what the book leaves out."""
+        cells = (cell for cell in self.cells if cell.cell_type == "markdown")
+        return [cell for cell in cells if "remove-cell" not in tags(cell)]
+
     @functools.cached_property
     def text(self) -> str:
         """The text, without what the book leaves out."""
-        return "\n\n".join(
-            cell.source
-            for cell in self.cells
-            if cell.cell_type == "markdown" and "remove-cell" not in tags(cell)
-        )
+        return "\n\n".join(cell.source for cell in self.text_cells)
 
     @functools.cached_property
     def blocks(self) -> list[Block]:

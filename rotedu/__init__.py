@@ -25,4 +25,4 @@ Conventions, the same everywhere:
 
 __all__ = ["__version__"]
 
-__version__ = "0.1.0"
+__version__ = "1.0.0"

@@ -84,7 +84,7 @@ function tube({ positions, normals }, path, radius, at) {
 }
 
 /**
- * An arrow whose head has the same size at any length.
+ * An arrow whose head has the same size at any length, but where VTK makes that of a tiny one smaller.
  * @param {number[]} from
  * @param {number[]} to
  * @param {number} radius of the shaft
@@ -96,14 +96,15 @@ export function arrow(from, to, radius) {
   const n = perpendicular(t);
   const b = [t[1] * n[2] - t[2] * n[1], t[2] * n[0] - t[0] * n[2], t[0] * n[1] - t[1] * n[0]];
   const tip = Math.min(9 * radius, 0.8 * length);
-  const slope = Math.hypot(tip, 3 * radius);
+  const [shaft, head] = [Math.min(radius, 5 * length), Math.min(3 * radius, 10 * length)];
+  const slope = Math.hypot(tip, head);
   // Rings: distance along the arrow, radius, and the normal's share along and across.
   const rings = [
-    [0, radius, 0, 1],
-    [length - tip, radius, 0, 1],
+    [0, shaft, 0, 1],
+    [length - tip, shaft, 0, 1],
     [length - tip, 0, -1, 0],
-    [length - tip, 3 * radius, -1, 0],
-    [length - tip, 3 * radius, (3 * radius) / slope, tip / slope],
+    [length - tip, head, -1, 0],
+    [length - tip, head, head / slope, tip / slope],
     // As VTK does at rest, the faces of a tip are averaged: what is left points along the arrow.
     [length, 0, 1, 0],
   ];

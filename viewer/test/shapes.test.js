@@ -89,3 +89,11 @@ test("an arrow reaches from one point to the other with a head of one size", () 
     assert.equal(widest.length, 40);
   }
 });
+
+test("the head of a tiny arrow is as wide as VTK makes it", () => {
+  const { positions } = arrow([0, 0, 0], [0.002, 0, 0], 0.02);
+  const widths = Array.from({ length: positions.length / 3 }, (_, k) =>
+    Math.hypot(positions[3 * k + 1], positions[3 * k + 2]),
+  );
+  assert.ok(Math.abs(Math.max(...widths) - 0.02) < 1e-7);
+});

@@ -277,7 +277,8 @@ def slerp_by_hand(
         ("q", other, NEUTRAL, 0.028),
         ("end", end, VECTOR, 0.036),
         ("slerp", here, RESULT, 0.044),
-        ("nlerp", there, CROSS, 0.044),
+        # Smaller: where both are in one place, it lies within the other.
+        ("nlerp", there, CROSS, 0.038),
     ):
         add_point(plotter, point, color, radius, name=name)
 

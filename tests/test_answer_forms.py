@@ -170,8 +170,9 @@ def test_a_form_wants_every_field(form: Any) -> None:
 def test_keys_stay_in_a_field_while_the_page_is_presented(form: Any) -> None:
     page = form.page
     page.locator(".page-head button").click()
-    while not form.is_visible():
-        page.keyboard.press("ArrowRight")
+    for _ in range(page.locator("article section").count()):
+        if not form.is_visible():
+            page.keyboard.press("ArrowRight")
     field = form.locator("input").first
     field.fill("12")
     field.press("Home")

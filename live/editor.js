@@ -20,7 +20,7 @@ const likeListings = tagHighlighter([
 ]);
 const LEAVE = 5000; // How long Tab leaves the editor after Escape.
 
-/** Code without the spaces that do not break, which WebKit types after a sign, and which Python refuses. */
+/** Code without spaces that do not break: Firefox and WebKit type one after a sign, and Python refuses it. */
 const asTyped = (code) => code.replaceAll("\u00a0", " ");
 
 /** Open an editor for the code `doc`, with attributes for the element that is edited. */

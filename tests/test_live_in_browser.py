@@ -186,7 +186,7 @@ def test_a_change_runs_and_goes(at_desk: Reader) -> None:
     assert reader.cell("code-6").locator(".cell_output > *:visible").count() == 0
     assert not reader.button("reset", "[data-cell=code-6]").is_visible()
     assert reader.run("code-6", "len(scenes.FIGURE_8)") == "4"
-    # WebKit types such spaces, and pages paste them.
+    # Firefox and WebKit type such spaces after a sign.
     assert reader.run("code-6", "four\N{NO-BREAK SPACE}= 4") == ""
     assert reader.message("code-6") == "Done, nothing printed."
     reader.write("code-6", "7")

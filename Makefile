@@ -17,7 +17,7 @@ LIVE := _build/live/.made-of
 CLASS := tests/test_class_load.py
 AS_ROOT := $(if $(filter-out 0,$(shell id -u)),sudo)
 
-.PHONY: book test test-slow audit bench mutate newest lab class pdf epub notebooks lock clean help
+.PHONY: book test test-book test-rest test-slow audit bench mutate newest lab class pdf epub notebooks lock clean help
 .DEFAULT_GOAL := help
 # What is half written when a command fails is made anew.
 .DELETE_ON_ERROR:
@@ -34,7 +34,14 @@ test: $(READY) $(VIEWER) $(LIVE) .venv/browser ## check code, notebooks and the 
 	$(BIN)/ruff format --check
 	$(BIN)/mypy
 	$(BIN)/lint-imports
-	$(BIN)/pytest
+	$(MAKE) --no-print-directory --keep-going --jobs=2 test-book test-rest
+
+# Two halves, each with its own core: the second needs no built book.
+test-book:
+	$(BIN)/pytest -m "book and not slow"
+
+test-rest:
+	$(BIN)/pytest -m "not book and not slow"
 
 test-slow: $(READY) $(VIEWER) $(LIVE) .venv/browser ## install the wheel on its own; test random input for minutes
 	$(BIN)/pytest -m "slow or hypothesis" --hypothesis-profile=long --deselect=$(CLASS)

@@ -57,7 +57,6 @@ def rule_with_jump(limit: float) -> Any:
 
 # Along the axis x, whose neighbours are equally far apart.
 A_RHOMBUS = [[0.87, 0.49, 0], [0.64, 0, 0.77], [0.87, -0.49, 0], [0.64, 0, -0.77]]
-A_TRIANGLE = np.array([[3, 0, 4], [3, np.sqrt(12), -2], [3, -np.sqrt(12), -2]]) / 5
 
 RIGHT: list[tuple[str, Any]] = [
     ("2.2", (0.87, 0, 0.3, 0.4)),
@@ -91,7 +90,6 @@ RIGHT: list[tuple[str, Any]] = [
     ("5.20", [30, 0]),
     ("5.21", [[4, 1.01, 1.0], [-3, 1.02, 1.4], [24, 1.18, 3.9], [5, 1.01, 1.0]]),
     ("5.22", A_RHOMBUS),
-    ("5.22", A_TRIANGLE.round(3)),
     ("6.1", (477, 318)),
     ("6.1", OperationCount(477, 318)),
     ("6.2", (3e-6, 9e-6)),
@@ -179,6 +177,9 @@ WRONG: list[tuple[str, Any, str]] = [
     ("5.17", np.pad(A_THIRD_BACK, (0, 1), constant_values=1), "Expected a turn"),
     ("5.19", 320, "the other way"),
     ("5.21", [[4, -1.01, 1.0], [3, 1.02, 1.4], [24, 1.18, 3.9], [5, 1.01, 1.0]], "second column"),
+    ("5.22", [A_RHOMBUS[k] for k in (0, 2, 1, 3)], "round their middle"),
+    ("5.22", [[0.93, 0, 0.37], [0.6, 0, -0.8], [0.93, 0, -0.37], [0.6, 0, 0.8]], "less than 40"),
+    ("5.22", [[0.96, 0.28, 0], [0.64, 0, 0.77], [0.6, -0.8, 0], [0.64, 0, -0.77]], "still jumps"),
     ("6.4", (27, -19, 35, 579), "positive"),
     ("6.5", (0, 0), "do differ"),
     ("A.1", [0, 0, 4.71], "a shorter one"),

@@ -27,8 +27,9 @@ from rotedu.ordinary_rotation import rotate
 
 __all__: list[str] = []
 
-# How far points may be from their middle, in radians: 60 degrees, as read from a picture.
-SPREAD = np.deg2rad(60.5)
+# How far points may be from their middle, and how near each other: 60 and 40 degrees, as read
+# from a picture.
+SPREAD, APART = np.deg2rad([60.5, 39.5])
 
 
 @exercise(
@@ -167,6 +168,12 @@ def jumps_of_curvature(points: Array, step: float = 3e-4) -> Array:
     return jumps
 
 
+def goes_round(points: Array) -> bool:
+    """Tell whether each step from point to point goes the same way round their middle."""
+    steps = np.cross(points, np.roll(points, -1, axis=0)) @ points.mean(axis=0)
+    return bool((steps > 0).all() or (steps < 0).all())
+
+
 def hardly_jumps(points: Array) -> bool:
     """Tell whether the curvature jumps nowhere by more than 0.2, as the figure rounds it."""
     try:
@@ -177,24 +184,16 @@ def hardly_jumps(points: Array) -> bool:
 
 @exercise(
     "5.22",
-    expects="the points of your curve, shape (n, 3)",
-    because="With all gaps equal, the two pieces that meet at a point are mirror images.",
-    read=numbers(None, 3),
+    expects="the four points of your curve, shape (4, 3)",
+    because="With equal gaps, the pieces that meet at one of four points are mirror images.",
+    read=numbers(4, 3),
 )
 def curve_without_jumps() -> Iterator[Part]:
     """Test points that were found by hand, to a degree and three decimals."""
     at_start = normalised([[0.8, -0.4, 0.4], [0.5, 0.8, -0.4], [0.6, 0.7, 0.4], [0.1, 0.4, 0.9]])
     square = normalised([[1, 0.7, 0], [1, 0, 0.7], [1, -0.7, 0], [1, 0, -0.7]])
     yield Part(
-        lambda points: (
-            len(points) >= 3 and bool((np.abs(np.linalg.norm(points, axis=1) - 1) < 2e-3).all())
-        ),
-        Mistake(
-            lambda points: len(points) < 3,
-            "A closed curve has at least three points.",
-            "Copy all rows that the cell prints.",
-            example=square[:2],
-        ),
+        lambda points: (np.abs(np.linalg.norm(points, axis=1) - 1) < 2e-3).all(),
         otherwise=Wrong(
             "Your points are not on the sphere.",
             "Have you lost a sign or a digit? The cell prints x, y and z of each point.",
@@ -202,7 +201,7 @@ def curve_without_jumps() -> Iterator[Part]:
         example=2 * square,
     )
     yield Part(
-        lambda points: bool((points @ normalised(points.mean(axis=0)) > np.cos(SPREAD)).all()),
+        lambda points: (points @ normalised(points.mean(axis=0)) > np.cos(SPREAD)).all(),
         otherwise=Wrong(
             "One of your points is more than 60° from the middle of all.",
             "Keep them on the side of the sphere that you look at.",
@@ -210,14 +209,20 @@ def curve_without_jumps() -> Iterator[Part]:
         example=normalised([[0, 1, 0.1], [1, 0, 0.1], [0, -1, 0.1], [-1, 0, 0.1]]),
     )
     yield Part(
-        lambda points: bool(
-            (angle_between(points, np.roll(points, 1, 0)) > np.deg2rad(39.5)).all()
-        ),
+        lambda points: np.triu(points @ points.T, 1).max() < np.cos(APART),
         otherwise=Wrong(
-            "Two of your neighbours are less than 40° apart.",
-            "The last point and the first are neighbours, too.",
+            "Two of your points are less than 40° apart.",
+            "They need not be neighbours.",
         ),
         example=normalised([[1, 0.3, 0], [1, 0, 0.3], [1, -0.3, 0], [1, 0, -0.3]]),
+    )
+    yield Part(
+        goes_round,
+        otherwise=Wrong(
+            "Your points do not follow each other round their middle.",
+            "Seen from above the middle, does the curve cross itself?",
+        ),
+        example=square[[0, 2, 1, 3]],
     )
     yield Part(
         hardly_jumps,

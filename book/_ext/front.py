@@ -16,7 +16,7 @@ from sphinx.environment import BuildEnvironment
 from sphinx.transforms.post_transforms import SphinxPostTransform
 from sphinx.util.docutils import SphinxDirective
 
-from rotedu.edition.claims import CLAIMS, SIGNS
+from rotedu.edition.claims import CLAIMS, SIGNS, VERDICTS
 from rotedu.figures.pages import scene_poster
 
 # What a square says, and how many of them it says it of.
@@ -58,6 +58,19 @@ class ShowPages(SphinxPostTransform):
             else:
                 cards = [self.card(f"book/{name}", words) for name, words in place["lines"]]
                 place.replace_self(nodes.container("", *cards, classes=["cards"]))
+
+        for cell in self.document.findall(nodes.entry):
+            self.colour(cell)
+
+    def colour(self, cell: nodes.entry) -> None:
+        """Put the sign before a verdict into a square, as among the claims of the front page."""
+        for verdict in list(cell.findall(nodes.strong)):
+            place, said = verdict.parent, verdict.astext()
+            sign = place[place.index(verdict) - 1] if place.index(verdict) else None
+            if isinstance(sign, nodes.Text) and said in VERDICTS:
+                kind = said if said in SIGNS else "left open"
+                square = nodes.inline("", sign.strip(), classes=[MARK, nodes.make_id(kind)])
+                place.replace(sign, [square, nodes.Text(" ")])
 
     def verdicts(self) -> Iterator[nodes.paragraph]:
         """Yield a row of links, one to each claim, sorted by verdict, and how many there are."""

@@ -134,7 +134,7 @@ if (pageHead) {
     step > 0 ? root.scrollTop + root.clientHeight < root.scrollHeight - 2 : root.scrollTop > 0;
   // A figure that the lower edge of the screen would cut.
   const cut = () =>
-    [...sections[place].querySelectorAll(".explorable")].find((figure) => {
+    [...sections[place].querySelectorAll(".explorable, .scene, .chart")].find((figure) => {
       const { top, bottom } = figure.getBoundingClientRect();
       const edge = bar.getBoundingClientRect().top;
       return top > edge / 10 && top < edge && bottom > edge;

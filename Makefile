@@ -37,6 +37,8 @@ test: $(READY) $(VIEWER) $(LIVE) .venv/browser ## check code, notebooks and the 
 	$(MAKE) --no-print-directory --keep-going --jobs=2 test-book test-rest
 
 # Two halves, each with its own core: the second needs no built book.
+test-book test-rest: $(READY) $(VIEWER) $(LIVE) .venv/browser
+
 test-book:
 	$(BIN)/pytest -m "book and not slow"
 

@@ -14,10 +14,11 @@ Conventions, the same everywhere:
 - The result is float32 if an argument is a float32 array and no argument is an array or a NumPy
   number of another floating type (Python numbers, sequences of them and integer arrays adapt),
   else float64.
-- Arguments that must be unit vectors are normalised. A matrix that is a rotation to half of its
-  digits is replaced by the nearest rotation. An argument that is zero where it must not be, not
-  finite, of the wrong shape or not a rotation raises a `ValueError` that names it. A geometry
-  without an answer raises `rotedu.errors.DegenerateError`, which is a `ValueError` too.
+- Arguments that must be unit vectors are normalised. A matrix M that must be a rotation is replaced
+  by the nearest one if no entry of M^T M differs from the identity's by more than 1e-3; single
+  precision and four decimals leave less. An argument that is zero where it must not be, not finite,
+  of the wrong shape or not a rotation raises a `ValueError` that names it. A geometry without an
+  answer raises `rotedu.errors.DegenerateError`, which is a `ValueError` too.
 - Arrays of dtype object may hold something other than numbers, such as the counting scalars of
   `rotedu.cost` or symbols. Their shapes are checked and their values are not. Where a unit vector
   is expected, they must already be one.

@@ -35,6 +35,10 @@ Result = TypeVar("Result")
 # What an array of dtype object may contain.
 NO_REAL_NUMBERS = (type(None), str, bytes, complex, np.complexfloating)
 
+# What is taken for a rotation: no entry of M^T M differs from the identity's by more. Entries with
+# four decimals, and those of single precision, differ by less.
+ASKEW = 1e-3
+
 # The floating dtype of the arguments while a public function runs, which checks them.
 _dtype: ContextVar[np.dtype[Any] | None] = ContextVar("dtype of the arguments", default=None)
 
@@ -91,19 +95,17 @@ def unit_vectors(name: str, vectors: Array) -> Array:
 
 
 def rotations(name: str, matrices: Array) -> Array:
-    """Replace matrices that are rotations to half of their digits with the nearest rotations."""
+    """Replace matrices that are rotations to four decimals with the nearest rotations."""
     if matrices.dtype == object:
         return matrices
-    # Eight decimals of float64 are enough.
-    allowed = 2 * np.sqrt(np.finfo(matrices.dtype).eps)
     with np.errstate(over="ignore", invalid="ignore"):
-        square = matrices.swapaxes(-1, -2) @ matrices
-        error = np.abs(square - np.eye(3)).max(axis=(-2, -1), initial=0)
-    skewed = ~(error <= allowed)
-    if skewed.any():
+        error = np.abs(squares(matrices) - np.eye(3)).max(axis=(-2, -1), initial=0)
+    askew = ~(error <= ASKEW)
+    if askew.any():
         raise ValueError(
-            f"{name} must be a rotation: M^T M may differ from the identity by {allowed:.1e}, "
-            f"but differs by {error[skewed][0]:.1e}{place(skewed)}"
+            f"{name} must be a rotation: M^T M may differ from the identity by {ASKEW:.0e}, but "
+            f"differs by {error[askew][0]:.1e}{place(askew)}; "
+            "rotedu.orientations.nearest_rotation finds the rotation nearest to a matrix"
         )
     determinant = np.linalg.det(matrices)
     if (determinant < 0).any():
@@ -111,9 +113,21 @@ def rotations(name: str, matrices: Array) -> Array:
             f"{name} must be a rotation: it is orthogonal, but its determinant is "
             f"{determinant.min():.6g}, so it reflects{place(determinant < 0)}"
         )
-    # One step of Newton's method for the polar decomposition: half of the digits become all.
-    nearest: Array = matrices @ (3 * np.eye(3, dtype=matrices.dtype) - square) / 2
+    nearest = straightened(matrices)
+    # One step is enough for half of the digits, and three are for what is coarser.
+    coarse = error > 2 * np.sqrt(np.finfo(matrices.dtype).eps)
+    nearest[coarse] = straightened(straightened(nearest[coarse]))
     return nearest
+
+
+def squares(matrices: Array) -> Array:
+    """M^T M, which is the identity for rotations."""
+    return np.asarray(matrices.swapaxes(-1, -2) @ matrices)
+
+
+def straightened(matrices: Array) -> Array:
+    """Take a step of Newton's method for the polar decomposition: right digits double."""
+    return np.asarray(matrices @ (3 * np.eye(3, dtype=matrices.dtype) - squares(matrices)) / 2)
 
 
 def _three_at_least(name: str, number: int) -> None:

@@ -326,9 +326,9 @@ def euler_angles(matrix: RotationOrPose) -> tuple[Number, Number, Number]:
     Raises
     ------
     ValueError
-        If the matrix is not finite, has the wrong shape, is not orthogonal (to half of the digits
-        of its dtype), is orthogonal but reflects, or is a 4x4 matrix whose fourth row or column
-        differs from the identity. The message says how far off it is.
+        If the matrix is not finite, has the wrong shape, is not orthogonal (to four decimals), is
+        orthogonal but reflects, or is a 4x4 matrix whose fourth row or column differs from the
+        identity. The message says how far off it is.
 
     See Also
     --------

@@ -266,8 +266,8 @@ def axis_angle(matrix: Rotation) -> tuple[Vector3, Number]:
     Raises
     ------
     ValueError
-        If the matrix is not finite, has the wrong shape, is not orthogonal (to half of the digits
-        of its dtype), or is orthogonal but reflects. The message says how far off it is.
+        If the matrix is not finite, has the wrong shape, is not orthogonal (to four decimals), or
+        is orthogonal but reflects. The message says how far off it is.
 
     Notes
     -----

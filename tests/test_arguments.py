@@ -1,11 +1,13 @@
 """What functions do with their arguments: shapes, dtypes, counting, and, of all, bad input."""
 
 from collections.abc import Callable
+from functools import partial
 from importlib import import_module
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 from spheres import (
     E1,
     E2,
@@ -278,6 +280,13 @@ NOT_NUMBERS += [[None, 1, 2], [None, None, 1j], [{}, {}, {}], [True, False, True
 NOT_NUMBERS += [np.array(["2020"], "M8[D]"), *(np.array([x, 0, 0], object) for x in ("1", 1j))]
 
 
+def tuple_of(result: Any) -> tuple[Any, ...]:
+    """The parts of a result, which may be a quaternion."""
+    if isinstance(result, Quaternion):
+        result = result.components
+    return result if isinstance(result, tuple) else (result,)
+
+
 def refusal(f: Callable[..., Any], name: str, value: Any) -> str:
     """What a function says about one bad argument."""
     try:
@@ -285,6 +294,59 @@ def refusal(f: Callable[..., Any], name: str, value: Any) -> str:
     except Exception as error:
         return f"{type(error).__name__}: {error}"
     return f"{f.__name__} takes {name}={value!r}"
+
+
+class TestCoarseRotations:
+    """Matrices that have been in single precision, or in a text with few decimals."""
+
+    EXACT = Rotation.random(1002, rng=np.random.default_rng(39)).as_matrix()
+    COARSE: ClassVar = {
+        "single precision": lambda m: m.astype(np.float32).astype(float),
+        "almost too coarse": lambda m: (1 + 4.9e-4) * m,
+        "one that is coarse": lambda m: np.concatenate([m[:-1], m[-1:].round(4)]),
+    } | {f"{n} decimals": partial(np.round, decimals=n) for n in (4, 5, 6, 7, 8, 12)}
+    TAKE_ROTATIONS: ClassVar = [
+        (f, name)
+        for f, name in ARGUMENTS
+        if "must be a rotation" in refusal(f, name, 2 * np.asarray(GOOD[f][name]))
+    ]
+
+    @pytest.mark.parametrize("coarse", COARSE)
+    @pytest.mark.parametrize(("f", "name"), TAKE_ROTATIONS)
+    def test_every_function_takes_the_nearest(self, f: Any, name: str, coarse: str) -> None:
+        given = self.COARSE[coarse](self.EXACT)
+        u, _, vt = np.linalg.svd(given)
+        shape = (-1, *np.shape(GOOD[f][name]))
+        of_given, of_nearest = (
+            np.concatenate([np.ravel(x) for x in tuple_of(f(**GOOD[f] | {name: m.reshape(shape)}))])
+            for m in (given, u @ vt)
+        )
+        close(of_given, of_nearest, 1e-10)
+
+    @pytest.mark.parametrize("coarse", COARSE)
+    def test_what_comes_out_is_as_near_as_what_came_in(self, coarse: str) -> None:
+        given = self.COARSE[coarse](self.EXACT)
+        found = Quaternion.from_matrix(given).matrix()
+        angle = Rotation.from_matrix(self.EXACT.swapaxes(1, 2) @ found).magnitude()
+        came_in = np.linalg.norm(given - self.EXACT, axis=(1, 2))
+        assert (angle <= 1.001 * came_in / np.sqrt(2) + 4e-15).all()
+        u, _, vt = np.linalg.svd(given)
+        close(arguments.rotations("m", given), u @ vt, 1e-14)
+        one_by_one = [Quaternion.from_matrix(m).components for m in given[-50:]]
+        close(one_by_one, Quaternion.from_matrix(given).components[-50:], 0)
+
+    def test_within_half_of_the_digits_no_bit_changes(self) -> None:
+        given = self.EXACT.round(9)
+        one_step = given @ (3 * np.eye(3) - given.swapaxes(1, 2) @ given) / 2
+        close(arguments.rotations("m", given), one_step, 0)
+
+    def test_only_what_is_beyond_is_refused(self) -> None:
+        for dtype in (np.float32, np.float64):
+            axis_angle(((1 + 4.9e-4) * self.EXACT[0]).astype(dtype))
+            with pytest.raises(
+                ValueError, match=r"by 1e-03, but differs by 1\.0e-03; .*nearest_rot"
+            ):
+                axis_angle(((1 + 5.1e-4) * self.EXACT[0]).astype(dtype))
 
 
 class TestListings:
@@ -422,11 +484,13 @@ class TestRefusals:
             slerp_rotations(2 * np.eye(3), np.eye(3), 0)
         with pytest.raises(ValueError, match=r"^r2 must be a rotation: .* it reflects$"):
             slerp_rotations(np.eye(3), -np.eye(3), 0)
-        with pytest.raises(ValueError, match=r"^rotations must be a rotation: .* at index \(1,\)$"):
+        with pytest.raises(
+            ValueError, match=r"^rotations must be a rotation: .* at index \(1,\); "
+        ):
             closed_rotation_curve([np.eye(3), 2 * np.eye(3), np.eye(3)])
 
     def test_the_first_that_is_no_rotation_is_named(self) -> None:
-        with pytest.raises(ValueError, match=r" differs by 3.0e\+00 at index \(1,\)$"):
+        with pytest.raises(ValueError, match=r" differs by 3.0e\+00 at index \(1,\); "):
             closed_rotation_curve([np.eye(3), 2 * np.eye(3), 3 * np.eye(3)])
 
         rounded = np.diag([1 - 1e-9, 1, 1])

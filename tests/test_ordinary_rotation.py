@@ -506,28 +506,23 @@ class TestRefusals:
     @pytest.mark.parametrize(
         ("matrix", "message"),
         [
-            (2 * np.eye(3), r"differs by 3\.0e\+00$"),
-            (np.zeros((3, 3)), r"differs by 1\.0e\+00$"),
-            (np.full((3, 3), 1e200), r"differs by inf$"),
-            (rotation_matrix([0, 0, 1], 1) * 1.0001, r"differs by 2\.0e-04$"),
+            (2 * np.eye(3), r"differs by 3\.0e\+00; .*nearest_rotation"),
+            (np.zeros((3, 3)), r"differs by 1\.0e\+00; "),
+            (np.full((3, 3), 1e200), r"differs by inf; "),
+            (
+                rotation_matrix([0, 0, 1], 1) * 1.001,
+                r"may differ .* by 1e-03, but differs by 2\.0e-03; ",
+            ),
             (-np.eye(3), r"determinant is -1, so it reflects$"),
             (-HALF_TURN, r"determinant is -1, so it reflects$"),
             ([np.eye(3), -np.eye(3)], r"determinant is -1, so it reflects at index \(1,\)$"),
-            ([np.eye(3), 3 * np.eye(3)], r"differs by 8\.0e\+00 at index \(1,\)$"),
+            ([np.eye(3), 3 * np.eye(3)], r"differs by 8\.0e\+00 at index \(1,\); "),
         ],
     )
     def test_not_a_rotation(self, matrix: Any, message: str) -> None:
         for f in (axis_angle, sixteen_products):
             with pytest.raises(ValueError, match=f"^matrix must be a rotation: .*{message}"):
                 f(matrix)
-
-    def test_a_rotation_to_half_of_its_digits(self) -> None:
-        axis_angle(rotation_matrix([0, 0, 1], 1) * (1 + 5e-9))
-        axis_angle((rotation_matrix([0, 0, 1], 1) * (1 + 1e-4)).astype(np.float32))
-        with pytest.raises(ValueError, match=r"may differ from the identity by 3\.0e-08"):
-            axis_angle(rotation_matrix([0, 0, 1], 1) * (1 + 2e-8))
-        with pytest.raises(ValueError, match=r"may differ from the identity by 6\.9e-04"):
-            axis_angle((rotation_matrix([0, 0, 1], 1) * (1 + 1e-3)).astype(np.float32))
 
 
 class TestProofs:

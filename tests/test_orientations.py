@@ -501,19 +501,3 @@ class TestNearestRotation:
             nearest_rotation(m)
         with pytest.raises(DegenerateError, match=r"^matrix at index \(1,\) has several"):
             nearest_rotation([np.eye(3), m])
-
-
-class TestRoundedInput:
-    """Matrices that are rotations to half of their digits become the nearest rotations."""
-
-    @pytest.mark.parametrize("decimals", [8, 10, 12])
-    def test_what_is_accepted_is_computed_with(self, decimals: int) -> None:
-        for seed in range(100):
-            exact = Rotation.random(5, rng=np.random.default_rng(seed)).as_matrix()
-            rounded = exact.round(decimals)
-            curve = closed_rotation_curve(rounded, 4, 1 / 3)
-            close(curve.swapaxes(-1, -2) @ curve, np.broadcast_to(np.eye(3), curve.shape), 3e-15)
-            close(curve[::4], nearest_rotation(rounded), 1e-14)
-            turn = slerp_rotations(rounded[0], rounded[1], 0.3)
-            close(turn.T @ turn, np.eye(3), 3e-15)
-            close(turn, slerp_rotations(exact[0], exact[1], 0.3), 30 * 10.0**-decimals)

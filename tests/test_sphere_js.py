@@ -144,11 +144,13 @@ def polygons(rng: np.random.Generator, d: int) -> Iterator[Array]:
 
 
 def rotation_matrices(rng: np.random.Generator) -> Iterator[tuple[Array, float]]:
-    """Rotation matrices, exact and worn, with their angles: ordinary, tiny, near pi, pi."""
+    """Rotation matrices, exact, worn or rounded, by ordinary, tiny and almost straight angles."""
     for angle in (*gaps(rng), np.pi - 10 ** rng.uniform(-11, -7), np.pi):
         worn = 1 + 1e-9 * rng.normal(size=(3, 3))
         yield rotation_matrix(rng.normal(size=3), angle), angle
         yield rotation_matrix(rng.normal(size=3), angle) * worn, angle
+    angle = rng.uniform(0.1, 3)
+    yield rotation_matrix(rng.normal(size=3), angle).round(rng.integers(4, 8)), angle
 
 
 def arcs_of_closed_curve(points: Array, fraction: float) -> list[Array]:
@@ -243,7 +245,7 @@ def in_three_dimensions(rng: np.random.Generator) -> Iterator[Case]:
     for p, q in pairs(rng, 3):
         theta = angle_between(p, q)
         yield Case("arcAxis", [p, q], max(theta, np.pi - theta))
-    for scale in (1, 1 + 1.4e-8):
+    for scale in (1, 1 + 1.4e-8, 1 + 4.9e-4):
         yield Case("axisAngle", [scale * np.eye(3)])
     # What rounding leaves of a component does not choose between the axes of half a turn.
     yield Case("axisAngle", [[[-1, -1e-17, 0], [-1e-17, 1, 0], [0, 0, -1]]])
@@ -330,7 +332,7 @@ def with_bad_numbers(rng: np.random.Generator) -> Iterator[Case]:
     m = rotation_matrix(p, 1)
     no_directions = np.zeros(3), np.array([0, np.nan, 1]), np.array([np.inf, 1, 0])
     no_numbers = np.nan, -np.inf
-    no_rotations = (1 + 1.6e-8) * m, -m, np.nan * m, np.zeros((3, 3))
+    no_rotations = (1 + 5.1e-4) * m, -m, np.nan * m, np.zeros((3, 3))
     for bad in no_directions:
         for name, rest in (("slerp", [0.5]), ("nlerp", [0.5])):
             yield Case(name, [p, bad, *rest])

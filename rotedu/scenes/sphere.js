@@ -6,6 +6,8 @@
  */
 
 const ANTIPODAL = Math.sqrt(Number.EPSILON);
+// What is taken for a rotation: no entry of M^T M differs from the identity's by more.
+const ASKEW = 1e-3;
 const ROUNDING = 4 * Number.EPSILON;
 
 /** The error for a geometry without an answer: `rotedu.errors.DegenerateError`. */
@@ -499,19 +501,26 @@ function units(points) {
   return points.map(unit);
 }
 
-/** Replace a matrix that is a rotation to half of its digits with the nearest rotation. */
+/** Replace a matrix that is a rotation to four decimals with the nearest rotation. */
 function rotation(matrix) {
-  const square = product(transpose(matrix), matrix);
-  const identity = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
-  let off = 0;
-  square.forEach((row, i) => {
-    row.forEach((x, j) => (off = Math.max(off, Math.abs(x - identity[i][j]))));
-  });
+  const off = Math.max(
+    ...product(transpose(matrix), matrix).flatMap((row, i) =>
+      row.map((x, j) => Math.abs(x - (i === j)))
+    )
+  );
   const [u, v, w] = matrix;
-  if (!(off <= 2 * ANTIPODAL && dot(cross(u, v), w) > 0)) {
+  if (!(off <= ASKEW && dot(cross(u, v), w) > 0)) {
     throw new RangeError("the matrix is not a rotation");
   }
-  // One step of Newton's method for the polar decomposition: half of the digits become all.
-  const step = square.map((row, i) => combine(3 / 2, identity[i], -1 / 2, row));
+  const nearest = straightened(matrix);
+  // One step is enough for half of the digits, and three are for what is coarser.
+  return off <= 2 * ANTIPODAL ? nearest : straightened(straightened(nearest));
+}
+
+/** Take a step of Newton's method for the polar decomposition: right digits double. */
+function straightened(matrix) {
+  const identity = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
+  const squares = product(transpose(matrix), matrix);
+  const step = squares.map((row, i) => combine(3 / 2, identity[i], -1 / 2, row));
   return product(matrix, step);
 }

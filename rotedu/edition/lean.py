@@ -1,0 +1,308 @@
+"""The leanest formulas that we know for what people do with rotations, notation by notation.
+
+`rotedu.edition.ledger` counts them, by one rule for all:
+
+- a rotation stays in its notation, and what it is known to be is used: the third column of a
+  rotation matrix is the cross product of the other two;
+- what is needed twice is computed once, and what depends neither on the point nor on the place on
+  an arc is prepared, and counted apart;
+- the formula with the fewest multiplications, additions and divisions in all counts; roots and
+  functions are named beside.
+
+Arguments are arrays of numbers or of the counting scalars of `rotedu.cost`: matrices (3, 3),
+quaternions (4,), turns (4,), which are an axis of length 1 and an angle, rotation vectors (3,) and
+points (3,). Nothing is checked. Where a turn vanishes, or two rotations are half a turn apart, the
+functions of the package have an answer or refuse; these formulas do not.
+"""
+
+from typing import Any
+
+import numpy as np
+
+from rotedu._vectors import Array, length
+
+# Matrices.
+
+
+def with_third(first: Array, second: Array) -> Array:
+    """Make a rotation matrix of its first two columns."""
+    return np.stack([first, second, np.cross(first, second)], axis=1)
+
+
+def compose_matrices(a: Array, b: Array) -> Array:
+    """Multiply two rotation matrices."""
+    return with_third(a @ b[:, 0], a @ b[:, 1])
+
+
+def matrix_between(a: Array, b: Array, t: Any) -> Array:
+    """Go from one matrix towards another: a M_R(t theta, n), with n and theta from a^T b."""
+    m = compose_matrices(a.T, b)
+    twice = np.array([m[2, 1] - m[1, 2], m[0, 2] - m[2, 0], m[1, 0] - m[0, 1]])
+    size = length(twice)
+    turn = t * np.arctan2(size, m[0, 0] + m[1, 1] + m[2, 2] - 1)
+    nu, nv, nw = n = twice / size
+    cos, (su, sv, sw) = np.cos(turn), np.sin(turn) * n
+    ku, kv = (1 - cos) * n[:2]
+    uv, uw, vw = ku * nv, ku * nw, kv * nw
+    first = a @ np.array([cos + ku * nu, uv + sw, uw - sv])
+    return with_third(first, a @ np.array([uv - sw, cos + kv * nv, vw + su]))
+
+
+def matrix_on_arc(a: Array, b: Array, c: Array, theta: Any, t: Any) -> Array:
+    """Take a sample of an arc, prepared as A + cos(t theta) B + sin(t theta) C."""
+    turn = t * theta
+    cos, sin = np.cos(turn), np.sin(turn)
+    return with_third(*(a[:, k] + cos * b[:, k] + sin * c[:, k] for k in (0, 1)))
+
+
+def repair_columns(matrix: Array) -> Array:
+    """Straighten a matrix by the method of Gram and Schmidt."""
+    first = unit(matrix[:, 0])
+    return with_third(first, unit(matrix[:, 1] - np.dot(first, matrix[:, 1]) * first))
+
+
+def repair_evenly(matrix: Array) -> Array:
+    """Take a step of Newton's method towards the nearest rotation, M (3 I - M^T M) / 2."""
+    u, v, w = matrix.T
+    uu, vv, ww = (0.5 * np.dot(x, x) for x in (u, v, w))
+    uv, uw, vw = (-0.5 * np.dot(x, y) for x, y in ((u, v), (u, w), (v, w)))
+    step = [[1.5 - uu, uv, uw], [uv, 1.5 - vv, vw], [uw, vw, 1.5 - ww]]
+    return np.asarray(matrix @ np.array(step))
+
+
+# Quaternions.
+
+
+def unit(q: Array) -> Array:
+    """Divide by the length."""
+    return np.asarray(q / length(q))
+
+
+def compose_quaternions(p: Array, q: Array) -> Array:
+    """Multiply two quaternions, (2-3)."""
+    w = p[0] * q[0] - np.dot(p[1:], q[1:])
+    return np.array([w, *(p[0] * q[1:] + q[0] * p[1:] + np.cross(p[1:], q[1:]))])
+
+
+def turn_by_quaternion(q: Array, point: Array) -> Array:
+    """Turn a point: r + w (2 v x r) + v x (2 v x r)."""
+    return turn_by_prepared_quaternion(q, 2 * q[1:], point)
+
+
+def turn_by_prepared_quaternion(q: Array, twice: Array, point: Array) -> Array:
+    """Turn one of many points, 2 v being there."""
+    across = np.cross(twice, point)
+    return np.asarray(point + q[0] * across + np.cross(q[1:], across))
+
+
+def matrix_of_quaternion(q: Array) -> Array:
+    """Make a matrix of a quaternion."""
+    (w, x, y, z), (tx, ty, tz) = q, q[1:] + q[1:]
+    return matrix_of_products(
+        (tx * x, ty * y, tz * z), (ty * z, tx * z, tx * y), (tx * w, ty * w, tz * w)
+    )
+
+
+def matrix_of_products(squares: Any, mixed: Any, by_w: Any) -> Array:
+    """Arrange twice the products of the components of a quaternion."""
+    (xx, yy, zz), (yz, xz, xy), (wx, wy, wz) = squares, mixed, by_w
+    return np.array(
+        [
+            [1 - (yy + zz), xy - wz, xz + wy],
+            [xy + wz, 1 - (xx + zz), yz - wx],
+            [xz - wy, yz + wx, 1 - (xx + yy)],
+        ]
+    )
+
+
+def quaternion_between(p: Array, q: Array, t: Any) -> Array:
+    """Go from one quaternion towards another by slerp, with a single division."""
+    cos = np.dot(p, q)
+    sin = np.sqrt(1 - cos * cos)
+    turn = t * np.arctan2(sin, cos)
+    share = np.sin(turn) / sin
+    return np.asarray((np.cos(turn) - cos * share) * p + share * q)
+
+
+def quaternion_on_arc(p: Array, across: Array, theta: Any, t: Any) -> Array:
+    """Take a sample of an arc, prepared as p and a quaternion at right angles to it."""
+    turn = t * theta
+    return np.asarray(np.cos(turn) * p + np.sin(turn) * across)
+
+
+def matrix_on_arc_of_quaternions(p: Array, across: Array, theta: Any, t: Any) -> Array:
+    """Take the sample as a matrix: p and `across`, prepared sqrt(2) long, spare the doublings."""
+    w, x, y, z = quaternion_on_arc(p, across, theta, t)
+    return matrix_of_products((x * x, y * y, z * z), (y * z, x * z, x * y), (w * x, w * y, w * z))
+
+
+# Axis and angle, by the half-angle rule, (4-3) to (4-6).
+
+
+def halved(turn: Array) -> Array:
+    """Take the cosine of half the angle, and the axis times its sine."""
+    half = 0.5 * turn[3]
+    return np.array([np.cos(half), *(np.sin(half) * turn[:3])])
+
+
+def whole(half: Array) -> Array:
+    """Go back to an axis and an angle."""
+    sin = length(half[1:])
+    return np.array([*(half[1:] / sin), 2 * np.arctan2(sin, half[0])])
+
+
+def compose_turns(a: Array, b: Array) -> Array:
+    """Replace two turns by one."""
+    return whole(compose_quaternions(halved(a), halved(b)))
+
+
+def turn_about_axis(turn: Array, point: Array) -> Array:
+    """Turn a point by (3-1)."""
+    n, cos, sin = turn[:3], np.cos(turn[3]), np.sin(turn[3])
+    along = (1 - cos) * np.dot(n, point)
+    return np.asarray(cos * point + along * n + sin * np.cross(n, point))
+
+
+def prepare_axis(turn: Array) -> tuple[Array, Any, Array, Array]:
+    """Prepare (3-1) for many points."""
+    n, cos, sin = turn[:3], np.cos(turn[3]), np.sin(turn[3])
+    return n, cos, (1 - cos) * n, sin * n
+
+
+def turn_about_prepared_axis(n: Array, cos: Any, along: Array, spin: Array, point: Array) -> Array:
+    """Turn one of many points by (3-1)."""
+    return np.asarray(cos * point + np.dot(n, point) * along + np.cross(spin, point))
+
+
+def matrix_of_turn(turn: Array) -> Array:
+    """Build (3-3)."""
+    return matrix_of_parts(*prepare_axis(turn))
+
+
+def matrix_of_parts(n: Array, cos: Any, along: Array, spin: Array) -> Array:
+    """Arrange the entries of (3-3)."""
+    (nu, nv, nw), (ku, kv, kw), (su, sv, sw) = n, along, spin
+    uv, uw, vw = ku * nv, ku * nw, kv * nw
+    return np.array(
+        [
+            [cos + ku * nu, uv - sw, uw + sv],
+            [uv + sw, cos + kv * nv, vw - su],
+            [uw - sv, vw + su, cos + kw * nw],
+        ]
+    )
+
+
+def turn_between(a: Array, b: Array, t: Any) -> Array:
+    """Go from one turn towards another: slerp in the letters of (4-3) to (4-6)."""
+    return whole(quaternion_between(halved(a), halved(b), t))
+
+
+def turn_on_arc(p: Array, across: Array, theta: Any, t: Any) -> Array:
+    """Take a sample of an arc, prepared in the letters of (4-3) to (4-6)."""
+    return whole(quaternion_on_arc(p, across, theta, t))
+
+
+# Rotation vectors: the axis times the angle.
+
+
+def vector_halved(v: Array) -> Array:
+    """Take the cosine of half the angle, and the axis times its sine."""
+    theta = length(v)
+    half = 0.5 * theta
+    return np.array([np.cos(half), *(np.sin(half) / theta * v)])
+
+
+def vector_whole(half: Array) -> Array:
+    """Go back to a rotation vector."""
+    sin = length(half[1:])
+    return np.asarray(2 * np.arctan2(sin, half[0]) / sin * half[1:])
+
+
+def compose_vectors(v: Array, w: Array) -> Array:
+    """Replace two turns by one."""
+    return vector_whole(compose_quaternions(vector_halved(v), vector_halved(w)))
+
+
+def turn_by_vector(v: Array, point: Array) -> Array:
+    """Turn a point by (3-1), with the axis times the angle."""
+    cos, along, spin = shares(v)
+    share = along * np.dot(v, point)
+    return np.asarray(cos * point + share * v + spin * np.cross(v, point))
+
+
+def shares(v: Array) -> tuple[Any, Any, Any]:
+    """Find cos theta, (1 - cos theta) / theta^2 and sin theta / theta."""
+    square = np.dot(v, v)
+    theta = np.sqrt(square)
+    cos = np.cos(theta)
+    return cos, (1 - cos) / square, np.sin(theta) / theta
+
+
+def prepare_vector(v: Array) -> tuple[Array, Any, Array, Array]:
+    """Prepare (3-1) for many points."""
+    cos, along, spin = shares(v)
+    return v, cos, along * v, spin * v
+
+
+def matrix_of_vector(v: Array) -> Array:
+    """Build (3-3) from a rotation vector."""
+    return matrix_of_parts(*prepare_vector(v))
+
+
+def vector_between(v: Array, w: Array, t: Any) -> Array:
+    """Go from one rotation vector towards another."""
+    return vector_whole(quaternion_between(vector_halved(v), vector_halved(w), t))
+
+
+def vector_on_arc(p: Array, across: Array, theta: Any, t: Any) -> Array:
+    """Take a sample of an arc, prepared in the letters of (4-3) to (4-6)."""
+    return vector_whole(quaternion_on_arc(p, across, theta, t))
+
+
+# Three angles, and two columns.
+
+
+def matrix_of_angles(u: Any, v: Any, w: Any) -> Array:
+    """Compute (4-2)."""
+    (su, sv, sw), (cu, cv, cw) = np.sin([u, v, w]), np.cos([u, v, w])
+    both, only = su * sv, cu * sv
+    return np.array(
+        [
+            [cv * cw, both * cw - cu * sw, only * cw + su * sw],
+            [cv * sw, both * sw + cu * cw, only * sw - su * cw],
+            [-sv, su * cv, cu * cv],
+        ]
+    )
+
+
+def compose_angles(a: Array, b: Array) -> Array:
+    """Replace two triples by one, by five entries of the product of their matrices."""
+    a, b = matrix_of_angles(*a), matrix_of_angles(*b)
+    m11, m21, m31 = a @ b[:, 0]
+    m32, m33 = np.dot(a[2], b[:, 1]), np.dot(a[2], b[:, 2])
+    cos = np.sqrt(m11 * m11 + m21 * m21)
+    return np.array([np.arctan2(m32, m33), np.arctan2(-m31, cos), np.arctan2(m21, m11)])
+
+
+def compose_two_columns(a: Array, b: Array) -> Array:
+    """Turn the first two columns of a matrix by another one, of which two are known as well."""
+    return np.asarray(with_third(*a.T) @ b)
+
+
+def turn_by_two_columns(a: Array, point: Array) -> Array:
+    """Turn a point."""
+    return np.asarray(with_third(*a.T) @ point)
+
+
+def repair_two_columns(a: Array) -> Array:
+    """Straighten two columns by the method of Gram and Schmidt."""
+    first = unit(a[:, 0])
+    return np.stack([first, unit(a[:, 1] - np.dot(first, a[:, 1]) * first)], axis=1)
+
+
+# Directions.
+
+
+def direction_between(p: Array, q: Array, t: Any) -> Array:
+    """Go from one point of a sphere towards another, (5-2)."""
+    return quaternion_between(p, q, t)

@@ -1,0 +1,297 @@
+"""The ledger: its formulas are right and counted, and each notation breaks where it says."""
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation, Slerp
+from spheres import close
+
+from rotedu.arcs import slerp
+from rotedu.cost import count
+from rotedu.edition import lean
+from rotedu.edition.ledger import LEDGER, PAGES, cost_table, ledger, priced
+from rotedu.general_rotation import euler_angles
+from rotedu.motion import rotation_vector
+from rotedu.ordinary_rotation import axis_angle, rotation_matrix, transform
+from rotedu.orientations import slerp_rotations
+from rotedu.quaternions import Quaternion
+
+ROWS = {row.written_as: row for row in LEDGER}
+RNG = np.random.default_rng(20261)
+PAIRS = [tuple(Rotation.random(2, rng=RNG)) for _ in range(50)]
+Array = np.ndarray[Any, Any]
+
+
+def turn(r: Rotation) -> Array:
+    """An axis and an angle."""
+    v, angle = r.as_rotvec(), r.magnitude()
+    return np.array([*(v / angle), angle])
+
+
+def quaternion(r: Rotation) -> Array:
+    return np.asarray(r.as_quat(canonical=True, scalar_first=True))
+
+
+def of_columns(m: Array) -> Rotation:
+    return Rotation.from_matrix(np.stack([*m.T, np.cross(*m.T)], axis=1))
+
+
+# How SciPy writes a rotation in each notation, and reads it again.
+WRITTEN: dict[str, tuple[Callable[[Rotation], Any], Callable[[Any], Rotation]]] = {
+    "three angles": (
+        lambda r: r.as_euler("xyz"),
+        lambda x: Rotation.from_euler("xyz", x),
+    ),
+    "axis and angle": (turn, lambda x: Rotation.from_rotvec(x[3] * x[:3])),
+    "rotation vector": (lambda r: r.as_rotvec(), Rotation.from_rotvec),
+    "matrix": (lambda r: r.as_matrix(), Rotation.from_matrix),
+    "quaternion": (quaternion, lambda q: Rotation.from_quat(q, scalar_first=True)),
+    "two columns": (lambda r: r.as_matrix()[:, :2], of_columns),
+}
+
+
+def agrees(found: Rotation, expected: Rotation) -> None:
+    assert (found.inv() * expected).magnitude() < 1e-12
+
+
+class TestFormulas:
+    """Against SciPy, which writes and reads each notation."""
+
+    @pytest.mark.parametrize("name", WRITTEN)
+    def test_compose_turn_and_repair(self, name: str) -> None:
+        write, read = WRITTEN[name]
+        formulas = {task: formula for task, (formula, *_) in ROWS[name].formulas.items()}
+        for a, b in PAIRS:
+            p, q, r = write(a), write(b), RNG.normal(size=3)
+            agrees(read(formulas["compose"](p, q)), a * b)
+            if "point" in formulas:
+                close(formulas["point"](p, r), a.apply(r), 1e-13)
+            if "matrix" in formulas:
+                given = p if name == "three angles" else (p,)
+                close(formulas["matrix"](*given), a.as_matrix(), 1e-13)
+            if "repair" in formulas:
+                agrees(read(formulas["repair"](1.1 * p)), a)
+
+    @pytest.mark.parametrize("name", ["matrix", "quaternion", "axis and angle", "rotation vector"])
+    def test_go_a_part_of_the_way(self, name: str) -> None:
+        write, read = WRITTEN[name]
+        between = ROWS[name].formulas["between"][0]
+        for a, b in PAIRS:
+            p, q, t = write(a), write(b), RNG.uniform()
+            if name != "matrix" and quaternion(a) @ quaternion(b) < 0:
+                continue  # The formulas go the way that the signs say: here the long one.
+            agrees(read(between(p, q, t)), Slerp([0, 1], Rotation.concatenate([a, b]))(t))
+
+    def test_samples_of_a_prepared_arc(self) -> None:
+        for a, b in PAIRS:
+            p, q = quaternion(a), quaternion(b)
+            q, t = q * np.sign(p @ q), RNG.uniform()
+            across, theta = lean.unit(q - p @ q * p), np.arccos(p @ q)
+            expected = Slerp([0, 1], Rotation.concatenate([a, b]))(t)
+            agrees(WRITTEN["quaternion"][1](lean.quaternion_on_arc(p, across, theta, t)), expected)
+            agrees(WRITTEN["axis and angle"][1](lean.turn_on_arc(p, across, theta, t)), expected)
+            agrees(Rotation.from_rotvec(lean.vector_on_arc(p, across, theta, t)), expected)
+            doubled = np.sqrt(2) * p, np.sqrt(2) * across, theta, t
+            close(lean.matrix_on_arc_of_quaternions(*doubled), expected.as_matrix(), 1e-12)
+            (*n, angle), m = turn(a.inv() * b), a.as_matrix()
+            still = np.outer(m @ n, n)
+            prepared = still, m - still, np.cross(m, n), angle
+            close(lean.matrix_on_arc(*prepared, t), expected.as_matrix(), 1e-12)
+
+    def test_what_is_prepared_for_many_points(self) -> None:
+        for a, _ in PAIRS:
+            r, q = RNG.normal(size=3), quaternion(a)
+            by_axis = lean.turn_about_prepared_axis(*lean.prepare_axis(turn(a)), r)
+            by_vector = lean.turn_about_prepared_axis(*lean.prepare_vector(a.as_rotvec()), r)
+            by_quaternion = lean.turn_by_prepared_quaternion(q, 2 * q[1:], r)
+            close([by_axis, by_vector, by_quaternion], [a.apply(r)] * 3, 1e-13)
+
+    def test_newton_s_step_straightens(self) -> None:
+        for a, _ in PAIRS:
+            m = a.as_matrix()
+            worn = m + 1e-5 * RNG.normal(size=(3, 3))
+            u, _, vt = np.linalg.svd(worn)
+            close(lean.repair_evenly(worn), u @ vt, 1e-8)
+
+
+class TestCounts:
+    @pytest.mark.parametrize(
+        ("name", "task", "cost"),
+        [
+            # 18 + 12 for two columns, 6 + 3 for the third.
+            ("matrix", "compose", "24 + 15"),
+            ("matrix", "many", "9 + 6"),
+            # 24 + 15 twice without a third column that nobody asks for, 3 + 2 for a length, 3 + 3
+            # for its vector and the trace, 10 + 7 for two columns of (3-3), and t times the angle.
+            ("matrix", "between", "62 + 45, 3 divisions, 1 root, 3 functions"),
+            ("matrix", "sampled matrix", "19 + 15, 2 functions"),
+            ("quaternion", "compose", "16 + 12"),
+            ("quaternion", "point", "18 + 12"),
+            # Two cross products, 6 + 3 each, a product by w, and two sums.
+            ("quaternion", "many", "15 + 12"),
+            ("quaternion", "matrix", "9 + 15"),
+            # 4 + 3 for the cosine, 1 + 1 for the sine, 2 + 1 for the shares, 8 + 4 for the sum.
+            ("quaternion", "between", "15 + 9, 1 division, 1 root, 3 functions"),
+            ("quaternion", "sampled matrix", "18 + 16, 2 functions"),
+            ("quaternion", "repair", "4 + 3, 4 divisions, 1 root"),
+            # 16 + 12 between 2 halvings, 6 products by a sine, 3 + 2 for a length, 1 doubling.
+            ("axis and angle", "compose", "28 + 14, 3 divisions, 1 root, 5 functions"),
+            ("axis and angle", "point", "19 + 12, 2 functions"),
+            ("axis and angle", "many", "15 + 11"),
+            ("axis and angle", "matrix", "12 + 10, 2 functions"),
+            ("rotation vector", "matrix", "15 + 12, 2 divisions, 1 root, 2 functions"),
+            ("three angles", "matrix", "14 + 4, 6 functions"),
+        ],
+    )
+    def test_as_counted_by_hand(self, name: str, task: str, cost: str) -> None:
+        assert priced(ROWS[name].cost(task)).replace("\N{NO-BREAK SPACE}", " ") == cost
+
+    def test_none_takes_more_than_the_package(self) -> None:
+        n, theta, r, t = lean.unit(np.array([2, 3, 6])), 0.7, np.array([1, 2, 3]), 0.3
+        a, b = rotation_matrix(n, theta), rotation_matrix([6, -2, 3], 1.1)
+        p, q = (Quaternion.from_matrix(m).components for m in (a, b))
+        of = Quaternion.from_axis_angle(n, theta)
+        for name, task, package in [
+            ("matrix", "compose", count(np.matmul, a, b)),
+            ("matrix", "point", count(transform, a, r)),
+            ("matrix", "between", count(slerp_rotations, a, b, t)),
+            ("quaternion", "compose", count(lambda w, v: Quaternion(w, v) * of, p[0], p[1:])),
+            ("quaternion", "point", count(lambda w, v: Quaternion(w, v).rotate(r), p[0], p[1:])),
+            ("quaternion", "matrix", count(lambda w, v: Quaternion(w, v).matrix(), p[0], p[1:])),
+            ("quaternion", "between", count(slerp, p, q, t)),
+            ("axis and angle", "matrix", count(rotation_matrix, n, theta)),
+        ]:
+            lean_cost = ROWS[name].cost(task)
+            total = lean_cost.multiplications + lean_cost.additions + lean_cost.divisions
+            assert total <= package.multiplications + package.additions + package.divisions
+
+
+def paths(steps: int = 4000) -> Array:
+    """Random smooth motions, in steps of less than two degrees."""
+    rng, t = np.random.default_rng(39), np.linspace(0, 2 * np.pi, steps)
+    found = []
+    for _ in range(20):
+        waves = [
+            np.sum(
+                [c * np.sin(k * t + d) for k, (c, d) in enumerate(rng.normal(size=(3, 2)), 1)], 0
+            )
+            for _ in range(3)
+        ]
+        found.append(Rotation.from_rotvec(np.transpose(waves)).as_matrix())
+    motions = np.array(found)
+    assert angle_of(motions[:, :-1], motions[:, 1:]).max() < np.radians(2)
+    return motions
+
+
+def angle_of(a: Array, b: Array) -> Array:
+    return 2 * np.arcsin(np.minimum(np.linalg.norm(a - b, axis=(-2, -1)) / np.sqrt(8), 1))
+
+
+NUMBERS: dict[str, Callable[[Array], Array]] = {
+    "where the tip points": lambda m: np.stack(
+        [np.arctan2(m[..., 1, 0], m[..., 0, 0]), np.arcsin(np.clip(m[..., 2, 0], -1, 1))], -1
+    ),
+    "three angles": lambda m: np.stack(euler_angles(m), -1),
+    "axis and angle": lambda m: np.concatenate(
+        [(found := axis_angle(m))[0], found[1][..., np.newaxis]], -1
+    ),
+    "rotation vector": rotation_vector,
+    "matrix": lambda m: m.reshape(*m.shape[:-2], 9),
+    "quaternion": lambda m: Quaternion.from_matrix(m).components,
+    "direction": lambda m: m[..., 0],
+    "two columns": lambda m: m[..., :2].reshape(*m.shape[:-2], 6),
+}
+
+
+def largest_jump(name: str, matrices: Array) -> float:
+    """The largest change of the numbers over that of the orientation, in one step."""
+    numbers = NUMBERS[name](matrices)
+    change = np.linalg.norm(np.diff(numbers, axis=-2), axis=-1)
+    return float((change / angle_of(matrices[..., :-1, :, :], matrices[..., 1:, :, :])).max())
+
+
+def about(axis: Any, *degrees: float) -> Array:
+    return rotation_matrix(axis, np.radians(degrees))
+
+
+class TestBreaks:
+    @pytest.mark.parametrize("name", [r.written_as for r in LEDGER if r.breaks.text == "nowhere"])
+    def test_nowhere(self, name: str) -> None:
+        # An entry of a matrix moves no faster than the point whose coordinate it is.
+        assert largest_jump(name, paths()) < 1.5
+
+    def test_every_notation_is_tried(self) -> None:
+        assert set(NUMBERS) == set(ROWS)
+
+    @pytest.mark.parametrize(
+        ("name", "path"),
+        [
+            ("where the tip points", about([0, -1, 0], 89.9, 90.1)),
+            ("three angles", about([0, 1, 0], 89.9, 90.1)),
+            ("three angles", about([1, 0, 0], 179.9, 180.1)),
+            ("three angles", about([0, 0, 1], 179.9, 180.1)),
+            ("axis and angle", about([1, 2, 2], -0.1, 0.1)),
+            ("axis and angle", about([1, 2, 2], 179.9, 180.1)),
+            ("rotation vector", about([1, 2, 2], 179.9, 180.1)),
+            ("quaternion", about([1, 2, 2], 179.9, 180.1)),
+        ],
+    )
+    def test_where_it_says(self, name: str, path: Array) -> None:
+        """A fifth of a degree, and the numbers change by 1 and more."""
+        assert ROWS[name].breaks.text != "nowhere"
+        assert largest_jump(name, path) * np.radians(0.2) > 1
+
+    def test_two_angles_of_three_become_one(self) -> None:
+        read = WRITTEN["three angles"][1]
+        agrees(read([0.5, np.pi / 2, 0.2]), read([0.3, np.pi / 2, 0]))
+        agrees(read([0.5, -np.pi / 2, 0.2]), read([0.7, -np.pi / 2, 0]))
+
+    def test_every_quaternion_has_a_second_name(self) -> None:
+        for a, _ in PAIRS:
+            agrees(WRITTEN["quaternion"][1](-quaternion(a)), a)
+
+    def test_kept_rotation_vectors_all_lead_home_at_a_whole_turn(self) -> None:
+        axes = RNG.normal(size=(9, 3))
+        whole = Rotation.from_rotvec(2 * np.pi * axes / np.linalg.norm(axes, axis=1)[:, np.newaxis])
+        assert whole.magnitude().max() < 1e-14
+
+
+class TestForgets:
+    def test_a_matrix_the_route_and_how_often_round(self) -> None:
+        once, twice, back = about([1, 2, 2], 100, 460, -260)
+        close([twice, back], [once, once], 1e-14)
+
+    def test_a_quaternion_and_angles_up_to_360_degrees_pairs_of_whole_turns(self) -> None:
+        for degrees, same in ((100, False), (100 + 360, True), (-260, True)):
+            q = Quaternion.from_axis_angle([1, 2, 2], np.radians(degrees)).components
+            once = Quaternion.from_axis_angle([1, 2, 2], np.radians(100)).components
+            close(q, -once if same else once, 1e-14)
+        q = Quaternion.from_axis_angle([1, 2, 2], np.radians(100 + 720))
+        close(np.degrees(q.axis_angle()[1]), 100, 1e-12)
+
+    def test_a_direction_the_roll(self) -> None:
+        rolled = about([1, 0, 0], 0, 40)
+        for name in ("direction", "where the tip points"):
+            close(*NUMBERS[name](rolled), 1e-15)
+
+
+class TestTables:
+    def test_a_page_knows_what_its_readers_do(self) -> None:
+        earlier: list[str] = []
+        for page in PAGES:
+            cells = str(ledger(page)).replace("**", "").replace("|", "").split()
+            assert all(earlier.count(cell) <= cells.count(cell) for cell in set(earlier))
+            earlier = cells
+        assert "| **quaternion** | 4, tied by 1 | everywhere" in str(ledger("02-quaternions"))
+        assert "| **quaternion** | 4, tied by 1 |  |  |  |" in str(ledger("01-introduction"))
+        assert "two columns" not in str(ledger("06-conclusions"))
+        assert str(ledger("beyond-averages")).count("\n") == len(LEDGER) + 1
+
+    def test_no_such_page(self) -> None:
+        with pytest.raises(ValueError, match=r"^page must be one of 01-introduction, .*; got '7'$"):
+            ledger("7")
+
+    def test_four_notations_for_every_task(self) -> None:
+        assert len(str(cost_table()).splitlines()) == 12

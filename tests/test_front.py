@@ -60,7 +60,9 @@ def test_each_claim_has_a_square_that_says_its_verdict(front: BeautifulSoup) -> 
     for claim in CLAIMS:
         square = squares.pop(str(claim.number))
         assert SIGNS[claim.verdict] in square["class"]
-        assert square.get_text() == f"Claim {claim.number}: {claim.verdict}"
+        said = f"Claim {claim.number}: {claim.verdict}"
+        assert square.get_text() == (f"{said}, a slip" if claim.slip else said)
+        assert ("slip" in square["class"]) == claim.slip
     assert not squares
     told = {
         mark["class"][-1]: int(mark.get_text().split()[0]) for mark in front.select(".legend > *")

@@ -195,6 +195,25 @@ class TestEulerAngles:
                 euler_angles(pose)
 
 
+def test_two_quaternions_merge_turns_and_translations_in_one_product() -> None:
+    """Clifford's dual quaternions, q and half of step times q, with a unit whose square is 0."""
+    rng = np.random.default_rng(8)
+    turns = [Quaternion(w, v) / Quaternion(w, v).norm() for w, *v in rng.normal(size=(2, 4))]
+    steps = rng.normal(size=(2, 3))
+    (p, p_dual), (q, q_dual) = (
+        (turn, Quaternion(0, step) * turn / 2) for turn, step in zip(turns, steps, strict=True)
+    )
+    real, dual = p * q, p * q_dual + p_dual * q
+    merged = compose(*(m for t, s in zip(turns, steps, strict=True) for m in pose(t, s)))
+    close(real.matrix(), merged[:3, :3])
+    close((dual * real.conjugate() * 2).v, merged[:3, 3])
+
+
+def pose(turn: Quaternion, step: Array) -> tuple[Array, Array]:
+    """Matrices of a step after a turn."""
+    return translation(step), homogeneous(turn.matrix())
+
+
 class TestTransforms:
     @given(vectors, vectors)
     def test_translation(self, v: Array, r: Array) -> None:

@@ -28,6 +28,7 @@ from rotedu.ordinary_rotation import axis_angle, rotation_matrix
 from rotedu.orientations import (
     closed_rotation_curve,
     nearest_rotation,
+    one_turn,
     periodic_spline,
     slerp_rotations,
     squad,
@@ -449,6 +450,23 @@ class TestPeriodicSpline:
         expected = turn.matrix() @ Quaternion(curve[:, 0], curve[:, 1:]).matrix()
         found = periodic_spline(turned.components, 6)
         close(Quaternion(found[:, 0], found[:, 1:]).matrix(), expected)
+
+
+class TestOneTurn:
+    """The half-angle rule, which finds one turn for two."""
+
+    def test_whoever_follows_the_matrices_needs_no_half_angles(self) -> None:
+        v, w = np.random.default_rng(15).normal(scale=1.2, size=(2, 500, 3))
+        found, steps = v, np.linspace(0, 1, 400)
+        for s in steps[1:]:
+            after = Rotation.from_rotvec(v) * Rotation.from_rotvec(s * w)
+            short = after.as_rotvec()
+            whole = 2 * np.pi * short / np.linalg.norm(short, axis=1, keepdims=True)
+            known = np.stack([short + k * whole for k in (-1, 0, 1)])
+            nearest = np.linalg.norm(known - found, axis=2).argmin(axis=0)
+            found = known[nearest, np.arange(500)]
+        assert (np.linalg.norm(found, axis=1) > np.pi).sum() > 50
+        close(found, one_turn(v.T, w.T).T, 1e-11)
 
 
 class TestNearestRotation:

@@ -21,7 +21,9 @@ from rotedu.figures.pages import scene_poster
 
 # What a square says, and how many of them it says it of.
 SAID = {"holds": "hold", "holds under a condition": "hold under a condition"}
-SAID |= {"does not hold": "do not hold", "left open": "are left open"}
+SLIPS = sum(claim.slip for claim in CLAIMS)
+SAID |= {"does not hold": f"do not hold, of which {SLIPS} are slips that the errata mend (hollow)"}
+SAID |= {"left open": "are left open"}
 MARK = "verdict-mark"
 # Twice the size that a card has room for.
 PICTURE = (432, 264)
@@ -80,12 +82,16 @@ class ShowPages(SphinxPostTransform):
             nodes.reference(
                 "",
                 "",
-                nodes.inline("", f"Claim {claim.number}: {claim.verdict}"),
+                nodes.inline(
+                    "", f"Claim {claim.number}: {claim.verdict}" + ", a slip" * claim.slip
+                ),
                 refuri=f"{self.address('book/claims')}#claim-{claim.number}",
                 internal=True,
-                classes=[MARK, nodes.make_id(kind)],
+                classes=["slip"] * claim.slip + [MARK, nodes.make_id(kind)],
             )
-            for claim, kind in sorted(kinds.items(), key=lambda pair: order.index(pair[1]))
+            for claim, kind in sorted(
+                kinds.items(), key=lambda pair: (order.index(pair[1]), pair[0].slip)
+            )
         ]
         yield nodes.paragraph("", "", *squares, classes=["squares"])
         numbers = Counter(kinds.values())

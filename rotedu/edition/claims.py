@@ -23,10 +23,12 @@ Verdict = Literal[
 ]
 
 VERDICTS: dict[Verdict, str] = {
-    "holds": "true as stated, wherever its terms are defined",
-    "holds under a condition": "true wherever the condition named beside it is met, and"
-    " elsewhere false or 0/0",
-    "does not hold": "false in a case that it covers, and no condition would save its point",
+    "holds": "true in every case in which there is something to be found; no turn has no axis,"
+    " 0 no inverse, and opposite points no single arc between them",
+    "holds under a condition": "true where the condition beside it is met, and false elsewhere, or"
+    " 0/0 where there is something to be found; a condition is a case, a use or a reading of the"
+    " words",
+    "does not hold": "false, but for exceptional cases, in every use and reading that we know",
     "does not follow": "no consequence of the reason given, though perhaps of another",
     "not confirmed": "nothing that we could read or run decides it",
     "a matter of names": "the formulas are right, under either of two names in use",
@@ -78,6 +80,8 @@ class Claim:
         For a claim that holds under a condition: which, without its *if*.
     reason : str
         Why, in a few words of Markdown, for the list of all claims.
+    slip : bool
+        Whether what is false in it is a slip, which the errata mend and on which no thesis rests.
     """
 
     number: int
@@ -87,6 +91,7 @@ class Claim:
     chapter: str
     condition: str = ""
     reason: str = ""
+    slip: bool = False
 
     @property
     def link(self) -> str:
@@ -113,6 +118,7 @@ CLAIMS = (
         ("1",),
         "holds",
         "01-introduction",
+        reason="24 + 15 are enough for rotations",
     ),
     Claim(
         2,
@@ -121,6 +127,7 @@ CLAIMS = (
         "does not hold",
         "01-introduction",
         reason="it takes 16 + 12 when counted, E5",
+        slip=True,
     ),
     Claim(
         3,
@@ -129,6 +136,7 @@ CLAIMS = (
         "does not hold",
         "01-introduction",
         reason="three are, E6",
+        slip=True,
     ),
     Claim(
         4,
@@ -136,7 +144,7 @@ CLAIMS = (
         ("3",),
         "holds",
         "03-ordinary-rotation",
-        reason="33 + 16 against the quaternion's 18 + 12",
+        reason="33 + 16, or 21 + 16 by the leanest formula, against the quaternion's 18 + 12",
     ),
     Claim(
         5,
@@ -168,7 +176,8 @@ CLAIMS = (
         ("6",),
         "holds under a condition",
         "04-general-rotation",
-        "the quaternion stays a quaternion",
+        "more than turns and translations is to be merged, and the quaternion stays a quaternion",
+        reason="dual quaternions, of the paper's own reference [2], merge these two in one product",
     ),
     Claim(
         9,
@@ -191,7 +200,7 @@ CLAIMS = (
         ("5",),
         "holds under a condition",
         "05-arcs",
-        "the two points are neither equal nor opposite",
+        "the two points are not equal, where both are 0/0",
     ),
     Claim(
         12,
@@ -226,10 +235,10 @@ CLAIMS = (
         ("abstract", "6"),
         "holds under a condition",
         "06-conclusions",
-        "*ordinary rotation* includes axes with angles up to 360°, composed by the half-angle rule,"
-        " which is the product of quaternions in other letters (23)",
-        reason="a matrix alone cannot tell an odd number of full turns from an even one, nor the"
-        " long way round from the short one",
+        "*do* means what is to be done (turn, compose, tell turns apart, average, interpolate), and"
+        " not by which formula, for a sum of quaternions has no counterpart",
+        reason="an axis with an angle up to 360° does what a matrix alone cannot: it tells an odd"
+        " number of full turns from an even one, and the long way round from the short one",
     ),
     Claim(
         16,
@@ -237,9 +246,10 @@ CLAIMS = (
         ("abstract",),
         "holds under a condition",
         "06-conclusions",
-        "many points are turned, as in 5",
-        reason="composing, storing and repairing rotations takes less with quaternions; for arcs"
-        " see 32",
+        "many points are turned, as in 5, or a kept turn is to need no repair, as an axis with an"
+        " angle does not",
+        reason="composing takes less with quaternions, and for keeping a turn three numbers are"
+        " enough either way; for arcs see 32",
     ),
     Claim(
         17,
@@ -247,9 +257,9 @@ CLAIMS = (
         ("folklore",),
         "holds under a condition",
         "06-conclusions",
-        "the harm that counts is to shapes, which a quaternion never bends, or the turns are tiny,"
-        " or one small turn is repeated and the matrix is repaired by Gram and Schmidt's method",
-        reason="otherwise the matrix mostly ends closer to the truth",
+        "the harm that counts is to shapes, which a quaternion never bends, or one turn of a few"
+        " degrees is repeated and the matrix repaired once, by Gram and Schmidt's method",
+        reason="otherwise the matrix, repaired once, mostly ends closer to the truth",
     ),
     Claim(
         18,
@@ -319,7 +329,7 @@ CLAIMS = (
         ("1",),
         "does not hold",
         "06-conclusions",
-        reason="composing, storing and repairing rotations takes less with them; see also 15",
+        reason="composing turns takes less with them, and so does an arc used once",
     ),
     Claim(
         27,
@@ -328,9 +338,7 @@ CLAIMS = (
         ("title", "6"),
         "holds under a condition",
         "06-conclusions",
-        "*not needed* means that one can do without them, at whatever cost; and the half-angle"
-        " rule, which does what their sign does (15), does not count as quaternions under another"
-        " name (23)",
+        "*not needed* means that one can do without them, at whatever cost, as in 15",
     ),
     Claim(
         28,
@@ -338,7 +346,8 @@ CLAIMS = (
         ("abstract", "1"),
         "holds under a condition",
         "06-conclusions",
-        "rotations are composed, stored or repaired, but do not turn many points",
+        "rotations are composed, kept, repaired or joined by an arc used once, and do not turn many"
+        " points",
     ),
     Claim(
         29,
@@ -361,7 +370,8 @@ CLAIMS = (
         ("1",),
         "holds under a condition",
         "03-ordinary-rotation",
-        "the turn is nearly a half turn, or it is tiny and the trace is to give its angle",
+        "the turn is nearly a half turn, where a matrix needs a choice among four cases",
+        reason="elsewhere a sum and three differences give both, by an arctangent as in 30",
     ),
     Claim(
         32,
@@ -395,6 +405,7 @@ CLAIMS = (
         "does not hold",
         "02-quaternions",
         reason="they have four and three dimensions, E1",
+        slip=True,
     ),
     Claim(
         36,
@@ -451,9 +462,9 @@ CLAIMS = (
         43,
         "Building (3-3) takes 24 multiplications and 10 additions, applying it 9 and 6",
         ("3",),
-        "holds under a condition",
+        "holds",
         "03-ordinary-rotation",
-        "no product is shared",
+        reason="12 + 10 are enough to build it",
     ),
     Claim(
         44,
@@ -481,9 +492,8 @@ CLAIMS = (
         47,
         "Axis and angle of the single rotation are those of (4-3) to (4-6)",
         ("4",),
-        "holds under a condition",
+        "holds",
         "04-general-rotation",
-        "the single rotation is not the identity; otherwise (4-3) is 0/0",
     ),
     Claim(
         48,
@@ -492,6 +502,7 @@ CLAIMS = (
         "does not hold",
         "04-general-rotation",
         reason="a direction ends in 0, E8",
+        slip=True,
     ),
     Claim(
         49,
@@ -507,6 +518,7 @@ CLAIMS = (
         "does not hold",
         "05-arcs",
         reason="that one is 3 × 3; (4-7) is meant, E9",
+        slip=True,
     ),
     Claim(
         51,
@@ -514,7 +526,7 @@ CLAIMS = (
         ("5",),
         "holds under a condition",
         "05-closed-curve",
-        "the points do not follow one another all the way round one great circle",
+        "the points do not follow one another all the way round one great circle in equal steps",
     ),
     Claim(
         52,
@@ -527,8 +539,10 @@ CLAIMS = (
         53,
         "Each step has a formula and a rotation matrix",
         ("5",),
-        "holds",
+        "holds under a condition",
         "05-control-points",
+        "the two points of the step are not equal, nor opposite where one is doubled",
+        reason="the axis is then 0/0, although the step leads somewhere",
     ),
     Claim(
         54,
@@ -536,7 +550,7 @@ CLAIMS = (
         ("5",),
         "holds under a condition",
         "05-control-points",
-        "no two neighbours, and no two points to be bisected, are equal or opposite",
+        "no two points to be bisected are equal, where (5-7) and (5-10) are 0/0",
     ),
     Claim(
         55,
@@ -561,6 +575,7 @@ CLAIMS = (
         "does not hold",
         "05-control-points",
         reason="the factors of the cross product are exchanged, E2",
+        slip=True,
     ),
     Claim(
         58,
@@ -569,6 +584,7 @@ CLAIMS = (
         "does not hold",
         "05-control-points",
         reason="the points are exchanged, E3",
+        slip=True,
     ),
     Claim(
         59,
@@ -578,6 +594,7 @@ CLAIMS = (
         "05-closed-curve",
         reason="it reads what was never written, E4; once corrected, its points lie on the curve,"
         " joined by straight lines",
+        slip=True,
     ),
     Claim(
         60,
@@ -586,6 +603,7 @@ CLAIMS = (
         "does not hold",
         "05-closed-curve",
         reason="the sine of 120° is positive, E4b",
+        slip=True,
     ),
     Claim(
         61,
@@ -627,7 +645,8 @@ CLAIMS = (
         ("4", "6"),
         "holds under a condition",
         "04-general-rotation",
-        "the three angles of (4-1) are given, and the rotation is not the identity",
+        "the three angles of (4-1) are given",
+        reason="for a matrix the paper has no method",
     ),
     Claim(
         66,
@@ -642,7 +661,7 @@ CLAIMS = (
         ("5",),
         "holds under a condition",
         "05-closed-curve",
-        "no two points that an arc of (5-2) is to join are equal or opposite",
+        "no two points that an arc of (5-2) is to join are equal, where it is 0/0",
     ),
     Claim(
         68,
@@ -666,16 +685,16 @@ CLAIMS = (
         ("1",),
         "holds",
         "06-conclusions",
-        reason="composing takes less, while turning a point takes twice as much until the"
+        reason="composing takes less, while turning a point takes about twice as much until the"
         " quaternion is made into a matrix",
     ),
     Claim(
         71,
         "By the matrix, $n$ points take $24+9n$ multiplications and $10+6n$ additions",
         ("3",),
-        "holds under a condition",
+        "holds",
         "03-ordinary-rotation",
-        "no product is shared, as in 43",
+        reason="12 + 10 are enough to build it, as in 43",
     ),
 )
 

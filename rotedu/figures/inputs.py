@@ -139,7 +139,7 @@ class Slider:
             return ""
         spec = self.spec()
         bounds = f'min="{self.low:g}" max="{self.high:g}" step="{spec["step"]:g}"'
-        label = written(self.label or name)
+        label, spoken = written(self.label or name), escape(self.label or name)
         buttons = (
             '<span class="explorable-buttons">'
             f'<button type="button" data-action="play" data-input="{name}">Play</button>'
@@ -148,7 +148,7 @@ class Slider:
         return (
             f'<div class="explorable-row"><label for="{{id}}-{name}">{label}</label>'
             f'<input type="range" id="{{id}}-{name}" name="{name}" {bounds} value="{start:g}">'
-            f'<input type="number" name="{name}-number" aria-label="{label}" {bounds}'
+            f'<input type="number" name="{name}-number" aria-label="{spoken}" {bounds}'
             f' value="{start:g}">{buttons if self.plays else ""}</div>'
         )
 

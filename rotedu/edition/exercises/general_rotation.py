@@ -235,21 +235,12 @@ def angles_of_a_matrix() -> Iterator[Part]:
 
     every, first, first_two = slice(3), slice(1), slice(2)
     yield Part(
-        # The matrix at gimbal lock tells only a difference of angles, so nobody finds both.
-        lambda found: not close(np.sin(found[2] - triples[2])[[0, 2]], [0, 0]),
-        otherwise=Wrong(
-            "At gimbal lock these are the angles that went in.",
-            "The function sees only a matrix, which many angles give. Which does it find?",
-        ),
-        example=triples,
-    )
-    yield Part(
         lambda found: reaches(found, every),
         Mistake(
             lambda found: reaches(np.deg2rad(found), every),
             "Your angles are in degrees.",
             "Arctangents give radians: leave them so.",
-            example=degrees,
+            example=np.rad2deg(found),
         ),
         Mistake(
             lambda found: reaches(found, every, within=2e-2),
@@ -292,6 +283,15 @@ def angles_of_a_matrix() -> Iterator[Part]:
             "Which entries of (4-2) contain only the second angle, or only that and one other?",
         ),
         example=-triples,
+    )
+    yield Part(
+        # The matrix at gimbal lock tells only a difference of angles.
+        lambda found: np.isclose(found[2, [0, 2]], 0).any(),
+        otherwise=Wrong(
+            "At gimbal lock neither of your outer angles is 0.",
+            "Many triples give this matrix, among them the one that went in. Choose.",
+        ),
+        example=triples,
     )
 
 

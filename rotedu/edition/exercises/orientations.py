@@ -215,9 +215,9 @@ def choices_of_signs() -> Iterator[Part]:
             "Such a pair counts as two choices here.",
         ),
         otherwise=Wrong(
-            "Run through all 32 choices, and catch the error that some of them raise.",
-            "The bits of the numbers 0 to 31 are all the choices. Compare each curve that is drawn"
-            " with `steady`.",
+            "These numbers do not count what happens.",
+            "Let each sign agree with the one before. Does the fifth then agree with the first? And"
+            " what becomes of that if you change a single sign?",
         ),
         within=0,
     )

@@ -9,9 +9,11 @@ import pytest
 from bs4 import BeautifulSoup
 from nightly import nightly
 from notebook_language import Page, chapters, pages
+from scipy.spatial.transform import Rotation
 
 from rotedu import scenes
 from rotedu.arcs import angle_between, arc_axis
+from rotedu.averages import angular_distance, mean_rotation
 from rotedu.closed_curve import closed_curve
 from rotedu.control_points import bisect, control_points, double
 from rotedu.figures import explore
@@ -24,8 +26,9 @@ from rotedu.general_rotation import (
 )
 from rotedu.motion import matrix_steps, quaternion_steps, rotation_vector
 from rotedu.ordinary_rotation import axis_angle, rotation_matrix, transform
-from rotedu.orientations import nearest_rotation
+from rotedu.orientations import closed_rotation_curve, nearest_rotation
 from rotedu.quaternions import Quaternion
+from rotedu.scenes.orientations import POSES
 
 ROOT = Path(__file__).parents[1]
 AXE = ROOT / "node_modules" / "axe-core" / "axe.min.js"
@@ -167,6 +170,62 @@ class TestWhatTheAnswersSay:
         assert by_quaternion == pytest.approx(36 * (np.pi / 18 - 2 * np.arctan(np.pi / 36)))
         assert f"Yes, by {degrees(by_quaternion):.1f}°" in answers("beyond-motion")
         assert f"falls short by {degrees(by_matrix):.1f}°" in answers("beyond-motion")
+
+    def test_one_half_or_one_third(self) -> None:
+        """Three hundred random hexagons, as page 5 III compares the two."""
+        hexagons = np.random.default_rng(5).normal(size=(300, 6, 3))
+        bend, jump, even = [], [], []
+        for fraction in (1 / 2, 1 / 3):
+            p = closed_curve(hexagons, 300, fraction).reshape(300, 6, 300, 3)
+            v, a = p[:, :, 2:] - p[:, :, :-2], np.diff(p, 2, axis=2)
+            speed = np.linalg.norm(v, axis=-1)
+            curvature = 4 * np.sum(p[:, :, 1:-1] * np.cross(v, a), axis=-1) / speed**3
+            bend.append(np.abs(curvature).max(axis=(1, 2)))
+            step = np.roll(curvature, -1, axis=1)[:, :, 0] - curvature[:, :, -1]
+            jump.append(np.abs(step).max(axis=1))
+            even.append(speed.max(axis=(1, 2)) / speed.min(axis=(1, 2)))
+        said = pages()["05-closed-curve.ipynb"].text
+        assert np.mean(np.divide(*jump) < 1) > 0.95
+        assert "One half keeps the jumps of curvature small" in said
+        assert np.mean(np.divide(*bend) > 1) > 0.55
+        assert "but usually bends more sharply" in said
+        assert np.mean(np.divide(*even) > 1) > 0.55
+        assert "One third usually keeps the speed more even" in said
+
+    def test_jumps_of_acceleration_at_the_poses(self) -> None:
+        """Picture 5-l: the largest, and the mean of the five."""
+        q, h = np.array(POSES), 1e-3
+        rotations = Quaternion(q[:, 0], q[:, 1:]).matrix()
+        jumps = []
+        for fraction in (1 / 2, 1 / 3):
+            curve = closed_rotation_curve(rotations, 1000, fraction)
+            turns = rotation_vector(curve.swapaxes(1, 2) @ np.roll(curve, -1, axis=0)) / h
+            change = np.diff(turns[np.arange(-3, 5 * 1000)], axis=0)[:-1].reshape(-1, 3) / h
+            poses = 1000 * np.arange(5)
+            jumps.append(np.linalg.norm(change[poses + 3] - change[poses + 1], axis=1))
+        (half, third), (all_half, all_third) = np.max(jumps, axis=1), np.mean(jumps, axis=1)
+        assert third > half
+        assert all_third < all_half
+        said = pages()["05-orientations.ipynb"].text
+        assert "the largest jump of its acceleration is larger than with one half" in said
+
+    def test_three_means_err_alike(self) -> None:
+        """Page B, the last row of the table."""
+        vectors = np.radians(40) / np.sqrt(3) * np.random.default_rng(7).normal(size=(4000, 10, 3))
+        reports = Rotation.from_rotvec(vectors.reshape(-1, 3))
+        matrices = reports.as_matrix().reshape(4000, 10, 3, 3)
+        q = reports.as_quat(scalar_first=True).reshape(4000, 10, 4)
+        total = np.sum(q * np.sign(q @ q[:, :1].swapaxes(1, 2)), axis=1)
+        mean = by_angle = mean_rotation(matrices)
+        for _ in range(8):
+            seen = rotation_vector(by_angle.swapaxes(1, 2)[:, np.newaxis] @ matrices)
+            by_angle = by_angle @ Rotation.from_rotvec(seen.mean(axis=1)).as_matrix()
+        by_sum = Rotation.from_quat(total, scalar_first=True).as_matrix()
+        errors = [
+            np.median(angular_distance(np.eye(3), found)) for found in (mean, by_sum, by_angle)
+        ]
+        assert max(errors) < 1.01 * min(errors)
+        assert "differ by less than one part in a hundred" in pages()["beyond-averages.ipynb"].text
 
     def test_steps_where_the_velocity_changes(self) -> None:
         """A thousand random motions of two seconds: page A, what is true in the folklore."""

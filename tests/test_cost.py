@@ -42,6 +42,26 @@ class TestCountsOfThePaper:
         both = count(lambda p, n, a: transform(rotation_matrix(n, a), p), points, AXIS, ANGLE)
         assert both == OperationCount(24 + 9 * n, 10 + 6 * n, trigonometric=2)
 
+    def test_the_fourth_line_of_2_6_takes_19_and_7(self) -> None:
+        """As printed: each term has a factor of its own; the two of the scalar part cancel."""
+
+        def fourth_line(c: Any, s: Any, r: Any) -> Any:
+            u, v, w = r
+            first, second, third, fourth, fifth = c * c, c * s, s * s, c * s, s * s
+            return (
+                -s * c * u,
+                c * s * u,
+                first * u + third * u,
+                first * v + second * -w - fourth * w - fifth * v,
+                first * w + second * v - fourth * -v - fifth * w,
+            )
+
+        c, s = np.cos(ANGLE / 2), np.sin(ANGLE / 2)
+        one, other, *turned = fourth_line(c, s, POINT)
+        assert one + other == 0
+        np.testing.assert_allclose(turned, rotate(POINT, [1, 0, 0], ANGLE), rtol=1e-14)
+        assert count(fourth_line, c, s, POINT) == OperationCount(19, 7)
+
 
 class TestCountsOfTheAudit:
     def test_rodrigues_formula_3_1_second_line(self) -> None:

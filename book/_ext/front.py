@@ -23,7 +23,7 @@ from rotedu.figures.pages import scene_poster
 SAID = {"holds": "hold", "holds under a condition": "hold under a condition"}
 SLIPS = sum(claim.slip for claim in CLAIMS)
 SAID |= {"does not hold": f"do not hold, of which {SLIPS} are slips that the errata mend (hollow)"}
-SAID |= {"left open": "are left open"}
+SAID |= {"left open": "do not follow, or are left open"}
 MARK = "verdict-mark"
 # Twice the size that a card has room for.
 PICTURE = (432, 264)
@@ -77,7 +77,8 @@ class ShowPages(SphinxPostTransform):
     def verdicts(self) -> Iterator[nodes.paragraph]:
         """Yield a row of links, one to each claim, sorted by verdict, and how many there are."""
         order = list(SAID)
-        kinds = {c: c.verdict if c.verdict in SIGNS else "left open" for c in CLAIMS}
+        of_paper = [claim for claim in CLAIMS if claim.of_paper]
+        kinds = {c: c.verdict if c.verdict in SIGNS else "left open" for c in of_paper}
         squares = [
             nodes.reference(
                 "",

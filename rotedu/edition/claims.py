@@ -23,12 +23,11 @@ Verdict = Literal[
 ]
 
 VERDICTS: dict[Verdict, str] = {
-    "holds": "true in every case in which there is something to be found; no turn has no axis,"
-    " 0 no inverse, and opposite points no single arc between them",
-    "holds under a condition": "true where the condition beside it is met, and false elsewhere, or"
-    " 0/0 where there is something to be found; a condition is a case, a use or a reading of the"
-    " words",
-    "does not hold": "false, but for exceptional cases, in every use and reading that we know",
+    "holds": "true; cases that numbers taken at random never meet do not count, such as 0/0 between"
+    " equal points, but are named beside it",
+    "holds under a condition": "true in one use, range or reading of the words, which is named"
+    " beside it, and false in another",
+    "does not hold": "false in every use, range and reading that we know, such rare cases apart",
     "does not follow": "no consequence of the reason given, though perhaps of another",
     "not confirmed": "nothing that we could read or run decides it",
     "a matter of names": "the formulas are right, under either of two names in use",
@@ -108,7 +107,7 @@ class Claim:
         """The verdict, in Markdown, with its condition and its reason, if there are any."""
         condition = self.condition and f"if {self.condition}"
         why = "; ".join(text for text in (condition, self.reason) if text)
-        return signed(self.verdict) + (f": {why}" if why else "")
+        return signed(self.verdict) + ", a slip" * self.slip + (f": {why}" if why else "")
 
 
 CLAIMS = (
@@ -176,8 +175,10 @@ CLAIMS = (
         ("6",),
         "holds under a condition",
         "04-general-rotation",
-        "more than turns and translations is to be merged, and the quaternion stays a quaternion",
-        reason="dual quaternions, of the paper's own reference [2], merge these two in one product",
+        "shears, uneven scalings, reflections or projections are among them, and the quaternion"
+        " stays a quaternion",
+        reason="one of any length merges turns with even scalings, a dual one (the paper's"
+        " reference [2]) with translations",
     ),
     Claim(
         9,
@@ -185,7 +186,8 @@ CLAIMS = (
         ("1", "4", "6"),
         "does not hold",
         "04-general-rotation",
-        reason="the formulas are a product of quaternions and start from three given angles",
+        reason="the formulas start from three given angles in one order; products of quaternions"
+        " take any chain",
     ),
     Claim(
         10,
@@ -198,9 +200,9 @@ CLAIMS = (
         11,
         "(5-2) and (5-3) give any point of an arc",
         ("5",),
-        "holds under a condition",
+        "holds",
         "05-arcs",
-        "the two points are not equal, where both are 0/0",
+        reason="between equal points they are 0/0",
     ),
     Claim(
         12,
@@ -237,8 +239,8 @@ CLAIMS = (
         "06-conclusions",
         "*do* means what is to be done (turn, compose, tell turns apart, average, interpolate), and"
         " not by which formula, for a sum of quaternions has no counterpart",
-        reason="an axis with an angle up to 360° does what a matrix alone cannot: it tells an odd"
-        " number of full turns from an even one, and the long way round from the short one",
+        reason="a matrix alone cannot tell an odd number of full turns from an even one, nor the"
+        " long way round from the short one; an axis with an angle up to 360° can",
     ),
     Claim(
         16,
@@ -246,10 +248,9 @@ CLAIMS = (
         ("abstract",),
         "holds under a condition",
         "06-conclusions",
-        "many points are turned, as in 5, or a kept turn is to need no repair, as an axis with an"
-        " angle does not",
-        reason="composing takes less with quaternions, and for keeping a turn three numbers are"
-        " enough either way; for arcs see 32",
+        "many points are turned by the quaternion itself, as in 5, or all turns are about one axis",
+        reason="otherwise composing takes less with quaternions, and so does an arc used once; to"
+        " keep a turn takes three or four numbers either way",
     ),
     Claim(
         17,
@@ -257,8 +258,9 @@ CLAIMS = (
         ("folklore",),
         "holds under a condition",
         "06-conclusions",
-        "the harm that counts is to shapes, which a quaternion never bends, or one turn of a few"
-        " degrees is repeated and the matrix repaired once, by Gram and Schmidt's method",
+        "the harm that counts is to shapes, which a quaternion never bends, or memory is what is"
+        " equal and not digits, or one turn of a few degrees is repeated and the matrix repaired"
+        " once, by Gram and Schmidt's method",
         reason="otherwise the matrix, repaired once, mostly ends closer to the truth",
     ),
     Claim(
@@ -317,11 +319,11 @@ CLAIMS = (
     ),
     Claim(
         25,
-        "A teaspoon of 100 vertices is enough for the matrix to pay",
+        "A teaspoon of 100 vertices is enough for the matrix to pay, against (2-6)",
         ("3",),
-        "holds under a condition",
+        "holds",
         "03-ordinary-rotation",
-        "each point is turned by the quaternion itself, not by its matrix",
+        reason="4 points are",
     ),
     Claim(
         26,
@@ -329,25 +331,28 @@ CLAIMS = (
         ("1",),
         "does not hold",
         "06-conclusions",
-        reason="composing turns takes less with them, and so does an arc used once",
+        reason="composing turns about different axes takes less with them, and so does an arc used"
+        " once",
     ),
     Claim(
         27,
-        "So quaternions are not really needed in geometric modeling, computer graphics and"
-        " animation",
+        "Quaternions are not really needed in geometric modeling, computer graphics and animation",
         ("title", "6"),
         "holds under a condition",
         "06-conclusions",
-        "*not needed* means that one can do without them, at whatever cost, as in 15",
+        "*not needed* means that every task can be done without them, as in 15, at whatever cost",
     ),
     Claim(
         28,
-        "Quaternions are more efficient for rotations than matrices (reported as a belief)",
+        "Quaternions are more efficient for rotations than ordinary rotation (reported as a"
+        " belief)",
         ("abstract", "1"),
         "holds under a condition",
         "06-conclusions",
-        "rotations are composed, kept, repaired or joined by an arc used once, and do not turn many"
-        " points",
+        "turns about different axes are composed, or joined by an arc used once; points are best"
+        " turned by a matrix, whichever it is made from",
+        reason="to keep or repair a turn takes less than with matrices, but not than with an axis"
+        " and its angle",
     ),
     Claim(
         29,
@@ -377,10 +382,11 @@ CLAIMS = (
         32,
         "Rotations, too, are interpolated more efficiently by ordinary rotation",
         ("abstract",),
-        "does not hold",
+        "holds under a condition",
         "06-conclusions",
-        reason="an arc used once takes more, and so do many samples of one arc, unless they are"
-        " wanted as matrices, which take as much either way",
+        "all turns are about one axis, so that only the angle changes",
+        reason="otherwise an arc used once takes more, and of many samples of one arc each takes"
+        " one operation more even where they are wanted as matrices",
     ),
     Claim(
         33,
@@ -470,9 +476,11 @@ CLAIMS = (
         44,
         "Turning a point by the quaternion of (2-6) takes 19 multiplications and 7 additions",
         ("3",),
-        "does not hold",
+        "holds under a condition",
         "03-ordinary-rotation",
-        reason="it takes 18 + 12; the last line of (2-6), 4 + 2, is the matrix about U, E5",
+        "the fourth line of (2-6), for turns about U, is counted as it is printed, but for the sum"
+        " of its scalar part, which is 0",
+        reason="about any axis it takes 18 + 12, E5",
     ),
     Claim(
         45,
@@ -499,10 +507,9 @@ CLAIMS = (
         48,
         "In homogeneous coordinates the axis is $(a_u,a_v,a_w,1)$",
         ("4",),
-        "does not hold",
+        "holds under a condition",
         "04-general-rotation",
-        reason="a direction ends in 0, E8",
-        slip=True,
+        "the tip of the axis is meant, a point; a direction ends in 0, E8",
     ),
     Claim(
         49,
@@ -524,9 +531,9 @@ CLAIMS = (
         51,
         "Arcs alone make no smooth curve; cubic pieces do",
         ("5",),
-        "holds under a condition",
+        "holds",
         "05-closed-curve",
-        "the points do not follow one another all the way round one great circle in equal steps",
+        reason="equal steps all the way round one great circle need no more than arcs",
     ),
     Claim(
         52,
@@ -539,18 +546,17 @@ CLAIMS = (
         53,
         "Each step has a formula and a rotation matrix",
         ("5",),
-        "holds under a condition",
+        "holds",
         "05-control-points",
-        "the two points of the step are not equal, nor opposite where one is doubled",
-        reason="the axis is then 0/0, although the step leads somewhere",
+        reason="the axis is 0/0 if the two points are equal, or opposite where one is doubled",
     ),
     Claim(
         54,
         "The formulas give the control points",
         ("5",),
-        "holds under a condition",
+        "holds",
         "05-control-points",
-        "no two points to be bisected are equal, where (5-7) and (5-10) are 0/0",
+        reason="(5-7) and (5-10) are 0/0 if the two points are equal",
     ),
     Claim(
         55,
@@ -634,10 +640,9 @@ CLAIMS = (
         "For the task of Section 5, two vectors on $S^2$ will do instead of two quaternions on"
         " $S^3$",
         ("5",),
-        "holds under a condition",
+        "holds",
         "05-orientations",
-        "the task is the one stated, to join points of a sphere, and not that of the title, to"
-        " interpolate rotations",
+        reason="the task as stated is to join points of a sphere; for rotations see 14",
     ),
     Claim(
         65,
@@ -659,9 +664,9 @@ CLAIMS = (
         67,
         "De Casteljau's construction, with arcs in place of segments, draws each piece",
         ("5",),
-        "holds under a condition",
+        "holds",
         "05-closed-curve",
-        "no two points that an arc of (5-2) is to join are equal, where it is 0/0",
+        reason="(5-2) is 0/0 if the two points that it joins are equal",
     ),
     Claim(
         68,
@@ -717,7 +722,7 @@ def claim_table(numbers: Iterable[int]) -> Table:
     >>> claim_table([3])
     | No. | The claim | In | Verdict | Shown in |
     | --- | --- | --- | --- | --- |
-    | [3]{#claim-3} | Four of the nine entries of a rotation matrix are independent | 1 | × **does not hold**: three are, [E6](#erratum-e6) | [Chapter\N{NO-BREAK SPACE}1](01-introduction.ipynb) |
+    | [3]{#claim-3} | Four of the nine entries of a rotation matrix are independent | 1 | × **does not hold**, a slip: three are, [E6](#erratum-e6) | [Chapter\N{NO-BREAK SPACE}1](01-introduction.ipynb) |
     """  # noqa: E501
     chosen = set(numbers)
     rows = [

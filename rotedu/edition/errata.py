@@ -91,10 +91,10 @@ ERRATA = (
     ),
     Erratum(
         "E5",
-        "No quaternion formula that we counted takes 19 multiplications and 7 additions",
+        "Two quaternions are composed with 16 multiplications and 12 additions, not 19 and 7",
         "Sections 1 and 3",
         "19 + 7 to compose, and to turn a point",
-        "16 + 12 to compose, 18 + 12 to turn",
+        "16 + 12 to compose, 18 + 12 to turn about any axis",
         "fact",
     ),
     Erratum(

@@ -86,13 +86,15 @@ def compose_quaternions(p: Array, q: Array) -> Array:
 
 def turn_by_quaternion(q: Array, point: Array) -> Array:
     """Turn a point: r + w (2 v x r) + v x (2 v x r)."""
-    return turn_by_prepared_quaternion(q, 2 * q[1:], point)
-
-
-def turn_by_prepared_quaternion(q: Array, twice: Array, point: Array) -> Array:
-    """Turn one of many points, 2 v being there."""
-    across = np.cross(twice, point)
+    across = np.cross(2 * q[1:], point)
     return np.asarray(point + q[0] * across + np.cross(q[1:], across))
+
+
+def prepare_quaternion(q: Array) -> tuple[Array, Any, Array, Array]:
+    """Prepare the same for many points, as (2 w w - 1) r + 2 (v . r) v + 2 w v x r."""
+    w, v = q[0], q[1:]
+    twice = v + v
+    return v, 2 * (w * w) - 1, twice, w * twice
 
 
 def matrix_of_quaternion(q: Array) -> Array:
@@ -106,11 +108,12 @@ def matrix_of_quaternion(q: Array) -> Array:
 def matrix_of_products(squares: Any, mixed: Any, by_w: Any) -> Array:
     """Arrange twice the products of the components of a quaternion."""
     (xx, yy, zz), (yz, xz, xy), (wx, wy, wz) = squares, mixed, by_w
+    rest = 1 - zz
     return np.array(
         [
-            [1 - (yy + zz), xy - wz, xz + wy],
-            [xy + wz, 1 - (xx + zz), yz - wx],
-            [xz - wy, yz + wx, 1 - (xx + yy)],
+            [rest - yy, xy - wz, xz + wy],
+            [xy + wz, rest - xx, yz - wx],
+            [xz - wy, yz + wx, 1 - xx - yy],
         ]
     )
 
@@ -169,8 +172,8 @@ def prepare_axis(turn: Array) -> tuple[Array, Any, Array, Array]:
     return n, cos, (1 - cos) * n, sin * n
 
 
-def turn_about_prepared_axis(n: Array, cos: Any, along: Array, spin: Array, point: Array) -> Array:
-    """Turn one of many points by (3-1)."""
+def turn_prepared(n: Array, cos: Any, along: Array, spin: Array, point: Array) -> Array:
+    """Turn one of many points by (3-1), by whichever notation it has been prepared."""
     return np.asarray(cos * point + np.dot(n, point) * along + np.cross(spin, point))
 
 

@@ -242,7 +242,8 @@ LEDGER = (
         (4, 1),
         "01-introduction",
         Found(
-            "at no turn, which has every axis; at half a turn, where the axis turns over",
+            "at no turn, which has every axis; up to 180°, at half a turn, where the axis turns"
+            " over; up to 360°, everywhere, by two names",
             "03-ordinary-rotation",
         ),
         Found(f"up to 180°, {ROUTE}; up to 360°, pairs of whole turns", "05-orientations"),
@@ -251,11 +252,12 @@ LEDGER = (
             "compose": (lean.compose_turns, TURN, NEXT_TURN),
             "point": (lean.turn_about_axis, TURN, POINT),
             "prepare": (lean.prepare_axis, TURN),
-            "many": (lean.turn_about_prepared_axis, *lean.prepare_axis(TURN), POINT),
+            "many": (lean.turn_prepared, *lean.prepare_axis(TURN), POINT),
             "matrix": (lean.matrix_of_turn, TURN),
             "between": (lean.turn_between, TURN, NEXT_TURN, PLACE),
             "sample": (lean.turn_on_arc, *ARC),
             "sampled matrix": (lean.matrix_on_arc, *ARC_OF_MATRICES),
+            "repair": (lean.unit, TURN[:3]),
         },
     ),
     Row(
@@ -273,7 +275,7 @@ LEDGER = (
             "compose": (lean.compose_vectors, V, W),
             "point": (lean.turn_by_vector, V, POINT),
             "prepare": (lean.prepare_vector, V),
-            "many": (lean.turn_about_prepared_axis, *lean.prepare_vector(V), POINT),
+            "many": (lean.turn_prepared, *lean.prepare_vector(V), POINT),
             "matrix": (lean.matrix_of_vector, V),
             "between": (lean.vector_between, V, W, PLACE),
             "sample": (lean.vector_on_arc, *ARC),
@@ -309,8 +311,8 @@ LEDGER = (
         {
             "compose": (lean.compose_quaternions, P, Q),
             "point": (lean.turn_by_quaternion, P, POINT),
-            "prepare": (np.add, P[1:], P[1:]),
-            "many": (lean.turn_by_prepared_quaternion, P, 2 * P[1:], POINT),
+            "prepare": (lean.prepare_quaternion, P),
+            "many": (lean.turn_prepared, *lean.prepare_quaternion(P), POINT),
             "matrix": (lean.matrix_of_quaternion, P),
             "between": (lean.quaternion_between, P, Q, PLACE),
             "sample": (lean.quaternion_on_arc, *ARC),

@@ -5,7 +5,7 @@
 - a rotation stays in its notation, and what it is known to be is used: the third column of a
   rotation matrix is the cross product of the other two;
 - what is needed twice is computed once, and what depends neither on the point nor on the place on
-  an arc is prepared, and counted apart;
+  an arc is prepared, and counted apart; an arc is measured from where it begins;
 - the formula with the fewest multiplications, additions and divisions in all counts; roots and
   functions are named beside.
 
@@ -37,15 +37,15 @@ def compose_matrices(a: Array, b: Array) -> Array:
 def matrix_between(a: Array, b: Array, t: Any) -> Array:
     """Go from one matrix towards another: a M_R(t theta, n), with n and theta from a^T b."""
     m = compose_matrices(a.T, b)
-    twice = np.array([m[2, 1] - m[1, 2], m[0, 2] - m[2, 0], m[1, 0] - m[0, 1]])
-    size = length(twice)
-    turn = t * np.arctan2(size, m[0, 0] + m[1, 1] + m[2, 2] - 1)
-    nu, nv, nw = n = twice / size
-    cos, (su, sv, sw) = np.cos(turn), np.sin(turn) * n
-    ku, kv = (1 - cos) * n[:2]
-    uv, uw, vw = ku * nv, ku * nw, kv * nw
-    first = a @ np.array([cos + ku * nu, uv + sw, uw - sv])
-    return with_third(first, a @ np.array([uv - sw, cos + kv * nv, vw + su]))
+    axis = np.array([m[2, 1] - m[1, 2], m[0, 2] - m[2, 0], m[1, 0] - m[0, 1]])
+    square = np.dot(axis, axis)
+    sine = np.sqrt(square)
+    turn = t * np.arctan2(sine, m[0, 0] + m[1, 1] + m[2, 2] - 1)
+    cos = np.cos(turn)
+    first, second = first_columns(
+        axis, cos, (1 - cos) / square * axis[:2], np.sin(turn) / sine * axis
+    )
+    return with_third(a @ first, a @ second)
 
 
 def matrix_on_arc(a: Array, b: Array, c: Array, theta: Any, t: Any) -> Array:
@@ -57,8 +57,9 @@ def matrix_on_arc(a: Array, b: Array, c: Array, theta: Any, t: Any) -> Array:
 
 def repair_columns(matrix: Array) -> Array:
     """Straighten a matrix by the method of Gram and Schmidt."""
-    first = unit(matrix[:, 0])
-    return with_third(first, unit(matrix[:, 1] - np.dot(first, matrix[:, 1]) * first))
+    first, second, _ = matrix.T
+    first, third = unit(first), unit(np.cross(first, second))
+    return np.stack([first, np.cross(third, first), third], axis=1)
 
 
 def repair_evenly(matrix: Array) -> Array:
@@ -120,11 +121,16 @@ def matrix_of_products(squares: Any, mixed: Any, by_w: Any) -> Array:
 
 def quaternion_between(p: Array, q: Array, t: Any) -> Array:
     """Go from one quaternion towards another by slerp, with a single division."""
-    cos = np.dot(p, q)
+    first, second = shares_of_arc(np.dot(p, q), t)
+    return np.asarray(first * p + second * q)
+
+
+def shares_of_arc(cos: Any, t: Any) -> tuple[Any, Any]:
+    """Find what each end of an arc contributes, from the cosine of its angle."""
     sin = np.sqrt(1 - cos * cos)
     turn = t * np.arctan2(sin, cos)
     share = np.sin(turn) / sin
-    return np.asarray((np.cos(turn) - cos * share) * p + share * q)
+    return np.cos(turn) - cos * share, share
 
 
 def quaternion_on_arc(p: Array, across: Array, theta: Any, t: Any) -> Array:
@@ -142,21 +148,17 @@ def matrix_on_arc_of_quaternions(p: Array, across: Array, theta: Any, t: Any) ->
 # Axis and angle, by the half-angle rule, (4-3) to (4-6).
 
 
-def halved(turn: Array) -> Array:
-    """Take the cosine of half the angle, and the axis times its sine."""
-    half = 0.5 * turn[3]
-    return np.array([np.cos(half), *(np.sin(half) * turn[:3])])
-
-
 def whole(half: Array) -> Array:
-    """Go back to an axis and an angle."""
+    """Go back from a multiple of half angles, cosine and sine, to an axis and an angle."""
     sin = length(half[1:])
     return np.array([*(half[1:] / sin), 2 * np.arctan2(sin, half[0])])
 
 
 def compose_turns(a: Array, b: Array) -> Array:
-    """Replace two turns by one."""
-    return whole(compose_quaternions(halved(a), halved(b)))
+    """Replace two turns by one; both halves are divided by their sines."""
+    (n, cot), (m, other) = ((turn[:3], 1 / np.tan(0.5 * turn[3])) for turn in (a, b))
+    vector = other * n + cot * m + np.cross(n, m)
+    return whole(np.array([cot * other - np.dot(n, m), *vector]))
 
 
 def turn_about_axis(turn: Array, point: Array) -> Array:
@@ -179,25 +181,36 @@ def turn_prepared(n: Array, cos: Any, along: Array, spin: Array, point: Array) -
 
 def matrix_of_turn(turn: Array) -> Array:
     """Build (3-3)."""
-    return matrix_of_parts(*prepare_axis(turn))
+    n, cos, sin = turn[:3], np.cos(turn[3]), np.sin(turn[3])
+    return matrix_of_parts(n, cos, (1 - cos) * n[:2], sin * n)
 
 
 def matrix_of_parts(n: Array, cos: Any, along: Array, spin: Array) -> Array:
-    """Arrange the entries of (3-3)."""
-    (nu, nv, nw), (ku, kv, kw), (su, sv, sw) = n, along, spin
-    uv, uw, vw = ku * nv, ku * nw, kv * nw
+    """Arrange the entries of (3-3); the last one follows from those that n has used up."""
+    (nu, nv, nw), (ku, kv), (su, sv, sw) = n, along, spin
+    uu, vv, uv, uw, vw = ku * nu, kv * nv, ku * nv, ku * nw, kv * nw
     return np.array(
         [
-            [cos + ku * nu, uv - sw, uw + sv],
-            [uv + sw, cos + kv * nv, vw - su],
-            [uw - sv, vw + su, cos + kw * nw],
+            [cos + uu, uv - sw, uw + sv],
+            [uv + sw, cos + vv, vw - su],
+            [uw - sv, vw + su, 1 - (uu + vv)],
         ]
     )
 
 
+def first_columns(n: Array, cos: Any, along: Array, spin: Array) -> tuple[Array, Array]:
+    """Arrange the first two columns of (3-3)."""
+    (nu, nv, nw), (ku, kv), (su, sv, sw) = n, along, spin
+    uv, uw, vw = ku * nv, ku * nw, kv * nw
+    return np.array([cos + ku * nu, uv + sw, uw - sv]), np.array([uv - sw, cos + kv * nv, vw + su])
+
+
 def turn_between(a: Array, b: Array, t: Any) -> Array:
     """Go from one turn towards another: slerp in the letters of (4-3) to (4-6)."""
-    return whole(quaternion_between(halved(a), halved(b), t))
+    (n, half), (m, other) = ((turn[:3], 0.5 * turn[3]) for turn in (a, b))
+    (c, s), (d, r) = (np.cos(half), np.sin(half)), (np.cos(other), np.sin(other))
+    first, second = shares_of_arc(c * d + s * r * np.dot(n, m), t)
+    return whole(np.array([first * c + second * d, *(first * s * n + second * r * m)]))
 
 
 def turn_on_arc(p: Array, across: Array, theta: Any, t: Any) -> Array:
@@ -208,22 +221,17 @@ def turn_on_arc(p: Array, across: Array, theta: Any, t: Any) -> Array:
 # Rotation vectors: the axis times the angle.
 
 
-def vector_halved(v: Array) -> Array:
-    """Take the cosine of half the angle, and the axis times its sine."""
-    theta = length(v)
-    half = 0.5 * theta
-    return np.array([np.cos(half), *(np.sin(half) / theta * v)])
-
-
 def vector_whole(half: Array) -> Array:
-    """Go back to a rotation vector."""
+    """Go back from a multiple of half angles, cosine and sine, to a rotation vector."""
     sin = length(half[1:])
     return np.asarray(2 * np.arctan2(sin, half[0]) / sin * half[1:])
 
 
 def compose_vectors(v: Array, w: Array) -> Array:
-    """Replace two turns by one."""
-    return vector_whole(compose_quaternions(vector_halved(v), vector_halved(w)))
+    """Replace two turns by one; both halves are divided by their sines, times the angles."""
+    cot, other = (theta / np.tan(0.5 * theta) for theta in (length(v), length(w)))
+    vector = other * v + cot * w + np.cross(v, w)
+    return vector_whole(np.array([cot * other - np.dot(v, w), *vector]))
 
 
 def turn_by_vector(v: Array, point: Array) -> Array:
@@ -249,12 +257,22 @@ def prepare_vector(v: Array) -> tuple[Array, Any, Array, Array]:
 
 def matrix_of_vector(v: Array) -> Array:
     """Build (3-3) from a rotation vector."""
-    return matrix_of_parts(*prepare_vector(v))
+    cos, along, spin = shares(v)
+    return matrix_of_parts(v, cos, along * v[:2], spin * v)
 
 
 def vector_between(v: Array, w: Array, t: Any) -> Array:
     """Go from one rotation vector towards another."""
-    return vector_whole(quaternion_between(vector_halved(v), vector_halved(w), t))
+    (c, s), (d, r) = map(half_of_vector, (v, w))
+    first, second = shares_of_arc(c * d + s * r * np.dot(v, w), t)
+    return vector_whole(np.array([first * c + second * d, *(first * s * v + second * r * w)]))
+
+
+def half_of_vector(v: Array) -> tuple[Any, Any]:
+    """Find the cosine of half the angle, and its sine over the angle."""
+    theta = length(v)
+    half = 0.5 * theta
+    return np.cos(half), np.sin(half) / theta
 
 
 def vector_on_arc(p: Array, across: Array, theta: Any, t: Any) -> Array:

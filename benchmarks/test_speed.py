@@ -23,6 +23,7 @@ from threadpoolctl import threadpool_limits
 from rotedu.closed_curve import closed_curve
 from rotedu.ordinary_rotation import rotate, rotation_matrix, transform
 from rotedu.orientations import closed_rotation_curve
+from rotedu.quaternions import Quaternion
 
 AXIS, ANGLE = np.array([1.0, 2.0, 2.0]) / 3, 1.0
 MATRIX = rotation_matrix(AXIS, ANGLE)
@@ -210,6 +211,7 @@ def curves(n: int) -> dict[str, Callable[[], object]]:
     matrices, t = turns.as_matrix(), np.arange(100 * n) / 100
     closed = Rotation.concatenate([turns, turns[:1]])
     units = [splines.quaternion.UnitQuaternion.from_unit_xyzw(q) for q in turns.as_quat()]
+    q = turns.as_quat(canonical=True, scalar_first=True)
     return {
         "the paper's loop": lambda: papers_loop(points, 100),
         "splines, CatmullRom": lambda: splines.quaternion.CatmullRom(
@@ -220,8 +222,23 @@ def curves(n: int) -> dict[str, Callable[[], object]]:
         ).apply([1, 0, 0]),
         "scipy, RotationSpline": lambda: RotationSpline(np.arange(n + 1), closed)(t),
         "closed_rotation_curve": lambda: closed_rotation_curve(matrices, 100),
+        "closed_curve of quaternions": lambda: closed_curve(q, 100),
+        "closed_curve of quaternions, as matrices": lambda: matrices_of(closed_curve(q, 100)),
         "closed_curve": lambda: closed_curve(points, 100),
     }
+
+
+def matrices_of(q: np.ndarray) -> np.ndarray:
+    """Return the matrices of quaternions."""
+    return Quaternion(q[..., 0], q[..., 1:]).matrix()
+
+
+def test_curves_of_orientations_are_one() -> None:
+    """Check that quaternions and matrices draw the same curve."""
+    drawn = curves(500)
+    by_matrices = drawn["closed_rotation_curve"]()
+    by_quaternions = drawn["closed_curve of quaternions, as matrices"]()
+    assert np.allclose(by_matrices, by_quaternions, atol=1e-12, rtol=0)
 
 
 @pytest.mark.parametrize("way", curves(4))

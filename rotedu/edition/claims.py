@@ -148,7 +148,7 @@ CLAIMS = (
     Claim(
         5,
         "For many points the matrix is cheaper than the quaternion",
-        ("1", "3", "6"),
+        ("1", "6"),
         "holds under a condition",
         "03-ordinary-rotation",
         "each point is turned by the quaternion itself, not by its matrix",
@@ -175,10 +175,10 @@ CLAIMS = (
         ("6",),
         "holds under a condition",
         "04-general-rotation",
-        "shears, uneven scalings, reflections or projections are among them, and the quaternion"
-        " stays a quaternion",
-        reason="one of any length merges turns with even scalings, a dual one (the paper's"
-        " reference [2]) with translations",
+        "shears, uneven scalings or projections are among them, and the quaternion stays a"
+        " quaternion",
+        reason="one of any length, with a sign, merges turns with even scalings and mirrors, a dual"
+        " one (the paper's reference [2]) with translations",
     ),
     Claim(
         9,
@@ -186,8 +186,8 @@ CLAIMS = (
         ("1", "4", "6"),
         "does not hold",
         "04-general-rotation",
-        reason="the formulas start from three given angles in one order; products of quaternions"
-        " take any chain",
+        reason="the formulas start from three angles in one order; taken further, they are as"
+        " general as products of quaternions, and the same",
     ),
     Claim(
         10,
@@ -202,7 +202,7 @@ CLAIMS = (
         ("5",),
         "holds",
         "05-arcs",
-        reason="between equal points they are 0/0",
+        reason="between equal points they are 0/0, and opposite ones have no single arc",
     ),
     Claim(
         12,
@@ -246,11 +246,10 @@ CLAIMS = (
         16,
         "… and more efficiently",
         ("abstract",),
-        "holds under a condition",
+        "does not hold",
         "06-conclusions",
-        "many points are turned by the quaternion itself, as in 5, or all turns are about one axis",
-        reason="otherwise composing takes less with quaternions, and so does an arc used once; to"
-        " keep a turn takes three or four numbers either way",
+        reason="not everything: composing general turns takes less with quaternions, and so does an"
+        " arc used once; turning many points (5) or about one axis takes less without",
     ),
     Claim(
         17,
@@ -259,8 +258,8 @@ CLAIMS = (
         "holds under a condition",
         "06-conclusions",
         "the harm that counts is to shapes, which a quaternion never bends, or memory is what is"
-        " equal and not digits, or one turn of a few degrees is repeated and the matrix repaired"
-        " once, by Gram and Schmidt's method",
+        " equal and not digits, or a turn of a few degrees is repeated and the matrix composed by"
+        " two columns, or repaired by Gram and Schmidt's method, usually",
         reason="otherwise the matrix, repaired once, mostly ends closer to the truth",
     ),
     Claim(
@@ -331,8 +330,8 @@ CLAIMS = (
         ("1",),
         "does not hold",
         "06-conclusions",
-        reason="composing turns about different axes takes less with them, and so does an arc used"
-        " once",
+        reason="one is enough: composing general turns takes less with them, and so does an arc"
+        " used once",
     ),
     Claim(
         27,
@@ -349,8 +348,8 @@ CLAIMS = (
         ("abstract", "1"),
         "holds under a condition",
         "06-conclusions",
-        "turns about different axes are composed, or joined by an arc used once; points are best"
-        " turned by a matrix, whichever it is made from",
+        "general turns are composed, or joined by an arc used once; points are best turned by a"
+        " matrix, whichever it is made from",
         reason="to keep or repair a turn takes less than with matrices, but not than with an axis"
         " and its angle",
     ),
@@ -384,9 +383,9 @@ CLAIMS = (
         ("abstract",),
         "holds under a condition",
         "06-conclusions",
-        "all turns are about one axis, so that only the angle changes",
-        reason="otherwise an arc used once takes more, and of many samples of one arc each takes"
-        " one operation more even where they are wanted as matrices",
+        "all turns are about one axis, as of a wheel or a door, so that only the angle changes",
+        reason="otherwise an arc used once takes more, and many samples of one arc, wanted as"
+        " matrices, take about as much either way",
     ),
     Claim(
         33,
@@ -549,7 +548,7 @@ CLAIMS = (
         ("5",),
         "holds",
         "05-control-points",
-        reason="the axis is 0/0 if the two points are equal, or opposite where one is doubled",
+        reason="the axis is 0/0 if the two points are equal or opposite",
     ),
     Claim(
         54,
@@ -557,7 +556,8 @@ CLAIMS = (
         ("5",),
         "holds",
         "05-control-points",
-        reason="(5-7) and (5-10) are 0/0 if the two points are equal",
+        reason="(5-7) and (5-10) are 0/0 if the two points are equal, without answer if they are"
+        " opposite",
     ),
     Claim(
         55,

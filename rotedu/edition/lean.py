@@ -6,8 +6,8 @@
   rotation matrix is the cross product of the other two;
 - what is needed twice is computed once, and what depends neither on the point nor on the place on
   an arc is prepared, and counted apart; an arc is measured from where it begins;
-- the formula with the fewest multiplications, additions and divisions in all counts; roots and
-  functions are named beside.
+- the formula with the fewest multiplications, additions and divisions in all counts, of those that
+  keep nearly all digits for rotations taken at random; roots and functions are named beside.
 
 Arguments are arrays of numbers or of the counting scalars of `rotedu.cost`: matrices (3, 3),
 quaternions (4,), turns (4,), which are an axis of length 1 and an angle, rotation vectors (3,) and
@@ -91,11 +91,15 @@ def turn_by_quaternion(q: Array, point: Array) -> Array:
     return np.asarray(point + q[0] * across + np.cross(q[1:], across))
 
 
-def prepare_quaternion(q: Array) -> tuple[Array, Any, Array, Array]:
-    """Prepare the same for many points, as (2 w w - 1) r + 2 (v . r) v + 2 w v x r."""
+def prepare_quaternion(q: Array) -> tuple[Array, Array]:
+    """Prepare a quaternion for `turn_prepared`."""
     w, v = q[0], q[1:]
-    twice = v + v
-    return v, 2 * (w * w) - 1, twice, w * twice
+    return 1 / w * v, (w + w) * v
+
+
+def turn_prepared(tangent: Array, sine: Array, point: Array) -> Array:
+    """Turn one of many points: r + sin(theta) n x (r + tan(theta / 2) n x r)."""
+    return np.asarray(point + np.cross(sine, point + np.cross(tangent, point)))
 
 
 def matrix_of_quaternion(q: Array) -> Array:
@@ -154,8 +158,14 @@ def whole(half: Array) -> Array:
     return np.array([*(half[1:] / sin), 2 * np.arctan2(sin, half[0])])
 
 
+def whole_of_unit(half: Array) -> Array:
+    """Go back from half angles, cosine and sine."""
+    sin = np.sqrt(1 - half[0] * half[0])
+    return np.array([*(half[1:] / sin), 2 * np.arctan2(sin, half[0])])
+
+
 def compose_turns(a: Array, b: Array) -> Array:
-    """Replace two turns by one; both halves are divided by their sines."""
+    """Replace two turns by one, of up to 360 degrees; halves are divided by their sines."""
     (n, cot), (m, other) = ((turn[:3], 1 / np.tan(0.5 * turn[3])) for turn in (a, b))
     vector = other * n + cot * m + np.cross(n, m)
     return whole(np.array([cot * other - np.dot(n, m), *vector]))
@@ -168,15 +178,10 @@ def turn_about_axis(turn: Array, point: Array) -> Array:
     return np.asarray(cos * point + along * n + sin * np.cross(n, point))
 
 
-def prepare_axis(turn: Array) -> tuple[Array, Any, Array, Array]:
-    """Prepare (3-1) for many points."""
-    n, cos, sin = turn[:3], np.cos(turn[3]), np.sin(turn[3])
-    return n, cos, (1 - cos) * n, sin * n
-
-
-def turn_prepared(n: Array, cos: Any, along: Array, spin: Array, point: Array) -> Array:
-    """Turn one of many points by (3-1), by whichever notation it has been prepared."""
-    return np.asarray(cos * point + np.dot(n, point) * along + np.cross(spin, point))
+def prepare_axis(turn: Array) -> tuple[Array, Array]:
+    """Prepare an axis and an angle for `turn_prepared`."""
+    n, theta = turn[:3], turn[3]
+    return np.tan(0.5 * theta) * n, np.sin(theta) * n
 
 
 def matrix_of_turn(turn: Array) -> Array:
@@ -210,12 +215,12 @@ def turn_between(a: Array, b: Array, t: Any) -> Array:
     (n, half), (m, other) = ((turn[:3], 0.5 * turn[3]) for turn in (a, b))
     (c, s), (d, r) = (np.cos(half), np.sin(half)), (np.cos(other), np.sin(other))
     first, second = shares_of_arc(c * d + s * r * np.dot(n, m), t)
-    return whole(np.array([first * c + second * d, *(first * s * n + second * r * m)]))
+    return whole_of_unit(np.array([first * c + second * d, *(first * s * n + second * r * m)]))
 
 
 def turn_on_arc(p: Array, across: Array, theta: Any, t: Any) -> Array:
     """Take a sample of an arc, prepared in the letters of (4-3) to (4-6)."""
-    return whole(quaternion_on_arc(p, across, theta, t))
+    return whole_of_unit(quaternion_on_arc(p, across, theta, t))
 
 
 # Rotation vectors: the axis times the angle.
@@ -227,8 +232,14 @@ def vector_whole(half: Array) -> Array:
     return np.asarray(2 * np.arctan2(sin, half[0]) / sin * half[1:])
 
 
+def vector_of_unit(half: Array) -> Array:
+    """Go back from half angles, cosine and sine."""
+    sin = np.sqrt(1 - half[0] * half[0])
+    return np.asarray(2 * np.arctan2(sin, half[0]) / sin * half[1:])
+
+
 def compose_vectors(v: Array, w: Array) -> Array:
-    """Replace two turns by one; both halves are divided by their sines, times the angles."""
+    """Replace two turns by one, of up to 360 degrees; halves are divided by sine over angle."""
     cot, other = (theta / np.tan(0.5 * theta) for theta in (length(v), length(w)))
     vector = other * v + cot * w + np.cross(v, w)
     return vector_whole(np.array([cot * other - np.dot(v, w), *vector]))
@@ -249,10 +260,10 @@ def shares(v: Array) -> tuple[Any, Any, Any]:
     return cos, (1 - cos) / square, np.sin(theta) / theta
 
 
-def prepare_vector(v: Array) -> tuple[Array, Any, Array, Array]:
-    """Prepare (3-1) for many points."""
-    cos, along, spin = shares(v)
-    return v, cos, along * v, spin * v
+def prepare_vector(v: Array) -> tuple[Array, Array]:
+    """Prepare a rotation vector for `turn_prepared`."""
+    theta = length(v)
+    return np.tan(0.5 * theta) / theta * v, np.sin(theta) / theta * v
 
 
 def matrix_of_vector(v: Array) -> Array:
@@ -265,7 +276,7 @@ def vector_between(v: Array, w: Array, t: Any) -> Array:
     """Go from one rotation vector towards another."""
     (c, s), (d, r) = map(half_of_vector, (v, w))
     first, second = shares_of_arc(c * d + s * r * np.dot(v, w), t)
-    return vector_whole(np.array([first * c + second * d, *(first * s * v + second * r * w)]))
+    return vector_of_unit(np.array([first * c + second * d, *(first * s * v + second * r * w)]))
 
 
 def half_of_vector(v: Array) -> tuple[Any, Any]:
@@ -277,7 +288,7 @@ def half_of_vector(v: Array) -> tuple[Any, Any]:
 
 def vector_on_arc(p: Array, across: Array, theta: Any, t: Any) -> Array:
     """Take a sample of an arc, prepared in the letters of (4-3) to (4-6)."""
-    return vector_whole(quaternion_on_arc(p, across, theta, t))
+    return vector_of_unit(quaternion_on_arc(p, across, theta, t))
 
 
 # Three angles, and two columns.

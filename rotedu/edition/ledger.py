@@ -256,7 +256,7 @@ LEDGER = (
             "matrix": (lean.matrix_of_turn, TURN),
             "between": (lean.turn_between, TURN, NEXT_TURN, PLACE),
             "sample": (lean.turn_on_arc, *ARC),
-            "sampled matrix": (lean.matrix_on_arc, *ARC_OF_MATRICES),
+            "sampled matrix": (lean.matrix_on_arc_of_quaternions, *ARC),
             "repair": (lean.unit, TURN[:3]),
         },
     ),
@@ -279,7 +279,7 @@ LEDGER = (
             "matrix": (lean.matrix_of_vector, V),
             "between": (lean.vector_between, V, W, PLACE),
             "sample": (lean.vector_on_arc, *ARC),
-            "sampled matrix": (lean.matrix_on_arc, *ARC_OF_MATRICES),
+            "sampled matrix": (lean.matrix_on_arc_of_quaternions, *ARC),
         },
     ),
     Row(

@@ -99,7 +99,8 @@ def rotations(name: str, matrices: Array) -> Array:
     if matrices.dtype == object:
         return matrices
     with np.errstate(over="ignore", invalid="ignore"):
-        error = np.abs(squares(matrices) - np.eye(3)).max(axis=(-2, -1), initial=0)
+        square = squares(matrices)
+        error = np.abs(square - np.eye(3)).max(axis=(-2, -1), initial=0)
     askew = ~(error <= ASKEW)
     if askew.any():
         raise ValueError(
@@ -113,10 +114,12 @@ def rotations(name: str, matrices: Array) -> Array:
             f"{name} must be a rotation: it is orthogonal, but its determinant is "
             f"{determinant.min():.6g}, so it reflects{place(determinant < 0)}"
         )
-    nearest = straightened(matrices)
+    nearest = straightened(matrices, square)
     # One step is enough for half of the digits, and three are for what is coarser.
     coarse = error > 2 * np.sqrt(np.finfo(matrices.dtype).eps)
-    nearest[coarse] = straightened(straightened(nearest[coarse]))
+    if coarse.any():
+        for _ in range(2):
+            nearest[coarse] = straightened(nearest[coarse], squares(nearest[coarse]))
     return nearest
 
 
@@ -125,9 +128,9 @@ def squares(matrices: Array) -> Array:
     return np.asarray(matrices.swapaxes(-1, -2) @ matrices)
 
 
-def straightened(matrices: Array) -> Array:
+def straightened(matrices: Array, square: Array) -> Array:
     """Take a step of Newton's method for the polar decomposition: right digits double."""
-    return np.asarray(matrices @ (3 * np.eye(3, dtype=matrices.dtype) - squares(matrices)) / 2)
+    return np.asarray(matrices @ (3 * np.eye(3, dtype=matrices.dtype) - square) / 2)
 
 
 def _three_at_least(name: str, number: int) -> None:

@@ -116,6 +116,9 @@ class TestFormulas:
             worn = m + 1e-5 * RNG.normal(size=(3, 3))
             u, _, vt = np.linalg.svd(worn)
             close(lean.repair_evenly(worn), u @ vt, 1e-8)
+        assert (
+            priced(count(lean.repair_evenly, worn)) == "51\N{NO-BREAK SPACE}+\N{NO-BREAK SPACE}33"
+        )
 
 
 class TestCounts:

@@ -124,7 +124,7 @@ def matrix_of_products(squares: Any, mixed: Any, by_w: Any) -> Array:
 
 
 def quaternion_between(p: Array, q: Array, t: Any) -> Array:
-    """Go from one quaternion towards another by slerp, with a single division."""
+    """Go from one quaternion, or direction, towards another by slerp, (5-2)."""
     first, second = shares_of_arc(np.dot(p, q), t)
     return np.asarray(first * p + second * q)
 
@@ -330,11 +330,3 @@ def repair_two_columns(a: Array) -> Array:
     """Straighten two columns by the method of Gram and Schmidt."""
     first = unit(a[:, 0])
     return np.stack([first, unit(a[:, 1] - np.dot(first, a[:, 1]) * first)], axis=1)
-
-
-# Directions.
-
-
-def direction_between(p: Array, q: Array, t: Any) -> Array:
-    """Go from one point of a sphere towards another, (5-2)."""
-    return quaternion_between(p, q, t)

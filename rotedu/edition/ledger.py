@@ -327,7 +327,7 @@ LEDGER = (
         Found("nowhere", "05-arcs"),
         Found("the roll", "05-orientations"),
         "05-arcs",
-        {"between": (lean.direction_between, lean.unit(V), lean.unit(W), PLACE)},
+        {"between": (lean.quaternion_between, lean.unit(V), lean.unit(W), PLACE)},
     ),
     Row(
         "two columns",

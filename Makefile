@@ -11,7 +11,7 @@ LAB_AS_ROOT := $(if $(filter 0,$(shell id -u)),--allow-root --no-browser)
 VIEWER := rotedu/figures/static/figure.js
 
 # The Python of the pages.
-LIVE := _build/live/.made-of
+LIVE := _build/page_python/.made-of
 
 # The test of a class adds accounts to the machine.
 CLASS := tests/test_class_load.py
@@ -57,7 +57,7 @@ bench: $(READY) ## measure speed beside other packages (one minute)
 
 mutate: $(READY) ## break mathematics and viewer, see whether tests notice (two hours)
 	$(BIN)/npm ci
-	$(BIN)/pytest tests/test_sphere_js.py tests/test_explorables.py
+	$(BIN)/pytest tests/test_rotations_js.py tests/test_explorables.py
 	CASES="$(CURDIR)/_build/cases" $(BIN)/node \
 	    node_modules/@stryker-mutator/core/bin/stryker.js run viewer/stryker.json
 	$(BIN)/python tools/mutate.py
@@ -97,7 +97,7 @@ clean: ## remove everything that make has made
 $(READY): requirements.txt pyproject.toml tools/set_up.py
 	@"$(PYTHON)" tools/set_up.py
 
-$(LIVE): $(READY) package-lock.json live/requirements.txt tools/runtime.py tools/page_python.mjs
+$(LIVE): $(READY) package-lock.json page_python/requirements.txt tools/runtime.py tools/page_python.mjs
 	@$(BIN)/python tools/runtime.py
 
 $(VIEWER): $(READY) package-lock.json $(wildcard viewer/*.* viewer/src/*.js rotedu/scenes/*.js)

@@ -8,7 +8,7 @@ import {
   quaternionFromMatrix,
   quaternionMatrix,
   rotationMatrix,
-} from "../rotedu/scenes/sphere.js";
+} from "../rotedu/scenes/rotations.js";
 import { answer, difference, read } from "./cases.mjs";
 
 // Frames have six digits.

@@ -184,7 +184,7 @@ def test_the_mathematics_needs_no_newer_numpy(install: Callable[..., Path]) -> N
     tests = [file for file in named_alike if file.exists() and file.stem != "test_colors"]
     assert len(tests) > 8
     options = ["-o", "addopts=", "--noconftest", "--hypothesis-profile=ci", "--doctest-modules"]
-    # tests/test_live.py gives right and wrong answers to the same NumPy, in a page's Python.
+    # tests/test_page_python.py gives right and wrong answers to the same NumPy, in a page's Python.
     command = [python, "-m", "pytest", *options, *modules, *tests, ROOT / "rotedu" / "edition"]
     subprocess.run(command, cwd=ROOT, check=True)
 

@@ -16,8 +16,8 @@ ROOT = Path(__file__).parents[1]
 # As a build starts it.
 KERNEL = """
 from unittest.mock import Mock
-import what_changed
-what_changed.setup(Mock())
+import cache_keys
+cache_keys.setup(Mock())
 from jupyter_client.manager import run_kernel
 with run_kernel():
     pass

@@ -15,7 +15,7 @@ import bundle
 import pytest
 import set_up
 from browser import CHROMIUMS, free_port
-from one_at_a_time import fcntl
+from lock import fcntl
 from servers import answers, until
 
 ROOT = Path(__file__).parents[1]
@@ -45,7 +45,7 @@ def test_make_refuses_another_python_though_an_old_environment_is_there(tmp_path
     for name in ("Makefile", "requirements.txt", "pyproject.toml", "package-lock.json"):
         shutil.copy(ROOT / name, tmp_path)
     (tmp_path / "tools").mkdir()
-    for name in ("one_at_a_time.py", "set_up.py"):
+    for name in ("lock.py", "set_up.py"):
         shutil.copy(ROOT / "tools" / name, tmp_path / "tools")
     (tmp_path / ".venv").mkdir()
     (tmp_path / ".venv" / "made-by-python3.12").touch()
@@ -151,8 +151,8 @@ def test_binder_starts_what_it_is_told_to() -> None:
 @pytest.mark.skipif(fcntl is None, reason="Windows has no such lock")
 def test_the_second_waits_for_the_first_and_says_so(tmp_path: Path) -> None:
     tools = shutil.copytree(ROOT / "tools", tmp_path / "tools")
-    hold = "from one_at_a_time import hold_checkout; hold_checkout(); hold_checkout(); "
-    child = "subprocess.run([sys.executable, '-c', 'from one_at_a_time import *; hold_checkout()'])"
+    hold = "from lock import hold_checkout; hold_checkout(); hold_checkout(); "
+    child = "subprocess.run([sys.executable, '-c', 'from lock import *; hold_checkout()'])"
     # Whoever waits for himself is ended by the alarm.
     code = "import signal, subprocess, sys; signal.alarm(20); " + hold + child
     code += "; print('held', flush=True); sys.stdin.read()"
@@ -291,6 +291,6 @@ def test_what_a_command_says_is_shown_if_it_fails(
     assert (shown.out, "loud" in shown.err, "noise" in shown.err) == ("", fails, fails)
 
 
-@pytest.mark.parametrize("name", ["one_at_a_time.py", "set_up.py"])
+@pytest.mark.parametrize("name", ["lock.py", "set_up.py"])
 def test_an_old_python_can_read_what_refuses_it(name: str) -> None:
     ast.parse((ROOT / "tools" / name).read_text("utf-8"), feature_version=(3, 6))

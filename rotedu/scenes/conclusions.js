@@ -12,7 +12,7 @@ import {
   transform,
   transpose,
   unit,
-} from "./sphere.js";
+} from "./rotations.js";
 
 const MOST = 1000;
 const SIZES = { "any size": 0, "about 2°": 0.02, "about 0.02°": 0.0002 };

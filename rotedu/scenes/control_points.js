@@ -1,6 +1,6 @@
 /* Models of `rotedu.scenes.control_points`. */
 import { DEGREES, ORIGIN, arcs, spread, turning } from "./parts.js";
-import { angleBetween, arcAxis, combine, cross, dot, slerp, unit } from "./sphere.js";
+import { angleBetween, arcAxis, combine, cross, dot, slerp, unit } from "./rotations.js";
 
 const SAME = 1e-6;
 const NEAR = 0.17;

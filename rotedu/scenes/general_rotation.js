@@ -18,7 +18,7 @@ import {
   transform,
   transpose,
   unit,
-} from "./sphere.js";
+} from "./rotations.js";
 
 const RINGS = [["u", 0.67], ["v", 0.885], ["w", 1.1]];
 const SPOON = 0.58;

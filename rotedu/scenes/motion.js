@@ -14,7 +14,7 @@ import {
   transform,
   transpose,
   unit,
-} from "./sphere.js";
+} from "./rotations.js";
 
 const SPEED = Math.PI / 2;
 const SECONDS = 1.5;

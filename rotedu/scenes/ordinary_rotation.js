@@ -1,6 +1,6 @@
 /* Models of `rotedu.scenes.ordinary_rotation`. */
 import { DEGREES, ORIGIN, turning } from "./parts.js";
-import { combine, cross, dot, length, rotate, rotationMatrix, unit } from "./sphere.js";
+import { combine, cross, dot, length, rotate, rotationMatrix, unit } from "./rotations.js";
 
 const HAIR = 1e-6;
 const ASIDE = [-0.03, 0.13, 0];

@@ -21,7 +21,7 @@ import {
   transform,
   transpose,
   unit,
-} from "./sphere.js";
+} from "./rotations.js";
 
 const STATIONS = 9;
 const SIZE = 0.33;

@@ -1,5 +1,5 @@
 /* What the models share. */
-import { combine, length, rotate, slerp, transpose } from "./sphere.js";
+import { combine, length, rotate, slerp, transpose } from "./rotations.js";
 
 export const DEGREES = 180 / Math.PI;
 export const ORIGIN = [0, 0, 0];

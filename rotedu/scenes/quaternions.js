@@ -14,7 +14,7 @@ import {
   slerp,
   transpose,
   unit,
-} from "./sphere.js";
+} from "./rotations.js";
 
 const U = [1, 0, 0];
 const V = [0, 1, 0];

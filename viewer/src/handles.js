@@ -4,8 +4,8 @@
  * Each has a button over the picture; a path can be grabbed anywhere, or in its place a body that turns
  * with the number.
  */
-import { alongSphere, carried, isClosed, nearest, pointOf, rolling } from "./drag.js";
-import { ALONG, drag, stepped } from "./hold.js";
+import { alongSphere, carried, isClosed, nearest, pointOf, rolling } from "./drag-geometry.js";
+import { ALONG, drag, stepped } from "./pointer.js";
 import { numberText, titleOf } from "./speak.js";
 
 const HINTS = {

@@ -1,5 +1,5 @@
 /* The controls, numbers and charts below a figure, as `rotedu.figures.panel` writes them. */
-import { ALONG, drag, stepped } from "./hold.js";
+import { ALONG, drag, stepped } from "./pointer.js";
 import { numberText, statement } from "./speak.js";
 
 const ROUNDING = 1e-9;

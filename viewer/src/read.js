@@ -1,7 +1,7 @@
 /* Reads a scene: what to draw, what hides labels, and how the camera starts. */
 import { Sphere } from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
-import { dress } from "./looks.js";
+import { dress } from "./materials.js";
 
 /**
  * @param {ArrayBuffer} file binary glTF as `rotedu.figures.gltf` writes it

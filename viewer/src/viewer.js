@@ -3,7 +3,7 @@ import { PerspectiveCamera, Scene, Vector3 } from "three";
 import { clipping, fieldOfView, outermost, reach, spun, turned, widened } from "./camera.js";
 import { orbit } from "./orbit.js";
 import { apart, isHidden, project } from "./labels.js";
-import { scaleWidths, sortSeeThrough } from "./looks.js";
+import { scaleWidths, sortSeeThrough } from "./materials.js";
 import { pixels } from "./startup.js";
 import { move } from "./parts.js";
 import { read } from "./read.js";

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { PerspectiveCamera } from "three";
-import { sortSeeThrough } from "../src/looks.js";
+import { sortSeeThrough } from "../src/materials.js";
 import { read } from "../src/read.js";
 
 globalThis.BALL = "";

@@ -20,7 +20,7 @@ FRAME = (
     "book/_ext/**/*",
     "book/_paper/**/*",
     "book/_static/**/*",
-    "live/*.*",
+    "page_python/*.*",
     "tools/notebook_language.py",
     "viewer/**/*",
     "rotedu/scenes/*.js",

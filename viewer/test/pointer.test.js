@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { stepped } from "../src/hold.js";
+import { stepped } from "../src/pointer.js";
 
 test("a number goes to the nearest step of its slider, and not beyond its ends", () => {
   const spec = { low: 1, high: 3, step: 0.5 };

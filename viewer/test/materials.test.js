@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import * as three from "three";
-import { dress, scaleWidths, sortSeeThrough } from "../src/looks.js";
+import { dress, scaleWidths, sortSeeThrough } from "../src/materials.js";
 
 globalThis.BALL = "// the ball";
 const LOOKS = {

@@ -172,8 +172,8 @@ def test_nothing_is_fetched_before_a_click(read: Callable[..., Reader], site: st
     asked: list[str] = []
     reader.page.on("request", lambda request: asked.append(request.url))
     reader.page.reload(wait_until="networkidle")
-    assert [url.partition("?")[0] for url in asked if "/live/" in url] == [
-        f"{site}/_static/live/live.js"
+    assert [url.partition("?")[0] for url in asked if "/page_python/" in url] == [
+        f"{site}/_static/page_python/page_python.js"
     ]
     assert reader.python() == "absent"
     assert {reader.state(name) for name in ("code-6", "verdicts")} == {"stored"}
@@ -419,7 +419,7 @@ PLACES = """[...document.querySelectorAll(".cell:not(.exercise *)")].map((cell) 
 def test_nothing_moves_when_the_script_comes(read: Callable[..., Reader], width: int) -> None:
     reader = read(viewport={"width": width, "height": 900}, quiet=False)
     places = reader.page.evaluate(PLACES)
-    reader.page.route("**/live/live.js*", lambda route: route.abort())
+    reader.page.route("**/page_python/page_python.js*", lambda route: route.abort())
     reader.page.reload()
     assert reader.button("run").count() == 0
     assert reader.page.evaluate(PLACES) == places

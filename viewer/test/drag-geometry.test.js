@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { alongSphere, carried, isClosed, nearest, pointOf, rolling } from "../src/drag.js";
+import { alongSphere, carried, isClosed, nearest, pointOf, rolling } from "../src/drag-geometry.js";
 
 const near = (mine, wanted, within = 1e-12) =>
   mine.forEach((x, i) => assert.ok(Math.abs(x - wanted[i]) < within, `${mine} is not ${wanted}`));

@@ -17,7 +17,7 @@ from node import run_node
 from notebook_language import BOOK, ROOT, Page, notebooks, part_of, tags
 from runtime import CANNOT_WORK, put_together
 
-SCRIPT = "live/live.js"
+SCRIPT = "page_python/page_python.js"
 EXPLORED = re.compile(r"\bexplore\(scenes\.(\w+)")
 # Lets the page's Python read the tests of the checks.
 STAND_INS = """\
@@ -255,5 +255,5 @@ def test_one_setting_leaves_python_out(tmp_path: Path) -> None:
     page = (html / "book" / "01-introduction.html").read_text("utf-8")
     assert "Show the solution" in page
     assert not any(mark in page for mark in ("data-cell", "data-exercise", SCRIPT))
-    assert not (html / "_static" / "live").exists()
+    assert not (html / "_static" / "page_python").exists()
     assert "Mozilla Public" not in (html / "_static" / "licences.txt").read_text("utf-8")

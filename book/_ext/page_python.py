@@ -20,7 +20,7 @@ sys.path.append(str(Path(__file__).parents[2] / "tools"))
 from notebook_language import tags
 from runtime import LIVE, bundle, put_together
 
-SCRIPT = "live/live.js"
+SCRIPT = "page_python/page_python.js"
 # The end of a starter cell as Pygments writes it, as in on_paper.py.
 STUB = re.compile(
     r'(?:(?<=\n)|(?<=<pre><span></span>))(<span class="n">answer</span>((?! class="c1").)*\n)?'
@@ -91,7 +91,7 @@ def serve(app: Sphinx) -> None:
     """Put Python among the static files of the website."""
     if not app.config.python_in_page or app.builder.name != "html":
         return
-    folder = Path(app.outdir).parent / "static" / "live"
+    folder = Path(app.outdir).parent / "static" / "page_python"
     shutil.copytree(put_together(), folder)
     bundle(folder)
     licences = [file.read_text("utf-8") for file in sorted(LIVE.glob("licences/*.txt"))]

@@ -1,7 +1,7 @@
 """The cases by which Node compares the mathematics of the models with rotedu's.
 
-Every run writes others; `sphere.test.mjs` reads them. Set SPHERE_SEED to the seed in a failure's
-message to repeat them.
+Every run writes others; `rotations.test.mjs` reads them. Set ROTATIONS_SEED to the seed in the
+message of a failure to repeat them.
 """
 
 import os
@@ -35,7 +35,7 @@ from rotedu.scenes.averages import singular_values
 
 Array = np.ndarray[Any, Any]
 
-SEED = int(os.environ.get("SPHERE_SEED") or secrets.randbits(32))
+SEED = int(os.environ.get("ROTATIONS_SEED") or secrets.randbits(32))
 DIMENSIONS = (2, 3, 4, 7)
 TRIES = 8
 
@@ -421,4 +421,4 @@ def test_node_computes_and_refuses_what_python_does() -> None:
     assert {case["name"] for case in computed if "value" in case} == set(PYTHON)
     assert {case.get("error") for case in degenerate} == {"DegenerateError"}
     assert {case.get("error") for case in bad} == {"RangeError"}
-    run_cases("sphere", {"seed": SEED, "cases": computed + degenerate + bad})
+    run_cases("rotations", {"seed": SEED, "cases": computed + degenerate + bad})

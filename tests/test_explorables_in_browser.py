@@ -1,15 +1,15 @@
 """Figures that answer the hand, tried by mouse, finger and keys in a real browser.
 
 After each touch the figure tells the values of its inputs and outputs. Python computes the outputs
-again from the inputs, and draws the scene that the figure must show. Set EXPLORE_SEED to the seed
-in a failure's message to repeat random inputs.
+again from the inputs (`oracles`), and draws the scene that the figure must show. Set EXPLORE_SEED
+to the seed in a failure's message to repeat random inputs.
 """
 
+import functools
 import gzip
 import io
 import json
 import random
-import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -18,12 +18,11 @@ from urllib.parse import urlencode
 import numpy as np
 import pytest
 import pyvista
-from browser import serve
+from explorables import EXPLORABLES, SEED, expected, moved, spec
 from html_pages import parse
 from nightly import nightly
 from notebook_language import chapters
 from PIL import Image
-from test_explorables import SEED, TRIES, a_ball, moved
 from test_figures_in_browser import (
     AXE,
     CONTEXTS,
@@ -31,9 +30,7 @@ from test_figures_in_browser import (
     LIKE_A_POSTER,
     NO_WEBGL,
     Open,
-    Strict,
     bring_live,
-    build,
     come_to,
     difference,
     largest_difference,
@@ -43,15 +40,11 @@ from test_figures_in_browser import (
     settle,
 )
 
-from rotedu import scenes
-from rotedu.errors import DegenerateError
-from rotedu.figures import backend, explore
-from rotedu.figures.explorable import FRAMES
-from rotedu.figures.panel import path_of
+from rotedu.figures import backend
 
 __all__ = ["open_page"]
 
-BY_HAND = {name: f for name, f in vars(scenes).items() if hasattr(f, "inputs")}
+TRIES = 3
 # Out of 255, of whole pictures and of squares of 16 pixels: the viewer draws lines smoother than
 # VTK, and see-through faces in another order.
 TOLERANCE, TOLERANCE_IN_A_SQUARE = 1.5, 75
@@ -66,7 +59,7 @@ def pages(book: Any) -> dict[str, str]:
     found = {}
     for file in sorted(book / "book" / f"{page}.html" for page in chapters()):
         text = file.read_text("utf-8")
-        for name in BY_HAND:
+        for name in EXPLORABLES:
             if f'data-name="{name.replace("_", "-")}"' in text:
                 found[name] = file.relative_to(book).as_posix()
     return found
@@ -120,7 +113,7 @@ def address(name: str, inputs: dict[str, Any]) -> str:
 def check_picture(figure: Any, plotter: pyvista.Plotter, where: str = "") -> None:
     """Compare a figure, at rest and as large as posters, with the scene that Python has made."""
     plotter.render()
-    for name in plotter.shown.views:
+    for name in plotter.record.views:
         with backend.seen_from(plotter, name):
             box = figure.locator(f".scene-view[data-view={name}]")
             compare(box, plotter, backend.scene_labels(plotter, name), where)
@@ -146,48 +139,38 @@ def compare(box: Any, plotter: pyvista.Plotter, named: list[dict[str, Any]], whe
     assert largest_difference(mine, python) < TOLERANCE_IN_A_SQUARE, where
 
 
-def check_charts(figure: Any, charts: Any) -> None:
-    """Compare the curves of all charts with Python's."""
-    for name, chart in charts.items():
-        for curve, heights in chart.curves.items():
-            line = figure.locator(f'[data-chart="{name}"] [data-curve="{curve}"]')
-            mine, python = (
-                np.array(re.findall(r"-?[\d.]+", path), float)
-                for path in (line.get_attribute("d"), path_of(heights, chart.y))
-            )
-            np.testing.assert_allclose(mine, python, atol=0.11, err_msg=f"{name} {curve}")
+@functools.cache
+def outputs_of(name: str) -> list[dict[str, Any]]:
+    """How the outputs of a figure are written."""
+    found: list[dict[str, Any]] = spec(name)["outputs"]
+    return found
 
 
 def check(name: str, figure: Any) -> dict[str, Any]:
-    """Compare the numbers and charts of a figure with Python's; return the numbers."""
+    """Compare the numbers of a figure with those of the oracle; return them."""
     settle(figure.page)
     told = values(figure)
-    function = BY_HAND[name]
-    inputs = {key: told[key] for key in function.inputs}
-    try:
-        shown, refused = function(**inputs).shown, None
-    except DegenerateError as error:
-        refused = re.sub(r" at index \([\d, ]*\)", "", str(error))
-    assert told.get("refused") == refused
-    if refused:
+    outputs = expected(name, {key: told[key] for key in EXPLORABLES[name].inputs})
+    assert told.get("refused") == outputs.get("refused")
+    if "refused" in told:
         return told
-    outputs = shown.outputs
-    check_charts(figure, shown.charts)
-    for key, output in outputs.items():
-        mine = told[key]
-        if isinstance(output.value, str):
-            assert mine == output.value, (key, inputs)
-            assert figure.locator(f'output[name="{key}"]').text_content() == mine
-            continue
-        np.testing.assert_allclose(mine, output.value, rtol=1e-6, atol=1e-6, err_msg=str(inputs))
+    for output in outputs_of(name):
+        key = output["name"]
         text = figure.locator(f'output[name="{key}"]').text_content().replace("\N{MINUS SIGN}", "-")
-        numbers = np.array(text.removesuffix(output.unit).replace(",", "").split(), float)
-        np.testing.assert_allclose(numbers, np.ravel(mine), atol=0.51 * 10**-output.digits)
+        if isinstance(outputs[key], str):
+            assert told[key] == outputs[key], (key, told)
+            assert text.replace("-", "\N{MINUS SIGN}") == told[key].replace("-", "\N{MINUS SIGN}")
+            continue
+        np.testing.assert_allclose(told[key], outputs[key], rtol=2e-6, atol=2e-6, err_msg=str(told))
+        numbers = np.array(text.removesuffix(output["unit"]).replace(",", "").split(), float)
+        np.testing.assert_allclose(
+            numbers, np.ravel(told[key]), atol=0.51 * 10 ** -output["digits"]
+        )
     return told
 
 
 def same(told: dict[str, Any], before: dict[str, Any]) -> bool:
-    """Compare values; those of the start come from Python, later ones from the model."""
+    """Compare values."""
     return told.keys() == before.keys() and all(
         value == before[key]
         if isinstance(value, (str, bool))
@@ -223,7 +206,7 @@ def turn(figure: Any, selector: str, keys: tuple[str, ...]) -> None:
         control.page.keyboard.press(key)
 
 
-@pytest.mark.parametrize("name", BY_HAND)
+@pytest.mark.parametrize("name", EXPLORABLES)
 def test_a_figure_stands_on_a_page_and_loads_little(
     name: str, pages: dict[str, str], book: Path
 ) -> None:
@@ -235,7 +218,7 @@ def test_a_figure_stands_on_a_page_and_loads_little(
 
 @pytest.mark.parametrize(
     "name",
-    nightly(BY_HAND, "closed_curve_by_hand", "grab_the_spoon"),
+    nightly(EXPLORABLES, "closed_curve_by_hand", "grab_the_spoon"),
 )
 def test_a_figure_moves_and_tells_true_numbers(name: str, open_figure: Callable[..., Any]) -> None:
     """One touch: the first point is dragged, or the first slider or body is moved by keys.
@@ -273,7 +256,7 @@ def test_a_figure_moves_and_tells_true_numbers(name: str, open_figure: Callable[
 def changed(name: str, before: dict[str, Any], after: dict[str, Any]) -> set[str]:
     """The inputs that differ; points of a list by their handles."""
     found = set()
-    for key in BY_HAND[name].inputs:
+    for key in EXPLORABLES[name].inputs:
         if np.ndim(after[key]) == 2:
             pairs = enumerate(zip(before[key], after[key], strict=True))
             found |= {f"{key}-{i}" for i, (p, q) in pairs if not np.allclose(p, q, atol=1e-6)}
@@ -296,51 +279,31 @@ def test_a_figure_looks_as_python_draws_it(name: str, open_figure: Callable[...,
     figure = open_figure(name, hash=address(name, inputs), device_scale_factor=2)
     figure.page.add_style_tag(content=LIKE_A_POSTER)
     told = check(name, live(figure))
-    check_picture(figure, BY_HAND[name](**{key: told[key] for key in BY_HAND[name].inputs}))
+    check_picture(figure, EXPLORABLES[name](**{key: told[key] for key in EXPLORABLES[name].inputs}))
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", BY_HAND)
+@pytest.mark.parametrize("name", EXPLORABLES)
 def test_a_figure_looks_as_python_draws_it_for_any_inputs(
     name: str, open_figure: Callable[..., Any]
 ) -> None:
     figure = open_figure(name, device_scale_factor=2)
     figure.page.add_style_tag(content=LIKE_A_POSTER)
     live(figure)
-    here = explore(BY_HAND[name])
     rng = np.random.default_rng(SEED)
     for _ in range(TRIES):
-        inputs = moved(rng, here)
+        inputs = moved(rng, name)
         figure.page.evaluate("hash => { location.hash = hash; }", address(name, inputs))
         told = check(name, figure)
         if "refused" in told:
             continue
         inputs = {key: told[key] for key in inputs}
         where = f"EXPLORE_SEED={SEED}: {name}({inputs})"
-        check_picture(figure, BY_HAND[name](**inputs), where)
+        check_picture(figure, EXPLORABLES[name](**inputs), where)
 
 
 @pytest.mark.slow
-def test_two_sliders_show_the_frame_of_their_values(
-    book: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, open_page: Open
-) -> None:
-    """Their order is neither that of the function nor that of the letters."""
-    monkeypatch.setattr(pyvista.global_theme, "_jupyter_backend", "book")
-    monkeypatch.setitem(FRAMES, 2, 2)
-    figure = explore(a_ball, v=(0, 1), u=(0, 1))
-    with serve(build(tmp_path, one=[figure]), Strict) as site:
-        page = open_page(f"{site}/one.html", device_scale_factor=2)
-        page.add_style_tag(content=LIKE_A_POSTER)
-        shown = live(page.locator(".explorable"))
-        turn(shown, "input[name=v]", ("Home",))
-        turn(shown, "input[name=u]", ("End",))
-        settle(page)
-        assert values(shown) == {"u": 1, "v": 0, "sum": 1}
-        check_picture(shown, figure.draw(u=1.0, v=0.0))
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("name", BY_HAND)
+@pytest.mark.parametrize("name", EXPLORABLES)
 def test_each_handle_by_mouse_and_keys(name: str, open_figure: Callable[..., Any]) -> None:
     figure = live(open_figure(name))
     page = figure.page
@@ -380,7 +343,7 @@ def test_each_handle_by_mouse_and_keys(name: str, open_figure: Callable[..., Any
 
 @pytest.mark.slow
 @pytest.mark.chromium
-@pytest.mark.parametrize("name", BY_HAND)
+@pytest.mark.parametrize("name", EXPLORABLES)
 def test_each_handle_by_finger(name: str, open_figure: Callable[..., Any]) -> None:
     figure = live(open_figure(name, **PHONE))
     page = figure.page
@@ -401,7 +364,7 @@ def test_each_handle_by_finger(name: str, open_figure: Callable[..., Any]) -> No
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", BY_HAND)
+@pytest.mark.parametrize("name", EXPLORABLES)
 def test_each_slider_switch_and_button(name: str, open_figure: Callable[..., Any]) -> None:
     figure = live(open_figure(name))
     page = figure.page
@@ -435,7 +398,7 @@ def test_each_slider_switch_and_button(name: str, open_figure: Callable[..., Any
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", BY_HAND)
+@pytest.mark.parametrize("name", EXPLORABLES)
 def test_play_goes_on_and_stops(name: str, open_figure: Callable[..., Any]) -> None:
     figure = live(open_figure(name))
     for button in figure.locator("[data-action=play]").all():
@@ -464,7 +427,7 @@ def test_who_wants_no_motion_gets_steps(open_figure: Callable[..., Any]) -> None
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", BY_HAND)
+@pytest.mark.parametrize("name", EXPLORABLES)
 def test_ten_seconds_of_anything(name: str, open_figure: Callable[..., Any]) -> None:
     figure = live(open_figure(name, script=CONTEXTS))
     page, rng = figure.page, random.Random(name)
@@ -686,30 +649,6 @@ def test_a_point_behind_cannot_be_caught(open_figure: Callable[..., Any]) -> Non
     assert float(opacity) < 0.4
 
 
-def test_a_model_that_errs_leaves_a_figure_that_turns(
-    site: str, pages: Any, open_page: Open
-) -> None:
-    name = "closed_curve_by_hand"
-    page = open_page("about:blank", quiet=False)
-    said: list[str] = []
-    page.on("console", lambda message: said.append(message.text))
-
-    def spoil(route: Any) -> None:
-        answer = route.fetch()
-        data = answer.json()
-        data["frame"]["outputs"]["speed"] += 0.001
-        route.fulfill(response=answer, json=data)
-
-    page.route("**/*.json", spoil)
-    page.goto(f"{site}/{pages[name]}")
-    figure = page.locator('.explorable[data-name="closed-curve-by-hand"]')
-    bring_live(figure.locator(".scene"))
-    settle(page)
-    assert any("differs from Python in speed" in text for text in said)
-    assert not figure.locator("[data-handle]").count()
-    assert figure.locator("input").first.is_disabled()
-
-
 def test_without_webgl_two_pictures_stand_side_by_side(open_figure: Callable[..., Any]) -> None:
     """The reason stands below both."""
     figure = open_figure("camera_by_hand", script=NO_WEBGL)
@@ -748,7 +687,7 @@ def test_without_a_server_a_figure_says_how_to_move_it(
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", BY_HAND)
+@pytest.mark.parametrize("name", EXPLORABLES)
 def test_axe_finds_nothing_in_the_middle_of_a_drag(
     name: str, open_figure: Callable[..., Any]
 ) -> None:

@@ -18,9 +18,9 @@ from PIL import Image
 from rotedu import scenes
 from rotedu.figures import backend, describe, stack_on_phone
 from rotedu.figures.backend import MIME_TYPE, POSTER_SCALE, book_figure, scene_labels, take_poster
-from rotedu.figures.frames import in_stack
 from rotedu.figures.gltf import scene_gltf
 from rotedu.figures.pages import stacked_poster
+from rotedu.figures.state import in_stack
 from rotedu.scenes import parts
 
 TYPES = {5120: np.int8, 5123: np.uint16, 5125: np.uint32, 5126: np.float32}

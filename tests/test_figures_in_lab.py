@@ -284,21 +284,6 @@ def test_the_hand_and_python_move_the_same_figure(run: Open) -> None:
     assert figure.count() == 1
 
 
-@pytest.mark.slow
-def test_without_a_model_each_frame_comes_from_python(run: Open) -> None:
-    page = run("asking", EXPLORE, "arc = explore(scenes.figure_2, t=(0, 1))\narc")
-    arc = page.locator('.explorable[data-name="figure-2"][data-values]')
-    arc.wait_for(timeout=30_000)
-    label = arc.locator(r'[data-label="\\hat v(t)"]')
-    before = label.bounding_box()
-    arc.locator("input[type=range]").focus()
-    page.keyboard.press("Home")
-    page.wait_for_function("e => JSON.parse(e.dataset.values).t === 0", arg=arc.element_handle())
-    page.wait_for_timeout(500)
-    assert label.bounding_box() != before
-    assert page.evaluate(EXECUTE, "print(arc.t)").strip() == "0.0"
-
-
 PICTURES_OF_FIGURES = "img.rotedu-picture"
 ERROR = "Error displaying widget"
 

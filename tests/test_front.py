@@ -122,7 +122,7 @@ def test_the_figure_plays_until_it_is_grabbed(visit: Callable[..., Any]) -> None
     assert not [
         name
         for name in early
-        if re.search(r"(viewer|by-hand)-\w+\.js|/scene-\w+\.(glb|json)", name)
+        if re.search(r"(viewer|explorables)-\w+\.js|/scene-\w+\.(glb|json)", name)
     ]
 
     start = page.evaluate(VALUES)

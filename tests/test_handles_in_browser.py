@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from nightly import nightly
 from test_explorables_in_browser import (
-    BY_HAND,
+    EXPLORABLES,
     PHONE,
     center,
     in_sight,
@@ -26,7 +26,7 @@ __all__ = ["off_screen", "open_figure", "open_page", "pages"]
 
 POINTS = {
     name: [key for key, kind in f.inputs.items() if isinstance(kind, Handles)]
-    for name, f in BY_HAND.items()
+    for name, f in EXPLORABLES.items()
 }
 WITH_POINTS = [name for name, keys in POINTS.items() if keys]
 CURVE = "closed_curve_by_hand"
@@ -203,7 +203,7 @@ def test_in_full_screen_the_controls_stay(open_figure: Callable[..., Any]) -> No
     page.wait_for_function("() => !document.fullscreenElement")
 
 
-@pytest.mark.parametrize("name", nightly(BY_HAND, CURVE))
+@pytest.mark.parametrize("name", nightly(EXPLORABLES, CURVE))
 def test_a_finger_has_room(name: str, open_figure: Callable[..., Any]) -> None:
     figure = live(open_figure(name, **PHONE))
     pressed = "button, a.try, summary, .explorable-switch, .explorable-choice label"

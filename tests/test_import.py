@@ -61,6 +61,7 @@ def test_the_version_is_that_of_the_package(file: str) -> None:
 # The extra with which each file is run; a later line overrides an earlier one.
 EXTRAS = {
     "rotedu/**/*.py": "notebooks",
+    "rotedu/figures/model.py": "book",
     "rotedu/figures/pages.py": "book",
     "book/_ext/*.py": "book",
     "tools/*.py": "test",

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 import pytest
 from test_explorables_in_browser import (
-    BY_HAND,
+    EXPLORABLES,
     PHONE,
     in_sight,
     live,
@@ -74,7 +74,7 @@ def check_sweep(figure: Any, name: str, states: list[dict[str, Any]]) -> None:
     """Set a figure to some states, each from its start, and look at its labels."""
     in_sight(figure)
     start = figure.evaluate("element => JSON.parse(element.dataset.values)")
-    inputs = BY_HAND[name].inputs
+    inputs = EXPLORABLES[name].inputs
     start = {key: start[key] for key in inputs}
     found = figure.page.evaluate(SWEEP, [figure.element_handle(), [start | s for s in states]])
     assert len(found) == len(states)
@@ -85,10 +85,10 @@ def check_sweep(figure: Any, name: str, states: list[dict[str, Any]]) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("width", WIDTHS)
-@pytest.mark.parametrize("name", BY_HAND)
+@pytest.mark.parametrize("name", EXPLORABLES)
 def test_no_label_lies_on_another(name: str, width: str, open_figure: Callable[..., Any]) -> None:
     figure = live(open_figure(name, **WIDTHS[width]))
-    check_sweep(figure, name, swept(BY_HAND[name].inputs, PLACES))
+    check_sweep(figure, name, swept(EXPLORABLES[name].inputs, PLACES))
 
 
 @pytest.mark.parametrize(

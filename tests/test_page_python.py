@@ -103,8 +103,8 @@ EXPLORE = "from rotedu import scenes\nfrom rotedu.figures import explore\n"
 SHOWN: dict[str, Any] = {"arcs-of-arcs": {"u": 0.25, "length": 1}, "slerp-by-hand": {}}
 # Cells with figures: the value of the last line, and what they have changed.
 FIGURES: dict[str, tuple[str, dict[str, Any]]] = {
-    EXPLORE + "explore(scenes.arcs_of_arcs, u=(0, 1)).u": ("0.25", {}),
-    EXPLORE + "figure = explore(scenes.arcs_of_arcs, u=(0, 1))\nfigure.u = 1\nfigure.u": (
+    EXPLORE + "explore(scenes.arcs_of_arcs).u": ("0.25", {}),
+    EXPLORE + "figure = explore(scenes.arcs_of_arcs)\nfigure.u = 1\nfigure.u": (
         "1.0",
         {"arcs-of-arcs": {"u": 1.0}},
     ),

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 from bs4 import BeautifulSoup
+from explorables import outputs
 from nightly import nightly
 from notebook_language import Page, chapters, pages
 from scipy.spatial.transform import Rotation
@@ -16,7 +17,6 @@ from rotedu.arcs import angle_between, arc_axis
 from rotedu.averages import angular_distance, mean_rotation
 from rotedu.closed_curve import closed_curve
 from rotedu.control_points import bisect, control_points, double
-from rotedu.figures import explore
 from rotedu.general_rotation import (
     euler_angles,
     matrix_from_euler_angles,
@@ -431,11 +431,9 @@ def test_the_roll_that_an_arc_brings_is_small_near_the_horizon_only() -> None:
         assert "three or more of the five" in text
 
     def test_the_means_of_picture_b_a(self) -> None:
-        figure = explore(scenes.mean_by_hand)
-
         def apart(**inputs: Any) -> float:
             """How far the two means are apart, in degrees."""
-            return float(figure.draw(**figure.start | inputs).shown.outputs["apart"].value)
+            return float(outputs("mean_by_hand", **inputs)["apart"])
 
         page = pages()["beyond-averages.ipynb"]
         text = "\n".join(cell.source for cell in page.cells)

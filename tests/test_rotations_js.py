@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 import pytest
 from node import run_cases
+from oracles.averages import singular_values
 from spheres import random_units
 
 from rotedu.arcs import angle_between, arc_axis, nlerp, slerp
@@ -31,7 +32,6 @@ from rotedu.orientations import (
     squad,
 )
 from rotedu.quaternions import Quaternion
-from rotedu.scenes.averages import singular_values
 
 Array = np.ndarray[Any, Any]
 

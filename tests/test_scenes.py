@@ -1,18 +1,20 @@
 """The figures in three dimensions: they show what their functions promise."""
 
+from typing import Any
+
 import numpy as np
 import pytest
 import pyvista
+from explorables import outputs, states
 from scipy.spatial.transform import Rotation, Slerp
 
 from rotedu import colors, scenes
 from rotedu.arcs import angle_between
 from rotedu.control_points import bisect, control_points, double
 from rotedu.figures.backend import scene_labels, seen_from, still_picture
-from rotedu.figures.frames import shown
+from rotedu.figures.state import record_of
 from rotedu.ordinary_rotation import rotate
 from rotedu.scenes import control_points as construction
-from rotedu.scenes import quaternions as chapter_2
 from rotedu.scenes.arcs import camera
 from rotedu.scenes.ordinary_rotation import VECTOR_BY_HAND
 
@@ -31,7 +33,7 @@ def test_a_scene_says_what_it_shows_and_keeps_its_labels_in_the_picture(scene) -
     assert len(plotter.alt_text) > 40
     labels = scene_labels(plotter)
     assert labels
-    places = plotter.shown.labels
+    places = plotter.record.labels
     for label in labels:
         assert 0.01 < label["left"] < 0.99
         assert 0.01 < label["top"] < 0.99
@@ -46,7 +48,7 @@ def test_a_sphere_fills_its_picture_also_on_a_phone() -> None:
     for plotter in (scene() for scene in SCENES if scene is not scenes.animate):
         if not hasattr(plotter, "ball"):
             continue
-        stack = shown(plotter).stack or {"rows": [{"from": [0, 0, 1, 1], "to": [0, 0, 1, 1]}]}
+        stack = record_of(plotter).stack or {"rows": [{"from": [0, 0, 1, 1], "to": [0, 0, 1, 1]}]}
         eye = np.array(plotter.camera.position)
         distance = np.linalg.norm(eye)
         side = np.cross(eye, [0, 0, 1])
@@ -107,11 +109,15 @@ def test_figure_1_takes_its_vector_axis_and_angle() -> None:
 
 def test_figure_1_stays_in_the_picture_when_its_axis_is_tilted() -> None:
     rng = np.random.default_rng(1)
-    for _ in range(20):
-        vector, axis = rng.normal(size=(2, 3))
+    plotter = scenes.figure_1_by_hand()
+    cases = []
+    for vector, axis in rng.normal(size=(20, 2, 3)):
         vector *= np.linalg.norm(VECTOR_BY_HAND) / np.linalg.norm(vector)
-        plotter = scenes.figure_1_by_hand(vector, axis, *rng.uniform(0, 360, 2))
-        places = [place for part in shown(plotter).parts.values() for place in part.values()]
+        theta, around = rng.uniform(0, 360, 2)
+        cases.append({"vector": vector, "axis": axis, "theta": theta, "around": around})
+    for state in states("figure_1_by_hand", cases):
+        parts = [part for part in state["parts"].values() if not part.get("hidden")]
+        places = [place for part in parts for place in part.values() if np.size(place) > 1]
         points = np.vstack([np.reshape(p, (-1, 3)) for p in places if np.size(p) % 3 == 0])
         assert np.abs(in_picture(plotter, points) - 0.5).max() < 0.5
 
@@ -158,17 +164,18 @@ def meshes(plotter: pyvista.Plotter, color: str) -> list[pyvista.PolyData]:
 
 @pytest.mark.parametrize("between", [-70, 0, 50, 180])
 def test_two_mirrors_turn_the_letter_by_twice_their_angle(between: float) -> None:
-    plotter = scenes.two_mirrors_by_hand(first=80, second=80 + between, both=33, letter=140)
+    inputs = {"first": 80, "second": (80 + between) % 360, "both": 33, "letter": 140}
+    [state] = states("two_mirrors_by_hand", [inputs])
     names = ("letter", "image", "image of the image")
-    before, mirrored, after = (plotter.actors[name].user_matrix[:3, :3] for name in names)
+    before, mirrored, after = (turn_of(state, name) for name in names)
     assert np.isclose(np.linalg.det(mirrored), -1)
     turned = Rotation.from_euler("z", [[140], [140 + 2 * between]], degrees=True).as_matrix()
     np.testing.assert_allclose([before, after], turned, rtol=0, atol=1e-14)
-    outputs = shown(plotter).outputs
-    assert outputs["turned"].value == 2 * between
-    assert outputs["home"].value == ("yes" if between in (0, 180) else "no")
+    told = state["outputs"]
+    assert told["turned"] == 2 * between
+    assert told["home"] == ("yes" if between in (0, 180) else "no")
     # SciPy puts the scalar part last.
-    w, *v = outputs["q"].value
+    w, *v = told["q"]
     turn = Rotation.from_quat([*v, w]).as_matrix()
     np.testing.assert_allclose(turn @ before, after, rtol=0, atol=1e-14)
     assert np.isclose(w, np.cos(np.deg2rad(between)), atol=1e-14)
@@ -179,23 +186,29 @@ def test_two_mirrors_turn_the_letter_by_twice_their_angle(between: float) -> Non
     [(0, ("yes", "yes")), (0.5, ("no", "no")), (1, ("yes", "no")), (2, ("yes", "yes"))],
 )
 def test_the_spoon_is_back_after_one_turn_and_its_quaternion_after_two(turns, back) -> None:
-    plotter = scenes.double_cover_by_hand(turns)
-    outputs = shown(plotter).outputs
-    assert (outputs["spoon_back"].value, outputs["q_back"].value) == back
+    [state] = states("double_cover_by_hand", [{"turns": turns}])
+    told = state["outputs"]
+    assert (told["spoon_back"], told["q_back"]) == back
     turn = Rotation.from_euler("z", 360 * turns, degrees=True).as_matrix()
-    np.testing.assert_allclose(plotter.actors["spoon"].user_matrix[:3, :3], turn, atol=1e-14)
-    np.testing.assert_allclose(outputs["matrix"].value, turn, atol=1e-14)
+    np.testing.assert_allclose(turn_of(state, "spoon"), turn, atol=1e-14)
+    np.testing.assert_allclose(told["matrix"], turn, atol=1e-14)
     half = np.pi * turns
-    np.testing.assert_allclose(
-        outputs["q"].value, [np.cos(half), 0, 0, np.sin(half)], rtol=0, atol=1e-14
-    )
+    np.testing.assert_allclose(told["q"], [np.cos(half), 0, 0, np.sin(half)], rtol=0, atol=1e-14)
+
+
+def turn_of(state: dict[str, Any], name: str) -> np.ndarray:
+    """The matrix that turns a part."""
+    return np.reshape(state["parts"][name]["matrix"], (4, 4)).T[:3, :3]
 
 
 def half_of_ribbon(turns: float, passed: float) -> np.ndarray:
     """The border and the middle of the ribbon, from the spoon to the bar, shape (2, n, 3)."""
-    plotter = scenes.double_cover_by_hand(turns, passed)
-    points = plotter.actors["one half"].mapper.dataset.points
-    return points.reshape(2, -1, 3) - chapter_2.HOME
+    [state] = states("double_cover_by_hand", [{"turns": turns, "passed": passed}])
+    return np.reshape(state["parts"]["one half"]["points"], (2, -1, 3)) - middle_of_spoon(state)
+
+
+def middle_of_spoon(state: dict[str, Any]) -> np.ndarray:
+    return np.array(state["parts"]["spoon"]["matrix"][12:15])
 
 
 @pytest.mark.parametrize(
@@ -213,46 +226,22 @@ def test_the_ribbon_has_the_twists_that_are_said(turns, passed, twists) -> None:
     np.testing.assert_allclose(middle[:, :2], 0, atol=1e-5)
     angle = np.unwrap(np.arctan2(across[:, 1], across[:, 0]))
     assert np.isclose((angle[0] - angle[-1]) / (2 * np.pi), twists, atol=1e-5)
-    outputs = shown(scenes.double_cover_by_hand(turns, passed)).outputs
-    assert outputs["twists"].value == pytest.approx(twists)
+    told = outputs("double_cover_by_hand", turns=turns, passed=passed)
+    assert told["twists"] == pytest.approx(twists)
 
 
 WAYS = [(turns, passed) for turns in (0, 0.4, 1, 1.7, 2, 2.3, 3, 4) for passed in (0, 0.3, 0.9, 1)]
 WAYS += [(turns, 1 + passed) for turns in (2.3, 3, 4) for passed in (1e-9, 0.5, 0.97, 1)]
 
 
-@pytest.mark.parametrize(("turns", "passed"), WAYS)
-def test_the_ends_of_the_ribbon_are_held_while_it_is_passed(turns, passed) -> None:
-    way = chapter_2.along_ribbon(turns, passed, np.linspace(0, 1, 2001)).components
-    np.testing.assert_allclose(np.linalg.norm(way, axis=1), 1, rtol=0, atol=1e-12)
-    half = np.pi * turns
-    ends = [[1, 0, 0, 0], [np.cos(half), 0, 0, np.sin(half)]]
-    np.testing.assert_allclose(way[[0, -1]], ends, rtol=0, atol=1e-9)
-    # At constant speed, no longer than four turns, and as little changed by a little passing.
-    steps = np.linalg.norm(np.diff(way, axis=0), axis=1)
-    assert np.ptp(steps) < 1e-7
-    assert steps.max() <= np.pi * max(turns, 2) / 2000 + 1e-9
-    before = chapter_2.along_ribbon(turns, max(passed - 1e-4, 0), np.linspace(0, 1, 2001))
-    assert np.abs(way - before.components).max() < 0.03
-
-
 @pytest.mark.parametrize("tau", [0, 0.2, 0.5, 0.9])
 def test_two_turns_shrink_in_the_ball_and_one_swings(tau) -> None:
-    s = np.linspace(0, 1, 1001)
-    # Two turns whose axes lean apart; one turn whose axis goes from pole to pole.
-    k = np.array([0, 0, 1])
-    i, lean = np.cross(k, chapter_2.ACROSS), np.pi * tau / 2
-    a, b = (np.cos(lean) * k + sign * np.sin(lean) * i for sign in (1, -1))
-    two = Rotation.from_rotvec(2 * np.pi * np.outer(s, a)) * Rotation.from_rotvec(
-        2 * np.pi * np.outer(s, b)
-    )
-    side = rotate(chapter_2.ACROSS, k, np.pi / 6)
-    n = np.cos(np.pi * tau) * k + np.sin(np.pi * tau) * side
-    one = Rotation.from_rotvec(2 * np.pi * np.outer(s, n))
-    for turns, expected, radius in ((2, two, 1 - tau), (1, one, 1)):
-        way = chapter_2.along_ribbon(turns, tau, s)
-        np.testing.assert_allclose(way.matrix(), expected.as_matrix(), rtol=0, atol=1e-12)
-        assert np.isclose(chapter_2.turns_of(way)[1].max(), radius, atol=1e-6)
+    def farthest(turns: int) -> float:
+        [state] = states("double_cover_by_hand", [{"turns": turns, "passed": tau}])
+        return np.linalg.norm(np.vstack(state["parts"]["path"]["paths"]), axis=1).max()
+
+    assert farthest(2) == pytest.approx(1 - tau, abs=2e-3)
+    assert farthest(1) == pytest.approx(1, abs=1e-6)
 
 
 @pytest.mark.parametrize(("turns", "passed"), WAYS)
@@ -265,29 +254,32 @@ def test_the_ribbon_meets_neither_itself_nor_the_spoon(turns, passed) -> None:
     apart = np.broadcast_to(along > 0.15, distances.shape)
     assert distances[apart].min() > 0.13
     # The spoon turns with the ribbon's end: only farther out do they differ.
-    plotter = scenes.double_cover_by_hand(turns, passed)
+    plotter = scenes.double_cover_by_hand()
     spoon = np.linalg.norm(plotter.actors["spoon"].mapper.dataset.points, axis=1).max()
-    assert spoon < chapter_2.SPOON < far[-1]
-    held = far < chapter_2.SPOON
-    width = chapter_2.WIDTH * rotate([-1, 0, 0], [0, 0, 1], 2 * np.pi * turns)
+    assert spoon < 0.42 < far[-1]
+    held = far < 0.42
+    width = 0.11 * rotate([-1, 0, 0], [0, 0, 1], 2 * np.pi * turns)
     np.testing.assert_allclose((border - middle)[held], np.tile(width, (held.sum(), 1)), atol=1e-6)
 
 
 @pytest.mark.parametrize("turns", [0.5, 1, 2, 3, 4])
 def test_what_is_grabbed_lies_on_the_ribbon(turns) -> None:
-    grips = shown(scenes.double_cover_by_hand(turns)).grips
-    for k in range(0, 48 * chapter_2.passes(turns) + 1, 12):
-        ring = grips["passed"]["path"][k] - chapter_2.HOME
+    [state] = states("double_cover_by_hand", [{"turns": turns}])
+    way, tips = (
+        np.array(state["grips"][name]["path"]) - middle_of_spoon(state)
+        for name in ("passed", "turns")
+    )
+    for k in range(0, 48 * (1 if turns <= 2 else 2) + 1, 12):
+        ring = way[k]
         _, middle = half_of_ribbon(turns, k / 48)
         line = pyvista.MultipleLines(middle)
         _, nearest = line.find_closest_cell(ring, return_closest_point=True)
         assert np.linalg.norm(nearest - ring) < 0.01
-    tips = grips["turns"]["path"] - chapter_2.HOME
-    turned = rotate([chapter_2.REACH, 0, 0], [0, 0, 1], 8 * np.pi * np.linspace(0, 1, 97))
-    np.testing.assert_allclose(tips, turned, atol=0.01 * chapter_2.REACH)
+    turned = rotate([0.4, 0, 0], [0, 0, 1], 8 * np.pi * np.linspace(0, 1, 97))
+    np.testing.assert_allclose(tips, turned, atol=0.004)
     # A path that ended where it begins would lead from four turns to none.
     assert np.linalg.norm(tips[-1] - tips[0]) > 1e-3
-    assert np.linalg.norm(grips["passed"]["path"][-1] - grips["passed"]["path"][0]) > 1e-3
+    assert np.linalg.norm(way[-1] - way[0]) > 1e-3
 
 
 def test_no_turn_maps_the_letter_f_to_its_mirror_image() -> None:
@@ -340,9 +332,10 @@ def test_a_control_point_jumps_where_the_gaps_differ_by_180_degrees(before: floa
         phi = np.radians([-before, 0, onward])
         # The last point is dragged beside the great circle.
         points = np.stack([np.cos(phi), np.sin(phi), [0, 0, 0.3]], axis=-1)
-        plotter = scenes.control_points_by_hand(points, step=4, one_circle=True)
-        a = np.array(plotter.actors[construction.A].center)
-        return plotter.shown.outputs["to_jump"].value, a / np.linalg.norm(a)
+        inputs = {"points": points, "step": 4, "one_circle": True}
+        [state] = states("control_points_by_hand", [inputs])
+        a = np.array(state["parts"][construction.A]["at"])
+        return state["outputs"]["to_jump"], a / np.linalg.norm(a)
 
     (to_jump, earlier), (_, later) = across(before + 179.9), across(before + 180.1)
     assert to_jump == pytest.approx(0.1)
@@ -419,14 +412,14 @@ def test_one_path_of_the_camera_is_thick() -> None:
 @pytest.mark.parametrize("u", [0.1, 0.4, 0.6, 0.9])
 def test_an_upright_camera_spins_with_its_azimuth(path: str, u: float) -> None:
     def sight(u: float) -> np.ndarray:
-        plotter = scenes.camera_by_hand(path=path, roll="kept upright", u=u)
-        return plotter.actors["camera"].user_matrix[:3, 0]
+        [state] = states("camera_by_hand", [{"path": path, "roll": "kept upright", "u": u}])
+        return turn_of(state, "camera")[:, 0]
 
     (x, y, _), (x2, y2, _) = sight(u - 1e-5), sight(u + 1e-5)
     # Four legs take four seconds; only the part of the turn about the line of sight counts.
     rate = np.degrees(np.arctan2(x * y2 - y * x2, x * x2 + y * y2)) / 8e-5
     shown = {
-        roll: scenes.camera_by_hand(path=path, roll=roll, u=u).shown.outputs["spin"].value
+        roll: outputs("camera_by_hand", path=path, roll=roll, u=u)["spin"]
         for roll in ("kept upright", "carried along")
     }
     assert shown["kept upright"] == pytest.approx(rate * sight(u)[2], rel=1e-4, abs=1e-2)
@@ -435,15 +428,16 @@ def test_an_upright_camera_spins_with_its_azimuth(path: str, u: float) -> None:
 
 @pytest.mark.parametrize("path", ["arcs", "curve"])
 def test_the_chart_of_the_spin_is_that_of_an_upright_camera(path: str) -> None:
-    spins = scenes.camera_by_hand(path=path).shown.charts["spins"].curves["spin"]
+    [state] = states("camera_by_hand", [{"path": path}])
+    spins = state["charts"]["spins"]["spin"]
     for k in (0, 6, 11):
         u = (2 + k / 12) / 4
-        shown = scenes.camera_by_hand(path=path, roll="kept upright", u=u).shown
-        assert spins[2][k] == pytest.approx(shown.outputs["spin"].value, abs=1e-5)
+        told = outputs("camera_by_hand", path=path, roll="kept upright", u=u)
+        assert spins[2][k] == pytest.approx(told["spin"], abs=1e-5)
 
 
 def test_speed_jumps_on_arcs_and_not_on_the_curve() -> None:
-    speeds = scenes.camera_by_hand().shown.charts["speeds"].curves
+    speeds = states("camera_by_hand", [{}])[0]["charts"]["speeds"]
     jumps = {
         name: np.subtract(s, np.roll(s, 1, axis=0)[:, [-1]])[:, 0] for name, s in speeds.items()
     }
@@ -455,16 +449,17 @@ def test_speed_jumps_on_arcs_and_not_on_the_curve() -> None:
 
 
 def test_curvature_in_the_chart_jumps_as_told() -> None:
-    shown = scenes.closed_curve_by_hand().shown
-    pieces = np.array(shown.charts["curvatures"].curves["curve"])
+    [state] = states("closed_curve_by_hand", [{}])
+    told, charts = state["outputs"], state["charts"]
+    pieces = np.array(charts["curvatures"]["curve"])
     jumps = abs(pieces[:, 0] - np.roll(pieces[:, -1], 1))
-    assert jumps == pytest.approx(np.array(shown.outputs["curvature_jumps"].value), abs=1e-5)
+    assert jumps == pytest.approx(np.array(told["curvature_jumps"]), abs=1e-5)
     # At u = 0.34 the nearest is the second of four points; close to the end it is the first again.
-    assert jumps[1] == pytest.approx(shown.outputs["curvature_jump"].value, abs=1e-5)
-    at_the_end = scenes.closed_curve_by_hand(u=0.9).shown.outputs["curvature_jump"]
-    assert jumps[0] == pytest.approx(at_the_end.value, abs=1e-5)
-    speeds = np.array(shown.charts["speeds"].curves["curve"])
-    assert shown.outputs["speed_range"].value == pytest.approx([speeds.min(), speeds.max()])
+    assert jumps[1] == pytest.approx(told["curvature_jump"], abs=1e-5)
+    at_the_end = outputs("closed_curve_by_hand", u=0.9)["curvature_jump"]
+    assert jumps[0] == pytest.approx(at_the_end, abs=1e-5)
+    speeds = np.array(charts["speeds"]["curve"])
+    assert told["speed_range"] == pytest.approx([speeds.min(), speeds.max()])
     assert (jumps > 0.5).sum() == 3
 
 

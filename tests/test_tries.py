@@ -9,19 +9,15 @@ from typing import Any
 
 import numpy as np
 import pytest
+from explorables import EXPLORABLES, outputs, panels, states
 from scipy.interpolate import CubicSpline
 from scipy.linalg import expm, polar
 from scipy.spatial.transform import Rotation
-from test_explorables import BY_HAND
 
 from rotedu.arcs import angle_between
 from rotedu.control_points import control_points
-from rotedu.figures import explore
-from rotedu.figures.explorable import Exploration
-from rotedu.figures.frames import frame_of
-from rotedu.figures.panel import text_of
+from rotedu.figures.explorable import Explorable
 from rotedu.quaternions import Quaternion
-from rotedu.scenes import motion
 from rotedu.scenes.conclusions import random_turns
 from rotedu.scenes.orientations import FILMS
 
@@ -250,37 +246,45 @@ SHOWN: list[tuple[str, str, dict[str, str]]] = [
 ]
 
 
-def tried(name: str, words: str) -> tuple[Exploration, dict[str, Any]]:
-    """A figure, and its inputs after a press on a chip."""
-    figure = explore(BY_HAND[name])
-    chosen = BY_HAND[name].tries[words]
-    return figure, figure.start | {
-        key: figure.inputs[key].value(key, x) for key, x in chosen.items()
+def tried(name: str, words: str = "") -> dict[str, Any]:
+    """The inputs of a figure after a press on a chip, or at the start."""
+    figure = Explorable(EXPLORABLES[name])
+    return figure.start | (figure.checked(EXPLORABLES[name].tries[words]) if words else {})
+
+
+@pytest.fixture(scope="module")
+def pressed() -> dict[tuple[str, str], dict[str, str]]:
+    """The numbers that a reader sees after each press."""
+    cases = [(name, tried(name, words)) for name, words, _ in SHOWN]
+    return {
+        (name, words): {output["name"]: output.text for output in panel.select("output")}
+        for (name, words, _), panel in zip(SHOWN, panels(cases), strict=True)
     }
 
 
 @pytest.mark.parametrize(("name", "words", "outputs"), SHOWN)
-def test_a_chip_shows_what_it_promises(name: str, words: str, outputs: dict[str, str]) -> None:
-    figure, inputs = tried(name, words)
-    seen = figure.draw(**inputs).shown.outputs
-    assert {key: text_of(seen[key]) for key in outputs} == outputs
+def test_a_chip_shows_what_it_promises(
+    name: str, words: str, outputs: dict[str, str], pressed: dict[Any, dict[str, str]]
+) -> None:
+    seen = pressed[name, words]
+    assert {key: seen[key] for key in outputs} == outputs
 
 
 def test_the_control_point_goes_halfway_straight_ahead_and_jumps_by_almost_a_right_angle() -> None:
     place = {}
-    for words in list(BY_HAND["control_points_by_hand"].tries)[1:]:
-        figure, inputs = tried("control_points_by_hand", words)
-        a = np.array(figure.draw(**inputs).shown.parts["$a_i$"]["at"])
+    for words in list(EXPLORABLES["control_points_by_hand"].tries)[1:]:
+        inputs = tried("control_points_by_hand", words)
+        a = np.array(states("control_points_by_hand", [inputs])[0]["parts"]["$a_i$"]["at"])
         place[words] = np.degrees(np.arctan2(a[1], a[0]))
     # P_i is at 60 degrees of the equator, and two halvings leave a quarter of a turn but for 2.5.
     assert place["the next point straight ahead"] == pytest.approx(90)
     assert place["before the jump"] - place["behind it"] == pytest.approx(90 - 2.5)
 
 
-@pytest.mark.parametrize("words", BY_HAND["worn_spoons_by_hand"].tries)
+@pytest.mark.parametrize("words", EXPLORABLES["worn_spoons_by_hand"].tries)
 def test_rounding_harms_the_products_of_scipy_as_much(words: str) -> None:
-    figure, inputs = tried("worn_spoons_by_hand", words)
-    shown = figure.draw(**inputs).shown.outputs
+    inputs = tried("worn_spoons_by_hand", words)
+    shown = outputs("worn_spoons_by_hand", **inputs)
     kept = {
         "2 decimals": lambda x: np.rint(100 * x) / 100,
         "16 bits": lambda x: x.astype("f2").astype(float),
@@ -297,62 +301,62 @@ def test_rounding_harms_the_products_of_scipy_as_much(words: str) -> None:
         size, turned = np.linalg.norm(q), Rotation.from_quat(q)
     off = np.degrees([Rotation.from_matrix(matrix).magnitude(), turned.magnitude()])
     for name, angle in zip(("matrix", "quaternion"), off, strict=True):
-        assert float(shown[f"{name}_off"].value.rstrip("°")) == pytest.approx(angle, rel=0.06)
+        assert float(shown[f"{name}_off"].rstrip("°")) == pytest.approx(angle, rel=0.06)
 
 
 def test_every_chip_has_its_row() -> None:
-    chips = {(name, words) for name, function in BY_HAND.items() for words in function.tries}
+    chips = {(name, words) for name, function in EXPLORABLES.items() for words in function.tries}
     assert chips == {(name, words) for name, words, _ in SHOWN}
 
 
-@pytest.mark.parametrize("name", [name for name, function in BY_HAND.items() if function.tries])
+@pytest.mark.parametrize("name", [name for name, function in EXPLORABLES.items() if function.tries])
 def test_chips_are_few_and_short(name: str) -> None:
-    tries = BY_HAND[name].tries
+    tries = EXPLORABLES[name].tries
     assert 2 <= len(tries) <= 4
     assert all(len(words) <= 32 for words in tries)
 
 
 @pytest.mark.parametrize(("turns", "rest"), [(1, -1), (2, 0), (3, -1), (4, 0)])
 def test_pulled_round_a_ribbon_keeps_one_twist_or_none(turns: int, rest: int) -> None:
-    figure, inputs = tried("double_cover_by_hand", f"{turns} turn{'s' * (turns > 1)}")
-    last = figure.inputs["passed"].high
-    assert figure.draw(**inputs | {"passed": last}).shown.outputs["twists"].value == rest
+    inputs = tried("double_cover_by_hand", f"{turns} turn{'s' * (turns > 1)}")
+    last = EXPLORABLES["double_cover_by_hand"].inputs["passed"].high
+    assert outputs("double_cover_by_hand", **inputs | {"passed": last})["twists"] == rest
 
 
-@pytest.mark.parametrize("words", BY_HAND["carried_around_by_hand"].tries)
+@pytest.mark.parametrize("words", EXPLORABLES["carried_around_by_hand"].tries)
 def test_the_area_is_what_the_angles_exceed_half_a_turn_by(words: str) -> None:
-    figure, inputs = tried("carried_around_by_hand", words)
+    inputs = tried("carried_around_by_hand", words)
     p = np.array(inputs["corners"])
     # Where the planes of two sides meet at a corner.
     planes = np.cross(p, np.roll(p, -1, axis=0))
     angles = np.pi - angle_between(np.roll(planes, 1, axis=0), planes)
-    area = figure.draw(**inputs).shown.outputs["area"].value
+    area = outputs("carried_around_by_hand", **inputs)["area"]
     assert abs(area) == pytest.approx(np.degrees(angles.sum() - np.pi))
 
 
-@pytest.mark.parametrize("words", BY_HAND["two_mirrors_by_hand"].tries)
+@pytest.mark.parametrize("words", EXPLORABLES["two_mirrors_by_hand"].tries)
 def test_two_reflections_turn_as_far_as_the_mirrors_say(words: str) -> None:
-    figure, inputs = tried("two_mirrors_by_hand", words)
+    inputs = tried("two_mirrors_by_hand", words)
 
     def reflection(angle: float) -> Any:
         twice = 2 * np.radians(angle + inputs["both"])
         return np.array([[np.cos(twice), np.sin(twice)], [np.sin(twice), -np.cos(twice)]])
 
     (cosine, _), (sine, _) = reflection(inputs["second"]) @ reflection(inputs["first"])
-    turned = figure.draw(**inputs).shown.outputs["turned"].value
+    turned = outputs("two_mirrors_by_hand", **inputs)["turned"]
     np.testing.assert_allclose(
         [cosine, sine], [np.cos(np.radians(turned)), np.sin(np.radians(turned))], atol=1e-12
     )
 
 
 def test_the_middle_of_every_arc_lies_along_the_sum_of_its_ends() -> None:
-    figure, inputs = tried("arcs_of_arcs", "half of every arc")
+    inputs = tried("arcs_of_arcs", "half of every arc")
     levels = [np.array(inputs["control"])]
     while len(levels[-1]) > 1:
         sums = levels[-1][:-1] + levels[-1][1:]
         levels.append(sums / np.linalg.norm(sums, axis=1, keepdims=True))
-    seen = figure.draw(**inputs).shown.outputs
-    ways = [seen[f"way_{j}"].value for j in (1, 2, 3)]
+    seen = outputs("arcs_of_arcs", **inputs)
+    ways = [seen[f"way_{j}"] for j in (1, 2, 3)]
     expected = [np.degrees(angle_between(levels[0][0], level[0])) for level in levels[1:]]
     np.testing.assert_allclose(ways, expected)
 
@@ -361,32 +365,35 @@ def test_the_middle_of_every_arc_lies_along_the_sum_of_its_ends() -> None:
 def test_routes_part_where_it_is_more_than_half_a_turn_from_double() -> None:
     parted = set()
     for poses in np.random.default_rng(9).normal(size=(20, 4, 4)):
-        seen = BY_HAND["routes_by_hand"](poses=poses).shown.outputs
-        parted.add((seen["turn"].value > 180, seen["apart"].value > 1e-6))
+        seen = outputs("routes_by_hand", poses=poses)
+        parted.add((seen["turn"] > 180, seen["apart"] > 1e-6))
     assert parted == {(False, False), (True, True)}
 
 
-@pytest.mark.parametrize("words", BY_HAND["routes_by_hand"].tries)
+@pytest.mark.parametrize("words", EXPLORABLES["routes_by_hand"].tries)
 def test_signs_can_agree_if_one_of_all_choices_does(words: str) -> None:
-    figure, inputs = tried("routes_by_hand", words)
+    inputs = tried("routes_by_hand", words)
     q = np.array(inputs["poses"])
     choices = np.array(list(product((1, -1), repeat=4)))[..., np.newaxis] * q
     products = np.sum(choices * np.roll(choices, -1, axis=1), axis=2)
-    signs = figure.draw(**inputs).shown.outputs["signs"].value
+    signs = outputs("routes_by_hand", **inputs)["signs"]
     assert (products > 0).all(axis=1).any() == (signs == "can agree")
 
 
 def test_past_the_opposite_point_the_arc_swings_to_the_other_side() -> None:
     middles = []
     for words in ("just before the opposite point", "just past it"):
-        _, inputs = tried("slerp_by_hand", words)
+        inputs = tried("slerp_by_hand", words)
         middles.append(np.add(inputs["p"], inputs["q"]))
     assert angle_between(*middles) > np.radians(90)
 
 
 def test_a_spoon_at_the_end_does_not_tell_the_sign() -> None:
-    figure, flipped = tried("slerp_by_hand", "flip the sign of the end")
-    frames = [frame_of(figure.draw(**inputs))["parts"] for inputs in (figure.start, flipped)]
+    flipped = tried("slerp_by_hand", "flip the sign of the end")
+    frames = [
+        states("slerp_by_hand", [inputs])[0]["parts"]
+        for inputs in (tried("slerp_by_hand"), flipped)
+    ]
     there, opposite = (parts["end"]["at"] for parts in frames)
     assert np.allclose(there, -np.array(opposite))
     spoons = [parts["spoon at the end"]["matrix"] for parts in frames]
@@ -446,10 +453,7 @@ def film(name: str, q: Any, fraction: float, t: Any) -> Rotation:
 @pytest.mark.parametrize("words", ["", "a fine step", "both arrows alike"])
 def test_a_spinning_body_is_where_linear_algebra_has_it(words: str) -> None:
     """All three methods are powers of matrices that act on the nine or four numbers."""
-    figure, inputs = (
-        tried("spinning_by_hand", words) if words else (explore(BY_HAND["spinning_by_hand"]), {})
-    )
-    inputs = figure.start | inputs
+    inputs = tried("spinning_by_hand", words)
     h, t = inputs["h"], inputs["t"]
     a, b = (np.pi / 2 * np.array(inputs[key]) for key in ("space", "body"))
     left, right = (np.cross(v, np.eye(3)).T for v in (a, b))
@@ -461,7 +465,7 @@ def test_a_spinning_body_is_where_linear_algebra_has_it(words: str) -> None:
     matrix = np.linalg.matrix_power(np.eye(9) + h * on_nine, count) @ np.eye(3).ravel()
     q = np.linalg.matrix_power(np.eye(4) + h * on_four, count)[:, 0]
     turned = q @ q * Rotation.from_quat(q, scalar_first=True).as_matrix()
-    parts = frame_of(figure.draw(**inputs))["parts"]
+    parts = states("spinning_by_hand", [inputs])[0]["parts"]
     for name, expected in (
         ("exponential", exact),
         ("Euler, matrix", matrix.reshape(3, 3)),
@@ -470,30 +474,27 @@ def test_a_spinning_body_is_where_linear_algebra_has_it(words: str) -> None:
         drawn = np.reshape(parts[name]["matrix"], (4, 4)).T[:3, :3]
         np.testing.assert_allclose(drawn, expected, atol=2e-6)
     for name, axis in (("body", exact @ inputs["body"]), ("space", np.array(inputs["space"]))):
-        np.testing.assert_allclose(parts[name]["to"], motion.ARROW * axis, atol=2e-6)
+        np.testing.assert_allclose(parts[name]["to"], 0.85 * axis, atol=2e-6)
 
 
-@pytest.mark.parametrize("words", ["", *list(BY_HAND["mean_by_hand"].tries)[:2]])
+@pytest.mark.parametrize("words", ["", *list(EXPLORABLES["mean_by_hand"].tries)[:2]])
 def test_means_are_those_of_scipy(words: str) -> None:
     """SciPy's mean is the eigenvector of the sum of q q^T."""
-    figure, inputs = (
-        tried("mean_by_hand", words) if words else (explore(BY_HAND["mean_by_hand"]), {})
-    )
-    inputs = figure.start | inputs
+    inputs = tried("mean_by_hand", words)
     q = np.array(inputs["poses"])
     given = Rotation.from_quat(q, scalar_first=True)
-    seen = figure.draw(**inputs).shown.outputs
+    seen = outputs("mean_by_hand", **inputs)
     far = np.degrees((given.inv() * given.mean()).magnitude())
-    assert seen["by_matrices"].value == pytest.approx(far, abs=1e-6)
+    assert seen["by_matrices"] == pytest.approx(far, abs=1e-6)
     total = q[0] + q[1] + (-q[2] if inputs["flip"] else q[2])
     plain = Rotation.from_quat(total, scalar_first=True)
     apart = np.degrees((given.mean().inv() * plain).magnitude())
-    assert seen["apart"].value == pytest.approx(apart, abs=1e-6)
+    assert seen["apart"] == pytest.approx(apart, abs=1e-6)
 
 
 def test_no_choice_of_signs_brings_the_plain_mean_to_the_mean() -> None:
-    figure, inputs = tried("mean_by_hand", "no choice of signs helps")
-    told = figure.draw(**inputs).shown.outputs["apart"].value
+    inputs = tried("mean_by_hand", "no choice of signs helps")
+    told = outputs("mean_by_hand", **inputs)["apart"]
     q = np.array(inputs["poses"])
     mean = Rotation.from_quat(q, scalar_first=True).mean().as_quat(scalar_first=True)
     totals = [np.array(signs) @ q for signs in product((1, -1), repeat=3)]
@@ -501,11 +502,10 @@ def test_no_choice_of_signs_brings_the_plain_mean_to_the_mean() -> None:
     assert np.degrees(2 * np.arccos(nearest)) == pytest.approx(told, abs=1e-6)
 
 
-@pytest.mark.parametrize("words", ["", *BY_HAND["animate"].tries])
+@pytest.mark.parametrize("words", ["", *EXPLORABLES["animate"].tries])
 def test_films_are_as_fast_as_told(words: str) -> None:
-    figure, inputs = tried("animate", words) if words else (explore(BY_HAND["animate"]), {})
-    inputs = figure.start | inputs
-    told = figure.draw(**inputs).shown.outputs["fastest"].value
+    inputs = tried("animate", words)
+    told = outputs("animate", **inputs)["fastest"]
     for name, fastest in zip(FILMS, told, strict=True):
         q = np.array(inputs["poses"])
         # No picture stands at a pose, where there is no arc, but close by.
@@ -515,17 +515,15 @@ def test_films_are_as_fast_as_told(words: str) -> None:
 
 
 def test_the_spline_of_matrices_whips_round_where_the_page_says() -> None:
-    figure = explore(BY_HAND["animate"])
-    q = np.array(figure.start["poses"])
-    *_, fastest = figure.draw().shown.outputs["fastest"].value
+    q = np.array(tried("animate")["poses"])
+    *_, fastest = outputs("animate")["fastest"]
     assert round(fastest / 24) == 72
     assert round(np.degrees(2 * np.arccos(q[4] @ q[0]))) == 147
 
 
 def test_acceleration_jumps_as_told() -> None:
-    figure = explore(BY_HAND["animate"])
-    told = figure.draw().shown.outputs["jumps"].value
-    q, h = np.array(figure.start["poses"]), 1e-3
+    told = outputs("animate")["jumps"]
+    q, h = np.array(tried("animate")["poses"]), 1e-3
     for name, jump in zip(("squad", "the paper's"), told, strict=True):
         before, after = (
             [second_rate(film(name, q, 0.5, k + way * (1e-9 + h * np.arange(5))), h) for k in times]
@@ -549,10 +547,10 @@ def test_three_half_turns_multiply_to_the_sign(words: str, axes: str, sign: int)
     units = dict(zip("ijk", np.eye(3), strict=True))
     first, second, third = (Quaternion(0, units[axis]) for axis in axes)
     assert third * second * first == sign
-    figure, inputs = tried("grab_the_spoon", words)
+    inputs = tried("grab_the_spoon", words)
     # By continuity: no step on the way is longer than a small turn.
     q = [
-        figure.draw(**inputs | {"along": along}).shown.outputs["q"].value
+        outputs("grab_the_spoon", **inputs | {"along": along})["q"]
         for along in np.linspace(0, 1, 31)
     ]
     assert np.linalg.norm(np.diff(q, axis=0), axis=1).max() < 0.2
@@ -561,25 +559,25 @@ def test_three_half_turns_multiply_to_the_sign(words: str, axes: str, sign: int)
 
 
 def test_from_the_same_pose_euler_angles_and_slerp_come_home_with_opposite_signs() -> None:
-    figure, inputs = tried("grab_the_spoon", "home by Euler angles")
+    inputs = tried("grab_the_spoon", "home by Euler angles")
     for way, sign in (("home by Euler angles", -1), ("home by slerp", 1), ("home by nlerp", 1)):
-        outputs = figure.draw(**inputs | {"way": way}).shown.outputs
-        assert outputs["q"].value == pytest.approx([sign, 0, 0, 0], abs=1e-12)
+        told = outputs("grab_the_spoon", **inputs | {"way": way})
+        assert told["q"] == pytest.approx([sign, 0, 0, 0], abs=1e-12)
 
 
 def test_at_the_lock_a_spoon_turned_by_a_degree_throws_the_rings_round() -> None:
-    figure, inputs = tried("euler_angles_by_hand", "the spoon 1° aside")
+    inputs = tried("euler_angles_by_hand", "the spoon 1° aside")
     before, after = (
         Rotation.from_euler("xyz", [values[key] for key in "uvw"], degrees=True)
-        for values in (figure.start, inputs)
+        for values in (tried("euler_angles_by_hand"), inputs)
     )
     assert np.degrees((after * before.inv()).magnitude()) == pytest.approx(1)
     assert abs(after.as_matrix() - before.as_matrix()).max() < 0.018
-    assert max(abs(inputs[key] - figure.start[key]) for key in "uvw") == 90
+    assert max(abs(inputs[key] - tried("euler_angles_by_hand")[key]) for key in "uvw") == 90
 
 
 def test_the_longest_way_is_the_sum_of_many_small_turns() -> None:
-    _, inputs = tried("euler_angles_by_hand", "the longest way")
+    inputs = tried("euler_angles_by_hand", "the longest way")
     angles = np.outer(np.linspace(0, 1, 1001), [inputs[key] for key in "uvw"])
     path = Rotation.from_euler("xyz", angles, degrees=True)
     turned = np.degrees((path[:-1].inv() * path[1:]).magnitude().sum())
@@ -587,15 +585,10 @@ def test_the_longest_way_is_the_sum_of_many_small_turns() -> None:
     assert np.degrees(path[-1].magnitude()) == pytest.approx(119.5, abs=0.05)
 
 
-@pytest.mark.parametrize("words", ["", *BY_HAND["three_turns_by_hand"].tries])
+@pytest.mark.parametrize("words", ["", *EXPLORABLES["three_turns_by_hand"].tries])
 def test_three_turns_end_where_scipy_says(words: str) -> None:
     """Small letters are fixed axes, capitals go along."""
-    figure, inputs = (
-        tried("three_turns_by_hand", words)
-        if words
-        else (explore(BY_HAND["three_turns_by_hand"]), {})
-    )
-    inputs = figure.start | inputs
+    inputs = tried("three_turns_by_hand", words)
     letters = inputs["order"].replace(" ", "").translate(str.maketrans("UVW", "XYZ"))
     if inputs["axes"] == "fixed":
         letters = letters.lower()
@@ -604,5 +597,5 @@ def test_three_turns_end_where_scipy_says(words: str) -> None:
         letters, [inputs["uvw"["xyz".index(x)]] for x in letters.lower()], degrees=True
     )
     apart = np.degrees((upper.inv() * lower).magnitude())
-    assert figure.draw(**inputs).shown.outputs["apart"].value == pytest.approx(apart, abs=1e-5)
+    assert outputs("three_turns_by_hand", **inputs)["apart"] == pytest.approx(apart, abs=1e-5)
     assert apart == pytest.approx({"": 180, "turns of 10°": 3}.get(words, 0), abs=0.02)

@@ -187,7 +187,7 @@ def test_without_a_reader_there_are_pictures(monkeypatch: pytest.MonkeyPatch) ->
     cells = [
         "from rotedu import scenes\nfrom rotedu.figures import explore",
         "scenes.figure_1().show()",
-        "explore(scenes.figure_2, t=(0, 1))",
+        "explore(scenes.spinning_by_hand)",
     ]
     _, *shown = run(monkeypatch, *cells, reader=False).cells
     assert ["image/png" in output.data for cell in shown for output in cell.outputs] == [True, True]

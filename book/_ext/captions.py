@@ -14,7 +14,7 @@ from sphinx.util.nodes import NodeMatcher
 
 from cells import caption_of
 from charts import chart
-from rotedu.figures.pages import scene, scene_by_hand
+from rotedu.figures.pages import explorable, scene
 
 
 class NameCaptions(SphinxTransform):
@@ -47,7 +47,7 @@ class BuildFigures(SphinxPostTransform):
             if not pictures:
                 raise ValueError(f"{caption_of(caption)}: no picture above the caption")
             picture = pictures[-1]
-            if isinstance(picture.parent, scene_by_hand):
+            if isinstance(picture.parent, explorable):
                 picture = picture.parent
             figure = nodes.figure(ids=caption["ids"])
             picture.replace_self(figure)

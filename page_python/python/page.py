@@ -56,13 +56,13 @@ CHANGED: dict[str, dict[str, Any]] = {}
 VERDICTS: list[exercises.Verdict] = []
 
 
-class PageFigure(explorable.Exploration):
+class PageFigure(explorable.Explorable):
     """A figure of the page: what the hand has set is in it, and what Python sets is shown there."""
 
-    def __init__(self, function: Callable[..., Any], inputs: dict[str, Any]) -> None:
-        super().__init__(function, inputs)
+    def __init__(self, scene: Callable[..., Any]) -> None:
+        super().__init__(scene)
         if self.title not in FIGURES:
-            raise NotInPage(f"A figure of scenes.{function.__name__}")
+            raise NotInPage(f"A figure of scenes.{scene.__name__}")
         vars(self)["values"] = FIGURES[self.title]
         for name, value in self.start.items():
             self.values.setdefault(name, value)
@@ -102,7 +102,7 @@ for name in scenes.__all__:
     function = getattr(scenes, name)
     if getattr(function, "__annotations__", {}).get("return") is pyvista.Plotter:
         setattr(scenes, name, undrawn(function))
-explorable.Exploration = PageFigure
+explorable.Explorable = PageFigure
 exercises.check = noted(exercises.check)
 builtins.input = refuse_input
 

@@ -29,10 +29,11 @@ Use in another book
        describe(plotter, "A ball with its north pole marked P0.")
        plotter.show()
 
-5. For a slider, write a function of a number that returns a scene, and show it with
-   ``explore(function, u=(0, 1))``. `frames` says what may differ between its scenes. The models
-   of figures with handles come into the bundle in ``viewer/by-hand.js`` and
-   ``viewer/notebook.js``; the viewer itself knows none.
+5. For a figure that answers the hand, write a model, as `rotedu.figures.state` describes its
+   states, in a file of JavaScript beside the module, and a function that draws a state, decorated
+   with `explorable`; show it with ``explore(function)``. The models come into the bundle in
+   ``viewer/explorables.js`` and ``viewer/notebook.js``, and to the panels of pages in
+   ``viewer/write-panels.js``; the viewer itself knows none.
 
 A label may hold a formula between dollar signs. Meshes added with ``pickable=False`` never hide the
 labels behind them. A scene raises a `ValueError` if the viewer could not show it like the poster:
@@ -42,22 +43,25 @@ if it has textures, several views or lights that stay in place, for example.
 from rotedu.figures.announce import announce_backend
 from rotedu.figures.backend import describe
 from rotedu.figures.explorable import explorable, explore
-from rotedu.figures.frames import (
+from rotedu.figures.inputs import Choice, Handles, Poses, Slider, Switch
+from rotedu.figures.model import RefusedError
+from rotedu.figures.state import (
+    State,
     add_view,
     draw_chart,
     limit_turning,
-    place_grip,
     place_part,
     read_out,
     stack_on_phone,
 )
-from rotedu.figures.inputs import Choice, Handles, Poses, Slider, Switch
 
 __all__ = [
     "Choice",
     "Handles",
     "Poses",
+    "RefusedError",
     "Slider",
+    "State",
     "Switch",
     "add_view",
     "describe",
@@ -65,7 +69,6 @@ __all__ = [
     "explorable",
     "explore",
     "limit_turning",
-    "place_grip",
     "place_part",
     "read_out",
     "stack_on_phone",

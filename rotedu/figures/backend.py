@@ -21,8 +21,8 @@ from PIL import Image
 from vtkmodules.vtkCommonCore import vtkLogger
 from vtkmodules.vtkRenderingLabel import vtkPointSetToLabelHierarchy
 
-from rotedu.figures.frames import shown
 from rotedu.figures.gltf import part_names, scene_gltf, surface_of
+from rotedu.figures.state import record_of
 
 MIME_TYPE = "application/vnd.pyvista.scene+json"
 POSTER_SCALE = 2
@@ -160,7 +160,7 @@ def book_figure(plotter: pyvista.Plotter, **_: object) -> BookFigure:
 def described(plotter: pyvista.Plotter, view: str = "") -> dict[str, Any]:
     """Return the size of a picture, its labels, and how it is stacked on a phone."""
     width, height = plotter.window_size
-    stack = {} if view else shown(plotter).stack
+    stack = {} if view else record_of(plotter).stack
     labels = scene_labels(plotter, view)
     return {"width": width, "height": height, "labels": labels, "stack": stack}
 
@@ -168,7 +168,7 @@ def described(plotter: pyvista.Plotter, view: str = "") -> dict[str, Any]:
 def views_of(plotter: pyvista.Plotter, *, with_poster: bool = False) -> list[dict[str, Any]]:
     """Describe the other pictures of a scene, each with its poster if wanted."""
     views = []
-    for name, view in shown(plotter).views.items():
+    for name, view in record_of(plotter).views.items():
         with seen_from(plotter, name):
             poster = base64.b64encode(take_poster(plotter)).decode() if with_poster else ""
             about = {"name": name, "alt": view.alt, "without": list(view.without)}
@@ -179,7 +179,7 @@ def views_of(plotter: pyvista.Plotter, *, with_poster: bool = False) -> list[dic
 @contextlib.contextmanager
 def seen_from(plotter: pyvista.Plotter, name: str) -> Iterator[None]:
     """Look at a scene as one of its views does, for a while."""
-    recorded = shown(plotter)
+    recorded = record_of(plotter)
     view = recorded.views[name]
     actors = dict(plotter.actors)
     labels = {f"{label}-labels" for label in recorded.labels}
@@ -234,7 +234,7 @@ def still_picture(plotter: pyvista.Plotter, **_: object) -> Image.Image:
         return Image.fromarray(np.asarray(plotter.screenshot(return_img=True)))
 
     pictures = [taken()]
-    for name in shown(plotter).views:
+    for name in record_of(plotter).views:
         with seen_from(plotter, name):
             pictures.append(taken())
     return side_by_side(pictures)
@@ -351,7 +351,7 @@ def scene_labels(plotter: pyvista.Plotter, view: str = "") -> list[dict[str, Any
     lens = pyvista.array_from_vtkmatrix(
         camera.GetCompositeProjectionTransformMatrix(width / height, -1, 1)
     )
-    recorded, seen_in = shown(plotter).labels, shown(plotter).seen_in
+    recorded, seen_in = record_of(plotter).labels, record_of(plotter).seen_in
     labels = []
     for title, actor in _label_actors(plotter):
         name = title.removesuffix("-labels")

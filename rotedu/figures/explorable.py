@@ -1,150 +1,137 @@
-"""Figures that answer the hand: a function that draws a scene, and what of it can be changed.
+"""Figures that answer the hand: a model computes what is where, a function draws it.
 
-A figure with sliders alone needs no code for the page: its frames are computed here, for a page in
-advance and for a notebook when they are wanted. A figure with handles names a model, a function of
-the viewer that computes the same frames from the same inputs while a point is dragged.
+The model is a function of JavaScript in the file beside the module, with the name of the function
+in camel case. It is the only place where places and numbers are computed; the function says what
+there is, what it looks like and what it is called.
 """
 
 import base64
+import functools
 import inspect
 import io
-import itertools
+import re
 from collections.abc import Callable, Mapping
-from dataclasses import replace
-from functools import cached_property
-from typing import Any, TypeVar
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pyvista
 
 from rotedu.figures.backend import book_figure, still_picture
-from rotedu.figures.frames import WHOLE, differences, frame_of, only, shown
-from rotedu.figures.inputs import Input, Slider
-from rotedu.figures.panel import panel
+from rotedu.figures.inputs import Input
+from rotedu.figures.model import NO_NODE, Model, RefusedError, can_ask, start_of
+from rotedu.figures.state import State, record_of
 
-# Frames of a page for one slider, and for each of two.
-FRAMES = {1: 73, 2: 11}
 Scene = Callable[..., pyvista.Plotter]
-Function = TypeVar("Function", bound=Scene)
 
 
 def explorable(
-    model: str = "",
-    constants: Mapping[str, Any] | None = None,
     tries: Mapping[str, Mapping[str, Any]] | None = None,
+    constants: Mapping[str, Any] | None = None,
     **inputs: Input,
-) -> Callable[[Function], Function]:
-    """Declare what the hand can change in the scene of a function.
+) -> Callable[[Callable[[State], pyvista.Plotter]], Scene]:
+    """Make a scene of a function that draws the states of a model.
 
     Parameters
     ----------
-    model : str
-        Name of the viewer's model that computes the same frames. Without one, the frames come from
-        the function itself.
-    constants : mapping, optional
-        Colours and texts that the model cannot know, as JSON holds them. The model gets them with
-        the inputs.
     tries : mapping, optional
         What to try, in a few words each, and the values of the inputs that show it; all others are
         as at the start.
+    constants : mapping, optional
+        Colours and texts that the model cannot know, as JSON holds them.
     **inputs
-        What can be changed: arguments of the function.
+        What the hand can change.
 
     Returns
     -------
     callable
-        A decorator, which leaves the function as it is.
+        A decorator. What it returns takes values of the inputs, by name, and draws their state.
     """
 
-    def declare(function: Function) -> Function:
-        vars(function).update(
-            inputs=inputs, model=model, constants=constants or {}, tries=tries or {}
+    def declare(draw: Callable[[State], pyvista.Plotter]) -> Scene:
+        model = Model(
+            Path(draw.__code__.co_filename).with_suffix(".js"),
+            re.sub("_(.)", lambda letter: letter[1].upper(), draw.__name__),
+            constants or {},
         )
-        return function
+
+        @functools.wraps(draw)
+        def scene(**values: Any) -> pyvista.Plotter:
+            state = Explorable(scene).state(**values)
+            plotter = draw(state)
+            if missing := state["parts"].keys() - record_of(plotter).parts.keys():
+                raise ValueError(f"{draw.__name__}: expected a look of {', '.join(missing)}")
+            return plotter
+
+        kind = inspect.Parameter.KEYWORD_ONLY
+        vars(scene).update(
+            inputs=inputs,
+            model=model,
+            tries=tries or {},
+            __signature__=inspect.Signature(
+                [inspect.Parameter(name, kind, default=i.start) for name, i in inputs.items()]
+            ),
+        )
+        return scene
 
     return declare
 
 
-def explore(function: Scene, **sliders: Slider | tuple[float, float]) -> "Exploration":
-    """Show the scene of a function with controls for its arguments.
+def explore(scene: Scene) -> "Explorable":
+    """Show a scene with controls for its inputs.
 
     Parameters
     ----------
-    function : callable
-        Returns a scene for any values of the arguments to be changed. All scenes have the same
-        parts and labels, by name; points, colours, matrices and places may differ.
-    **sliders
-        Arguments to be changed by a slider: the bounds, or a `Slider`. By default, the inputs that
-        the function has declared by `explorable`.
+    scene : callable
+        What `explorable` has made.
 
     Returns
     -------
-    Exploration
+    Explorable
         The figure. Each input is an attribute, which follows what the reader does and can be set.
 
     Raises
     ------
     ValueError
-        If there is nothing to change, if an argument has a name that every figure has, such as
-        ``start``, or if the scenes differ in more than places and colours.
+        If the scene is no explorable.
 
     Examples
     --------
     >>> from rotedu import scenes
-    >>> figure = explore(scenes.figure_2, t=(0, 1))
-    >>> figure.t
-    0.3
-    >>> figure.t = 0.5
+    >>> figure = explore(scenes.spinning_by_hand)
+    >>> figure.h
+    0.1
+    >>> figure.h = 0.02
     """
-    inputs = dict(getattr(function, "inputs", {}))
-    for name, bounds in sliders.items():
-        inputs[name] = bounds if isinstance(bounds, Slider) else Slider(*bounds)
-    if not getattr(function, "model", ""):
-        inputs = {name: on_grid(kind, len(inputs)) for name, kind in inputs.items()}
-    if not inputs:
-        raise ValueError(f"{function.__name__}: expected at least one input, got none")
-    return Exploration(function, inputs)
+    if not hasattr(scene, "inputs"):
+        name = getattr(scene, "__name__", repr(scene))
+        raise ValueError(f"scene: expected one that `explorable` has made, got {name}")
+    return Explorable(scene)
 
 
-def on_grid(kind: Input, sliders: int) -> Input:
-    """Let a slider without a step of its own go from one frame of a page to the next."""
-    if isinstance(kind, Slider) and not kind.step and sliders in FRAMES:
-        return replace(kind, step=(kind.high - kind.low) / (FRAMES[sliders] - 1))
-    return kind
-
-
-class Exploration:
+class Explorable:
     """A figure that answers the hand; its inputs are attributes.
 
     Parameters
     ----------
-    function : callable
-        Draws the scene.
-    inputs : dict
-        What can be changed.
-    start : dict, optional
-        Values of the inputs to start from, in place of the function's defaults.
+    scene : callable
+        What `explorable` has made.
     """
 
-    def __init__(
-        self, function: Scene, inputs: dict[str, Input], start: dict[str, Any] | None = None
-    ) -> None:
-        defaults = inspect.signature(function).parameters
-        given = start or {name: defaults[name].default for name in inputs}
-        start = {name: kind.value(name, given[name]) for name, kind in inputs.items()}
+    def __init__(self, scene: Any) -> None:
+        start = {name: kind.value(name, kind.start) for name, kind in scene.inputs.items()}
         # These are no inputs, so they go past __setattr__.
         vars(self).update(
-            function=function,
-            model=getattr(function, "model", ""),
-            title=function.__name__.replace("_", "-"),
-            inputs=inputs,
+            scene=scene,
+            title=scene.__name__.replace("_", "-"),
+            inputs=scene.inputs,
             start=start,
             values=dict(start),
-            varying=set(),
             widgets=[],
         )
         own = sorted(name for name in super().__dir__() if not name.startswith("_"))
-        for name in inputs:
+        for name in scene.inputs:
             if name in own:
                 raise ValueError(f"{name}: expected a name other than {', '.join(own)}, got {name}")
 
@@ -160,96 +147,87 @@ class Exploration:
     def __setattr__(self, name: str, value: Any) -> None:
         if name not in self.inputs:
             raise AttributeError(f"{name}: expected one of {', '.join(self.inputs)}")
-        self.values[name] = self.inputs[name].value(name, value)
+        self.values.update(self.checked({name: value}))
         for widget in self.widgets:
             widget.values = dict(self.values)
 
     def __repr__(self) -> str:
-        return f"<figure: {self.function.__name__}, {', '.join(self.inputs)}>"
+        return f"<figure: {self.scene.__name__}, {', '.join(self.inputs)}>"
+
+    def checked(self, values: Mapping[str, Any]) -> dict[str, Any]:
+        """Check values of inputs, by name."""
+        for name in values:
+            if name not in self.inputs:
+                raise TypeError(f"{name}: expected one of {', '.join(self.inputs)}")
+        return {name: self.inputs[name].value(name, value) for name, value in values.items()}
+
+    def state(self, **values: Any) -> State:
+        """Compute what the model says for the present values of the inputs, or for others.
+
+        Parameters
+        ----------
+        **values
+            Values of some inputs, in place of the present ones.
+
+        Returns
+        -------
+        dict
+            As `rotedu.figures.state` describes it.
+
+        Raises
+        ------
+        ValueError
+            If a value cannot be one of its input, or if the model refuses them together.
+        RuntimeError
+            If there is no Node, and this is not how the figure starts.
+        """
+        wanted = self.values | self.checked(values)
+        state: State
+        if can_ask(self.scene.model.file):
+            [state] = self.scene.model.states([wanted])
+        elif wanted == self.start:
+            state = start_of(self.title)
+        else:
+            raise RuntimeError(NO_NODE.format(self.title))
+        if "refused" in state:
+            raise RefusedError(state["refused"])
+        return state | {"inputs": wanted | state.get("inputs", {})}
 
     def draw(self, **values: Any) -> pyvista.Plotter:
         """Draw the scene for the present values of the inputs, or for others."""
-        plotter: pyvista.Plotter = self.function(**self.values | values)
+        plotter: pyvista.Plotter = self.scene(**self.values | values)
         return plotter
 
-    def frame(self, **values: Any) -> dict[str, Any]:
-        """Compute what has changed since the start, for the present values or for others."""
-        frame = frame_of(self.draw(**values))
-        self.varying.update(differences(self.base, frame))
-        return only(frame, self.varying)
-
-    @cached_property
-    def base(self) -> dict[str, Any]:
-        """The frame of the scene at the start."""
-        return frame_of(self.draw(**self.start))
-
     def spec(self, plotter: pyvista.Plotter) -> dict[str, Any]:
-        """Describe the figure to the viewer.
+        """Describe the figure to the viewer, which writes its panel and moves its parts.
 
         Parameters
         ----------
         plotter : pyvista.Plotter
-            The scene at the start.
+            The scene.
 
         Returns
         -------
         dict
             What JSON can hold: the ``name``, the ``inputs`` and their values at the ``start``, the
-            ``model`` with its ``constants``, and the ``frame`` that it must reproduce. Without a
-            model, ``grid`` lists each input with its number of frames; `frames` computes them, the
-            last input changing first.
+            ``model`` with its ``constants``, how ``outputs`` and ``charts`` are written, and what
+            to try, ``tries``.
         """
-        recorded = shown(plotter)
-        moving: set[tuple[str, ...]] = {
-            ("parts", name, key)
-            for name, place in recorded.parts.items()
-            for key in (*place, "color", "hidden")
-            if key != "radius"
-        }
-        base = frame_of(plotter)
-        moving |= {(kind, name) for kind in WHOLE for name in base[kind]}
-        count = FRAMES.get(len(self.inputs), 0)
-        only_slides = count and all(kind.kind == "number" for kind in self.inputs.values())
-        if not (self.model or only_slides):
-            raise ValueError(
-                f"{self.function.__name__}: expected a model or at most two sliders,"
-                f" got {', '.join(self.inputs)}"
-            )
+        recorded = record_of(plotter)
         return {
             "name": self.title,
-            "inputs": {
-                name: {"kind": kind.kind} | kind.spec() for name, kind in self.inputs.items()
-            },
+            "inputs": {name: kind.spec() for name, kind in self.inputs.items()},
             "start": self.start,
-            "model": self.model,
-            "constants": getattr(self.function, "constants", {}),
-            "frame": only(base, moving),
-            # A list, because a notebook sorts the keys of its JSON.
-            "grid": [] if self.model else [[name, count] for name in self.inputs],
+            "model": self.scene.model.name,
+            "constants": self.scene.model.constants,
+            # Lists, because a notebook sorts the keys of its JSON.
+            "outputs": [{"name": name} | asdict(o) for name, o in recorded.outputs.items()],
+            "charts": [
+                {"name": name} | asdict(c) | {"ticks": list(c.ticks.items())}
+                for name, c in recorded.charts.items()
+            ],
+            "tries": [[words, self.checked(v)] for words, v in self.scene.tries.items()],
         }
-
-    def frames(self) -> list[dict[str, Any]]:
-        """Compute the frames of a page, for values evenly spread over the sliders."""
-        axes = [
-            np.linspace(kind.low, kind.high, FRAMES[len(self.inputs)]).tolist()
-            for kind in self.inputs.values()
-            if isinstance(kind, Slider)
-        ]
-        drawn = [
-            frame_of(self.draw(**dict(zip(self.inputs, point, strict=True))))
-            for point in itertools.product(*axes)
-        ]
-        self.varying.update(*(differences(self.base, frame) for frame in drawn))
-        return [only(frame, self.varying) for frame in drawn]
-
-    def panel(self, plotter: pyvista.Plotter) -> str:
-        """Write the controls, numbers and charts below the figure."""
-        recorded = shown(plotter)
-        tries = {
-            words: {name: self.inputs[name].value(name, value) for name, value in values.items()}
-            for words, values in getattr(self.function, "tries", {}).items()
-        }
-        return panel(self.title, self.inputs, self.start, recorded, tries)
 
     def widget(self) -> Any:
         """Make the figure for a notebook, joined to the values of the inputs."""
@@ -257,25 +235,14 @@ class Exploration:
         from rotedu.figures.widget import figure
 
         plotter = self.draw(**self.start)
-        spec = self.spec(plotter) | {"panel": self.panel(plotter)}
-        made = figure(plotter, spec=spec, values=dict(self.values))
+        made = figure(plotter, spec=self.spec(plotter), values=dict(self.values))
         made.observe(self._follow, "values")
-        made.on_msg(self._answer)
         self.widgets.append(made)
         return made
 
     def _follow(self, change: dict[str, Any]) -> None:
         """Take the values that the hand has set."""
-        for name, value in change["new"].items():
-            self.values[name] = self.inputs[name].value(name, value)
-
-    def _answer(self, widget: Any, question: dict[str, Any], buffers: Any) -> None:
-        """Compute the frame that a figure without a model asks for."""
-        if "frame" in question:
-            try:
-                widget.send({"frame": self.frame(**question["frame"])})
-            except ValueError as error:
-                widget.send({"refused": str(error)})
+        self.values.update(self.checked(change["new"]))
 
     def _ipython_display_(self) -> None:
         if pyvista.global_theme.jupyter_backend != "widget":
@@ -286,13 +253,9 @@ class Exploration:
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> Any:
         plotter = self.draw()
         if pyvista.global_theme.jupyter_backend == "book":
-            # On a page it starts as it is now.
-            here = Exploration(self.function, self.inputs, self.values)
             figure = book_figure(plotter)
-            spec = here.spec(plotter) | {"panel": here.panel(plotter)}
-            if not self.model:
-                spec["frames"] = here.frames()
-            figure.scene["spec"] = spec
+            # On a page it starts as it is now.
+            figure.scene["spec"] = self.spec(plotter) | {"start": dict(self.values)}
             return figure._repr_mimebundle_()
         picture = io.BytesIO()
         still_picture(plotter).save(picture, "PNG")

@@ -50,7 +50,7 @@ def scene_gltf(plotter: pyvista.Plotter) -> bytes:
     nodes: list[dict[str, Any]] = []
     meshes: list[dict[str, Any]] = []
     materials: list[dict[str, Any]] = []
-    recorded = getattr(plotter, "shown", None)
+    recorded = getattr(plotter, "record", None)
     for name, actor in part_names(plotter):
         primitives = _primitives(actor, binary, len(materials))
         if not primitives:
@@ -90,7 +90,7 @@ def part_names(plotter: pyvista.Plotter) -> list[tuple[str, pyvista.Actor]]:
     list of tuple of str and pyvista.Actor
         Each part with its name. A part that was added without a name gets a number.
     """
-    recorded = getattr(plotter, "shown", None)
+    recorded = getattr(plotter, "record", None)
     named: list[tuple[str, pyvista.Actor]] = []
     for name, actor in plotter.actors.items():
         if isinstance(actor, pyvista.Actor) and (
@@ -317,7 +317,7 @@ def _camera(plotter: pyvista.Plotter) -> tuple[dict[str, Any], dict[str, Any]]:
 def _surroundings(plotter: pyvista.Plotter) -> dict[str, Any]:
     """Return the camera data that an orbit needs, and the lights, which follow the camera."""
     camera = plotter.camera
-    recorded = getattr(plotter, "shown", None)
+    recorded = getattr(plotter, "record", None)
     lights = []
     for light in plotter.renderer.lights:
         if light.on:

@@ -1,24 +1,16 @@
 """What the hand can change in a figure: numbers, points, orientations, switches and choices.
 
-Each kind checks the values that enter, describes itself to the viewer and writes its controls.
+Each kind has a value at the start, checks the values that enter and describes itself to the viewer,
+which writes its controls.
 """
 
-import re
 from collections.abc import Sequence
-from dataclasses import dataclass
-from html import escape
-from typing import Any
+from dataclasses import asdict, dataclass, field
+from typing import Any, ClassVar
 
 import numpy as np
 
 SAME = 1e-12
-# A letter that stands for a quantity, with hat or bar and indices, or a product of such
-SYMBOL = re.compile(
-    r"(?<![\w'’/])(?!(?:a|A|I)\b)(?:(?:[a-z][₀-₉]+)+|[A-Za-zθ][\u0302\u0304]?)(?:,?[₀-₉ᵢ₊₋])*"
-    r"(?![\w’'\u0302\u0304])"
-)
-INDEX = re.compile(r"[₀-₉ᵢ₊₋]+(?:,[₀-₉ᵢ₊₋]+)*")
-LOWERED = dict(zip(map(ord, "₀₁₂₃₄₅₆₇₈₉ᵢ₊₋"), [*"0123456789", "<i>i</i>", "+", "−"], strict=True))
 
 
 def unit_vectors(
@@ -50,40 +42,23 @@ def unit_vectors(
     return scaled
 
 
-def written(text: str) -> str:
-    """Write words as HTML, with letters that stand for quantities as in formulas.
+@dataclass(frozen=True)
+class Kind:
+    """What all kinds have: a value at the ``start``."""
 
-    Parameters
-    ----------
-    text : str
-        The words.
+    start: Any = field(kw_only=True)
 
-    Returns
-    -------
-    str
-        HTML.
+    kind: ClassVar[str]
 
-    Examples
-    --------
-    >>> print(written("slerp's angle θ at a point P₀, in °/s"))
-    slerp's angle <i>θ</i> at a point <i>P<sub>0</sub></i>, in °/s
-    """
-    symbols = SYMBOL.sub(r"<i>\g<0></i>", escape(text, quote=False))
-    return INDEX.sub(lambda index: f"<sub>{index[0].translate(LOWERED)}</sub>", symbols)
-
-
-def add_and_remove(name: str, what: str) -> str:
-    """Write the buttons that change the number of points or bodies."""
-    buttons = "".join(
-        f'<button type="button" data-action="{action}" data-input="{name}">'
-        f"{action.title()} a {what}</button>"
-        for action in ("add", "remove")
-    )
-    return f'<div class="explorable-buttons">{buttons}</div>'
+    def spec(self) -> dict[str, Any]:
+        """Describe the input to the viewer."""
+        told = asdict(self)
+        del told["start"]
+        return {"kind": self.kind} | told
 
 
 @dataclass(frozen=True)
-class Slider:
+class Slider(Kind):
     """A number between two bounds.
 
     Parameters
@@ -100,8 +75,8 @@ class Slider:
         Seconds that the button *Play* takes from `low` to `high`, where it starts over; 0 means no
         buttons.
     row : bool
-        Whether the slider is shown. Without a row the number is changed where `place_grip` says,
-        in a chart, or by a link to a state.
+        Whether the slider is shown. Without a row the number is changed at its grip, in a
+        chart, or by a link to a state.
     """
 
     low: float
@@ -124,37 +99,12 @@ class Slider:
     def spec(self) -> dict[str, Any]:
         """Describe the slider to the viewer."""
         width = self.high - self.low
-        return {
-            "low": self.low,
-            "high": self.high,
-            "step": self.step or width / 200,
-            "stride": self.stride or width / 8,
-            "plays": self.plays,
-            "label": self.label,
-        }
-
-    def controls(self, name: str, start: float) -> str:
-        """Write a slider, the same number to type, and buttons if it plays."""
-        if not self.row:
-            return ""
-        spec = self.spec()
-        bounds = f'min="{self.low:g}" max="{self.high:g}" step="{spec["step"]:g}"'
-        label, spoken = written(self.label or name), escape(self.label or name)
-        buttons = (
-            '<span class="explorable-buttons">'
-            f'<button type="button" data-action="play" data-input="{name}">Play</button>'
-            f'<button type="button" data-action="step" data-input="{name}">Step</button></span>'
-        )
-        return (
-            f'<div class="explorable-row"><label for="{{id}}-{name}">{label}</label>'
-            f'<input type="range" id="{{id}}-{name}" name="{name}" {bounds} value="{start:g}">'
-            f'<input type="number" name="{name}-number" aria-label="{spoken}" {bounds}'
-            f' value="{start:g}">{buttons if self.plays else ""}</div>'
-        )
+        steps = {"step": self.step or width / 200, "stride": self.stride or width / 8}
+        return super().spec() | steps
 
 
 @dataclass(frozen=True)
-class Handles:
+class Handles(Kind):
     """A point of a sphere about the origin, or several, that can be dragged.
 
     Parameters
@@ -185,28 +135,13 @@ class Handles:
         """Check one point, shape (3,), or several, shape (n, 3)."""
         return unit_vectors(name, given, 3, self.names, self.least, self.most, self.length)
 
-    def spec(self) -> dict[str, Any]:
-        """Describe the handles to the viewer."""
-        return {
-            "names": self.names,
-            "least": self.least,
-            "most": self.most,
-            "length": self.length,
-            "reach": self.reach,
-            "through": self.through,
-        }
-
-    def controls(self, name: str, start: Any) -> str:
-        """Write the buttons that add and remove a point, if their number may change."""
-        return add_and_remove(name, "point") if self.most else ""
-
 
 @dataclass(frozen=True)
-class Poses:
+class Poses(Kind):
     """An orientation, or several, of bodies that are grabbed and turned.
 
     A value is a unit quaternion, scalar first. The hand changes it continuously, so a whole turn
-    leads from a quaternion to its opposite. `place_grip` says where the bodies are.
+    leads from a quaternion to its opposite. A grip says where the bodies are.
 
     Parameters
     ----------
@@ -227,17 +162,9 @@ class Poses:
         """Check one unit quaternion, shape (4,), or several, shape (n, 4)."""
         return unit_vectors(name, given, 4, self.names, self.least, self.most)
 
-    def spec(self) -> dict[str, Any]:
-        """Describe the bodies to the viewer."""
-        return {"names": self.names, "least": self.least, "most": self.most}
-
-    def controls(self, name: str, start: Any) -> str:
-        """Write the buttons that add and remove a body, if their number may change."""
-        return add_and_remove(name, "pose") if self.most else ""
-
 
 @dataclass(frozen=True)
-class Switch:
+class Switch(Kind):
     """Yes or no.
 
     Parameters
@@ -256,21 +183,9 @@ class Switch:
             raise ValueError(f"{name}: expected True or False, got {given!r}")
         return bool(given)
 
-    def spec(self) -> dict[str, Any]:
-        """Describe the switch to the viewer."""
-        return {"label": self.label}
-
-    def controls(self, name: str, start: bool) -> str:
-        """Write a check box."""
-        checked = " checked" if start else ""
-        return (
-            f'<label class="explorable-switch"><input type="checkbox" name="{name}"{checked}>'
-            f" {written(self.label)}</label>"
-        )
-
 
 @dataclass(frozen=True)
-class Choice:
+class Choice(Kind):
     """One of several words.
 
     Parameters
@@ -291,22 +206,6 @@ class Choice:
         if given not in self.options:
             raise ValueError(f"{name}: expected one of {', '.join(self.options)}, got {given!r}")
         return str(given)
-
-    def spec(self) -> dict[str, Any]:
-        """Describe the choice to the viewer."""
-        return {"options": list(self.options), "label": self.label}
-
-    def controls(self, name: str, start: str) -> str:
-        """Write a group of radio buttons."""
-        buttons = "".join(
-            f'<label><input type="radio" name="{name}" value="{escape(option)}"'
-            f"{' checked' if option == start else ''}> {written(option)}</label>"
-            for option in self.options
-        )
-        return (
-            f'<fieldset class="explorable-choice"><legend>{written(self.label)}</legend>'
-            f"{buttons}</fieldset>"
-        )
 
 
 Input = Slider | Handles | Poses | Switch | Choice

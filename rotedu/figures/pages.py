@@ -14,6 +14,7 @@ import io
 import json
 import os
 import posixpath
+from pathlib import Path
 from typing import Any, ClassVar, TypeVar
 
 import numpy as np
@@ -23,7 +24,8 @@ from sphinx import addnodes
 from sphinx.application import Sphinx
 
 from rotedu.figures.backend import MIME_TYPE
-from rotedu.figures.frames import in_stack
+from rotedu.figures.model import run_node
+from rotedu.figures.state import in_stack
 
 NO_SCRIPT = "With JavaScript on, this figure can be turned."
 ON_PAPER = "Online, the points and sliders of this figure can be moved."
@@ -36,6 +38,7 @@ NEAREST = OPACITIES[np.abs(np.arange(256)[:, np.newaxis] - OPACITIES).argmin(axi
 STACKED = 600
 Filled = TypeVar("Filled", bound=nodes.Element)
 BUILDERS = ("html", "singlehtml", "epub")
+WRITE_PANELS = Path(__file__).parents[2] / "viewer" / "write-panels.js"
 
 
 class scene(addnodes.download_reference):  # noqa: N801 (docutils names nodes so)
@@ -58,8 +61,8 @@ class scene_label(nodes.inline):  # noqa: N801
     """A text at a place in the scene."""
 
 
-class scene_by_hand(addnodes.download_reference):  # noqa: N801
-    """A scene that answers the hand: around it, its panel and a file that says what moves."""
+class explorable(addnodes.download_reference):  # noqa: N801
+    """A figure that answers the hand: a scene, its panel, and a file that says what moves it."""
 
 
 class SceneRenderer:
@@ -79,17 +82,17 @@ class SceneRenderer:
         if "spec" not in content:
             return [node]
         views = [view_node(renderer, view) for view in content["views"]]
-        return [scene_by_hand_node(renderer, content["spec"], [node, *views])]
+        return [explorable_node(renderer, content["spec"], [node, *views])]
 
 
-def scene_by_hand_node(
+def explorable_node(
     renderer: Any, content: dict[str, Any], pictures: list[nodes.Element]
-) -> scene_by_hand:
-    """Write the file of a figure that answers the hand, and build its node around its pictures."""
-    html = content.pop("panel")
-    file = json.dumps(content, separators=(",", ":")).encode()
-    target = write_file(renderer, file, "json")
-    return scene_by_hand("", "", *pictures, reftarget=target, panel=html, title=content["name"])
+) -> explorable:
+    """Write the file of an explorable, and build its node around its pictures."""
+    moving = {key: content[key] for key in ("name", "inputs", "start", "model", "constants")}
+    target = write_file(renderer, json.dumps(moving, separators=(",", ":")).encode(), "json")
+    spec = json.dumps(content)
+    return explorable("", "", *pictures, reftarget=target, spec=spec, title=content["name"])
 
 
 def scene_node(renderer: Any, content: dict[str, Any]) -> scene:
@@ -205,7 +208,7 @@ def depart_scene(writer: Any, node: scene) -> None:
         writer.body.append(f'<noscript><p class="scene-message">{NO_SCRIPT}</p></noscript>\n')
 
 
-def visit_scene_by_hand(writer: Any, node: scene_by_hand) -> None:
+def visit_explorable(writer: Any, node: explorable) -> None:
     """Open the box around a scene and its panel."""
     if not is_live(writer):
         return
@@ -217,10 +220,13 @@ def visit_scene_by_hand(writer: Any, node: scene_by_hand) -> None:
     writer.body.append(writer.starttag(node, "div", CLASS="explorable", **attributes))
 
 
-def depart_scene_by_hand(writer: Any, node: scene_by_hand) -> None:
+def depart_explorable(writer: Any, node: explorable) -> None:
     """Write the panel and close the box."""
-    panel = f"{node['panel']}</div>" if is_live(writer) else f'<p class="scene-note">{ON_PAPER}</p>'
-    writer.body.append(f"{panel}\n")
+    if is_live(writer):
+        [panel] = json.loads(run_node(f"[{node['spec']}]", WRITE_PANELS))
+        writer.body.append(f"{panel}</div>\n")
+    else:
+        writer.body.append(f'<p class="scene-note">{ON_PAPER}</p>\n')
 
 
 def visit_scene_poster(writer: Any, node: scene_poster) -> None:
@@ -294,7 +300,7 @@ def setup(app: Sphinx) -> dict[str, Any]:
     """Register the nodes, and choose the backend ``book`` for the notebooks that Sphinx runs."""
     os.environ["PYVISTA_JUPYTER_BACKEND"] = "book"
     app.add_node(scene, html=(visit_scene, depart_scene))
-    app.add_node(scene_by_hand, html=(visit_scene_by_hand, depart_scene_by_hand))
+    app.add_node(explorable, html=(visit_explorable, depart_explorable))
     app.add_node(scene_view, html=(visit_scene_view, depart_scene_view))
     app.add_node(scene_poster, html=(visit_scene_poster, None))
     app.add_node(scene_stacked, html=(visit_scene_stacked, None))

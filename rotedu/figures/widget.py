@@ -54,8 +54,8 @@ class Figure(anywidget.AnyWidget):
     gltf : bytes
         What to draw, as ``rotedu.figures.gltf.scene_gltf`` writes it.
     spec : dict, optional
-        What the hand can change, as ``Exploration.spec`` of `rotedu.figures.explorable` describes
-        it, with the ``panel`` below the scene. Without it the figure only turns.
+        What the hand can change, as ``Explorable.spec`` of `rotedu.figures.explorable` describes
+        it. Without it the figure only turns.
     values : dict, optional
         The values of its inputs.
 

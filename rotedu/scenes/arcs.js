@@ -1,5 +1,5 @@
-/* Models of `rotedu.scenes.arcs`. */
-import { DEGREES, ORIGIN, columns, spread } from "./parts.js";
+/* Model of page 5 I. */
+import { DEGREES, ORIGIN, columns, spread, turning } from "./parts.js";
 import {
   DegenerateError,
   angleBetween,
@@ -11,33 +11,23 @@ import {
   nlerp,
   product,
   quaternionMatrix,
-  rotate,
-  slerp as alongArc,
+  slerp,
   transpose,
   unit,
 } from "./rotations.js";
 
+// Below this angle the sines are their angles to the last digit, but never 0/0.
 const TINY = 1e-9;
+// Angles in radians, and sines, that look like zero.
 const SAME = 1e-6;
 const SAMPLES = 61;
-const AROUND = 97;
+// Spoons closer than this, in radians, share one name.
 const CLOSE = 25 / DEGREES;
+// From the middle of the sphere to that of the spoons, to the right of the picture.
 const BESIDE = [2.3, 0, 0];
 
-/** The factors of both ends in (5-2); where the ends coincide, their limits. */
-function weights(theta, t) {
-  const size = Math.max(theta, TINY);
-  return [1 - t, t].map((share) => Math.sin(share * size) / Math.sin(size));
-}
-
-/** How fast nlerp moves, as a multiple of slerp's constant speed. */
-function speedOfNlerp(theta, t) {
-  const size = Math.max(theta, TINY);
-  return Math.sin(size) / (size * (1 - 2 * t * (1 - t) * (1 - Math.cos(size))));
-}
-
-/** `slerp_by_hand` */
-export function slerp({ p, q, flip, t }, { antipodal }) {
+/** Slerp and nlerp between two points, and what both do to a spoon. */
+export function slerpByHand({ p, q, t, flip }, { antipodal }) {
   [p, q] = [p, q].map(unit);
   const end = flip ? q.map((x) => -x) : q;
   const theta = angleBetween(p, end);
@@ -45,11 +35,11 @@ export function slerp({ p, q, flip, t }, { antipodal }) {
   const axis = axisAcross(p, q);
   const held = transpose([p, cross(axis, p), axis]);
   const times = spread(SAMPLES);
-  const arc = times.map((x) => alongArc(p, end, x));
-  const [here, there] = [alongArc(p, end, t), nlerp(p, end, t)];
+  const arc = times.map((x) => slerp(p, end, x));
+  const [here, there] = [slerp(p, end, t), nlerp(p, end, t)];
   const tenths = spread(11).slice(1, -1).map((x) => nlerp(p, end, x));
 
-  /** Where the quaternion of a point takes the spoon: its tip, its side, its bowl. */
+  /** Where the quaternion of a point v, which is v p*, takes the spoon: tip, side and bowl. */
   const turned = (point) => {
     const by = quaternionMatrix([dot(point, p), ...cross(p, point)]);
     return transpose(product(by, held));
@@ -57,13 +47,14 @@ export function slerp({ p, q, flip, t }, { antipodal }) {
   const spoon = (point) => ({ matrix: columns(turned(point), BESIDE) });
   const aside = (point, reach = 1) => combine(1, BESIDE, reach, point);
   const tips = arc.map((point) => turned(point)[0]);
-  const circle = spread(AROUND).map((x) => aside(rotate(p, axis, 2 * Math.PI * x)));
 
   const beside = (point, reach, across) => combine(reach, point, across, axis);
+  // On the great circle where the arc is not.
   const beyond = (point, distance) =>
     combine(1.06, point, flip ? -distance : distance, cross(axis, point));
   const last = tips.at(-1);
   const [startWeight, endWeight] = weights(theta, t);
+  const curves = times.map((x) => weights(theta, x));
   return {
     parts: {
       arc: { paths: [arc] },
@@ -74,7 +65,7 @@ export function slerp({ p, q, flip, t }, { antipodal }) {
       end: { at: end },
       slerp: { at: here },
       nlerp: { at: there },
-      circle: { paths: [circle] },
+      circle: { paths: [turning(p, axis, 2 * Math.PI, 96).map((point) => aside(point))] },
       sweep: { paths: [tips.map((tip) => aside(tip))] },
       axis: { from: BESIDE, to: aside(axis, 0.5) },
       "spoon at the start": spoon(p),
@@ -101,19 +92,28 @@ export function slerp({ p, q, flip, t }, { antipodal }) {
       weights_sum: startWeight + endWeight,
     },
     charts: {
-      weights: {
-        start: times.map((x) => weights(theta, x)[0]),
-        end: times.map((x) => weights(theta, x)[1]),
-      },
+      weights: { start: curves.map(([start]) => start), end: curves.map(([, end]) => end) },
       speeds: { slerp: times.map(() => 1), nlerp: times.map((x) => speedOfNlerp(theta, x)) },
     },
   };
 }
 
-/** The axis of the arc or, for points on one line, some axis across it: `axis_across`. */
+/** The axis of the arc or, for points on one line, some axis across it. */
 function axisAcross(p, q) {
   if (length(cross(p, q)) > SAME) return arcAxis(p, q);
   const sizes = p.map(Math.abs);
   const least = sizes.indexOf(Math.min(...sizes));
   return arcAxis(p, sizes.map((_, i) => (i === least ? 1 : 0)));
+}
+
+/** The factors of both ends in (5-2); where the ends coincide, their limits. */
+function weights(theta, t) {
+  const size = Math.max(theta, TINY);
+  return [1 - t, t].map((share) => Math.sin(share * size) / Math.sin(size));
+}
+
+/** How fast nlerp moves, as a multiple of slerp's constant speed. */
+function speedOfNlerp(theta, t) {
+  const size = Math.max(theta, TINY);
+  return Math.sin(size) / (size * (1 - 2 * t * (1 - t) * (1 - Math.cos(size))));
 }

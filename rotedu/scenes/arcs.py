@@ -4,42 +4,53 @@ from collections.abc import Sequence
 
 import numpy as np
 import pyvista
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from rotedu.arcs import angle_between, arc_axis, nlerp, slerp
+from rotedu.arcs import angle_between, arc_axis, slerp
 from rotedu.colors import AXIS, CROSS, NEUTRAL, RESULT, VECTOR
-from rotedu.errors import DegenerateError
 from rotedu.figures import (
     Handles,
     Slider,
+    State,
     Switch,
     describe,
     draw_chart,
     explorable,
     limit_turning,
-    place_grip,
-    place_part,
     read_out,
     stack_on_phone,
 )
-from rotedu.quaternions import Quaternion
 from rotedu.scenes.parts import (
     ORIGIN,
+    Arrow,
+    Ball,
+    Lines,
+    Look,
+    Mesh,
+    Text,
     add_angle,
     add_arc,
     add_arrow,
     add_axis,
     add_label,
     add_line,
-    add_lines,
     add_point,
     add_sphere,
+    draw,
     new_scene,
     normalised,
     sphere_scene,
     teaspoon,
     turning,
 )
+
+__all__ = [
+    "CAMERA_SEES",
+    "CAMERA_TARGETS",
+    "camera_arcs",
+    "figure_2",
+    "slerp_by_hand",
+]
 
 CAMERA_TARGETS = ((1.0, 0.0, -0.2), (0.3, 1.0, 0.2), (0.2, 0.3, 1.0), (0.3, -0.9, 0.3))
 """Directions from a camera to a door, a clock, a window and a desk, in this order."""
@@ -148,81 +159,24 @@ def figure_2(
     return plotter
 
 
-# Below this angle the sines are their angles to the last digit, but never 0/0.
-TINY = 1e-9
-# Angles in radians, and sines, that look like zero.
-SAME = 1e-6
-
-
-def weights(theta: float, t: NDArray[np.float64]) -> list[NDArray[np.float64]]:
-    """Return the factors of both ends in (5-2); where the ends coincide, their limits 1 - t and t.
-
-    Parameters
-    ----------
-    theta : float
-        Angle between the ends.
-    t : ndarray, shape (...)
-        Fractions of the arc.
-
-    Returns
-    -------
-    list of ndarray, shape (...)
-        The factors of the start and of the end.
-    """
-    size = max(theta, TINY)
-    return [np.sin(share * size) / np.sin(size) for share in (1 - t, t)]
-
-
-def speed_of_nlerp(theta: float, t: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return how fast nlerp moves, as a multiple of slerp's constant speed.
-
-    Parameters
-    ----------
-    theta : float
-        Angle between the ends.
-    t : ndarray, shape (...)
-        Fractions of the chord.
-
-    Returns
-    -------
-    ndarray, shape (...)
-        The derivative of the angle travelled, divided by `theta`.
-    """
-    size = max(theta, TINY)
-    squared_distance_from_centre = 1 - 2 * t * (1 - t) * (1 - np.cos(size))
-    speed: NDArray[np.float64] = np.sin(size) / (size * squared_distance_from_centre)
-    return speed
-
-
-ANTIPODAL = "the ends are antipodal: no unique arc joins them"
-# From the middle of the sphere to that of the spoons, to the right of the picture.
-BESIDE = np.array([2.3, 0, 0])
 LOOK_AT = np.array([1.02, 0, 0])
 EYE = LOOK_AT + 9.8 * np.array([0, -np.cos(np.radians(20)), np.sin(np.radians(20))])
-# Spoons closer than this, in radians, share one name.
-CLOSE = np.radians(25)
 
 
 @explorable(
-    model="slerp",
-    constants={"antipodal": ANTIPODAL},
     tries={
         "nlerp hurries in the middle": {"t": 0.5},
         "flip the sign of the end": {"flip": True, "t": 0.5},
         "just before the opposite point": {"q": (0.951, 0.038, -0.356), "t": 0.5},
         "just past it": {"q": (0.951, 0.244, -0.194), "t": 0.5},
     },
-    p=Handles("p"),
-    q=Handles("q"),
-    t=Slider(0, 1, "fraction t", plays=5),
-    flip=Switch("flip the sign of the end"),
+    constants={"antipodal": "the ends are antipodal: no unique arc joins them"},
+    p=Handles("p", start=(-0.951, -0.141, 0.275)),
+    q=Handles("q", start=(0.789, -0.263, -0.555)),
+    t=Slider(0, 1, "fraction t", plays=5, start=0.2),
+    flip=Switch("flip the sign of the end", start=False),
 )
-def slerp_by_hand(
-    p: ArrayLike = (-0.951, -0.141, 0.275),
-    q: ArrayLike = (0.789, -0.263, -0.555),
-    t: float = 0.2,
-    flip: bool = False,
-) -> pyvista.Plotter:
+def slerp_by_hand(state: State) -> pyvista.Plotter:
     """Draw slerp and nlerp between two points, and what both do to a spoon.
 
     To the points of the arc belong quaternions as far apart: that of a point v is v p*, with both
@@ -244,137 +198,71 @@ def slerp_by_hand(
 
     Raises
     ------
-    rotedu.errors.DegenerateError
+    rotedu.figures.RefusedError
         If the ends are opposite.
     """
-    start, other = (np.asarray(v, float) / np.linalg.norm(v) for v in (p, q))
-    end = -other if flip else other
-    theta = float(angle_between(start, end))
-    if theta > np.pi - SAME:
-        raise DegenerateError(ANTIPODAL)
-    axis = axis_across(start, other)
-    held = np.column_stack([start, np.cross(axis, start), axis])
-    times = np.linspace(0, 1, 61)
-    arc = slerp(start, end, times)
-    here, there = slerp(start, end, t), nlerp(start, end, t)
-    tenths = nlerp(start, end, np.arange(1, 10) / 10)
-
-    def turned(point: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Return where the quaternion of a point takes the spoon."""
-        by = Quaternion(point @ start, np.cross(start, point)).matrix()
-        return np.asarray(by @ held)
-
     plotter = new_scene(eye=EYE, target=LOOK_AT, view_angle=16, size=(720, 400))
     limit_turning(plotter, 20)
     stack_on_phone(plotter, (10, 34, 374, 330, 1), (358, 52, 370, 296, 0.75))
     add_sphere(plotter)
-    add_line(plotter, arc, RESULT, radius=0.014, name="arc")
-    place_grip(plotter, "t", path=arc)
-    add_lines(plotter, [[ORIGIN, x] for x in tenths], CROSS, radius=0.003, name="tenths")
-    add_line(plotter, [start, end], CROSS, radius=0.006, name="chord")
-    for name, point, color, radius in (
-        ("p", start, VECTOR, 0.036),
-        ("q", other, NEUTRAL, 0.028),
-        ("end", end, VECTOR, 0.036),
-        ("slerp", here, RESULT, 0.044),
+    looks: dict[str, Look] = {
+        "arc": Lines(RESULT, 0.014),
+        "tenths": Lines(CROSS, 0.003),
+        "chord": Lines(CROSS, 0.006),
+        "p": Ball(VECTOR, 0.036),
+        "q": Ball(NEUTRAL, 0.028),
+        "end": Ball(VECTOR, 0.036),
+        "slerp": Ball(RESULT, 0.044),
         # Smaller: where both are in one place, it lies within the other.
-        ("nlerp", there, CROSS, 0.038),
-    ):
-        add_point(plotter, point, color, radius, name=name)
-
-    circle = turning(start, axis, 2 * np.pi, 96)
-    add_line(plotter, BESIDE + circle, NEUTRAL, radius=0.004, name="circle")
-    tips = np.array([turned(x)[:, 0] for x in arc])
-    add_line(plotter, BESIDE + tips, RESULT, radius=0.014, name="sweep")
-    add_arrow(plotter, BESIDE, BESIDE + 0.5 * axis, AXIS, name="axis")
-    for name, point, color, size in (
-        ("spoon at the start", start, VECTOR, 1),
-        ("spoon at the end", end, VECTOR, 1),
-        ("spoon by slerp", here, RESULT, 1),
+        "nlerp": Ball(CROSS, 0.038),
+        "circle": Lines(NEUTRAL, 0.004),
+        "sweep": Lines(RESULT, 0.014),
+        "axis": Arrow(AXIS),
+        "spoon at *": hand(VECTOR),
+        "spoon by slerp": hand(RESULT),
         # Smaller, to be seen in front of the one by slerp.
-        ("spoon by nlerp", there, CROSS, 0.75),
-    ):
-        add_hand(plotter, turned(point), color, name, size)
+        "spoon by nlerp": hand(CROSS, 0.75),
+    }
+    texts = {
+        "slerp": Text(RESULT, "slerp"),
+        "nlerp": Text(CROSS, "nlerp"),
+        "start": Text(VECTOR, "start"),
+        "end of turn": Text(VECTOR, "end"),
+        "*": Text(VECTOR),
+    }
+    draw(plotter, state, looks, texts)
 
-    def beyond(point: NDArray[np.float64], distance: float) -> NDArray[np.float64]:
-        """Return the place of an end's label, on the great circle where the arc is not."""
-        ahead = np.cross(axis, point)
-        return 1.06 * point + distance * (-ahead if flip else ahead)
-
-    last = tips[-1]
-    for name, text, place, color in (
-        ("p", "$p$", beyond(start, -0.17), VECTOR),
-        ("q", "$q$", beyond(other, 0.17), VECTOR),
-        ("-q", "$-q$", beyond(end, 0.17) if flip else None, VECTOR),
-        ("slerp", "slerp", 0.8 * here + 0.1 * axis, RESULT),
-        ("nlerp", "nlerp", 1.15 * there - 0.15 * axis, CROSS),
-        ("start", "start", BESIDE + 1.2 * start, VECTOR),
-        (
-            "end of turn",
-            "end",
-            BESIDE + 1.2 * last if angle_between(start, last) > CLOSE else None,
-            VECTOR,
-        ),
+    for name, text, digits, unit, where in (
+        ("angle", "arc", 1, "°", "picture"),
+        ("way", "spoon turns by", 1, "°", "picture"),
+        ("speed", "nlerp's speed (slerp: 1)", 2, "", "picture"),
+        ("start_weight", "weight of the start", 2, "", "folded"),
+        ("end_weight", "weight of the end", 2, "", "folded"),
+        ("weights_sum", "sum of the weights", 2, "", "folded"),
     ):
-        add_label(plotter, place, text, color, name=name)
-
-    angle = np.degrees(theta)
-    start_weight, end_weight = weights(theta, np.array(t))
-    for name, value, text, digits, unit, where in (
-        ("angle", angle, "arc", 1, "°", "picture"),
-        ("way", 2 * angle, "spoon turns by", 1, "°", "picture"),
-        ("speed", speed_of_nlerp(theta, np.array(t)), "nlerp's speed (slerp: 1)", 2, "", "picture"),
-        ("start_weight", start_weight, "weight of the start", 2, "", "folded"),
-        ("end_weight", end_weight, "weight of the end", 2, "", "folded"),
-        ("weights_sum", start_weight + end_weight, "sum of the weights", 2, "", "folded"),
+        read_out(plotter, name, text, digits, unit, where=where)
+    for name, text, colors in (
+        ("weights", "weights of the ends", {"start": VECTOR, "end": NEUTRAL}),
+        ("speeds", "speed", {"slerp": RESULT, "nlerp": CROSS}),
     ):
-        read_out(plotter, name, value, text, digits, unit, where=where)
-    draw_chart(
-        plotter,
-        "weights",
-        dict(zip(("start", "end"), weights(theta, times), strict=True)),
-        over="t",
-        x=(0, 1),
-        y=(0, 4),
-        label="weights of the ends (above 4 not shown)",
-        colors={"start": VECTOR, "end": NEUTRAL},
-    )
-    draw_chart(
-        plotter,
-        "speeds",
-        {"slerp": np.ones_like(times), "nlerp": speed_of_nlerp(theta, times)},
-        over="t",
-        x=(0, 1),
-        y=(0, 4),
-        label="speed (above 4 not shown)",
-        colors={"slerp": RESULT, "nlerp": CROSS},
-    )
+        label = f"{text} (above 4 not shown)"
+        draw_chart(plotter, name, over="t", x=(0, 1), y=(0, 4), label=label, colors=colors)
+    inputs, outputs = state["inputs"], state["outputs"]
     describe(
         plotter,
-        f"Left, a see-through sphere with an arc of {angle:.0f} degrees from a point p to a point"
-        f" {'minus q' if flip else 'q'}. A green point, slerp, and a purple point, nlerp, travel"
-        f" along it, here at {t:.0%} of the time. Thin rays show that equal steps of nlerp are"
-        " short near the ends of the arc and long in its middle. Right, spoons point outwards from"
-        f" one place like the hands of a clock: blue ones at the start and, {2 * angle:.0f} degrees"
-        " on, at the end; a green one that slerp turns, and a purple one that nlerp turns.",
+        f"Left, a see-through sphere with an arc of {outputs['angle']:.0f} degrees from a point p"
+        f" to a point {'minus q' if inputs['flip'] else 'q'}. A green point, slerp, and a purple"
+        f" point, nlerp, travel along it, here at {inputs['t']:.0%} of the time. Thin rays show"
+        " that equal steps of nlerp are short near the ends of the arc and long in its middle."
+        " Right, spoons point outwards from one place like the hands of a clock: blue ones at the"
+        f" start and, {outputs['way']:.0f} degrees on, at the end; a green one that slerp turns,"
+        " and a purple one that nlerp turns.",
     )
     return plotter
 
 
-def axis_across(p: NDArray[np.float64], q: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return the axis of the arc from p to q or, if they lie on one line, some axis across it."""
-    if np.linalg.norm(np.cross(p, q)) > SAME:
-        return arc_axis(p, q)
-    return arc_axis(p, np.eye(3)[np.argmin(abs(p))])
-
-
-def add_hand(
-    plotter: pyvista.Plotter, rotation: NDArray[np.float64], color: str, name: str, size: float
-) -> None:
-    """Add a spoon that points outwards like the hand of a clock."""
+def hand(color: str, size: float = 1) -> Mesh:
+    """Return the look of a spoon that points outwards like the hand of a clock."""
     spoon = teaspoon(stations=41, around=12)
     spoon.points = 0.44 * size * spoon.points + np.array([0.56, 0, 0], spoon.points.dtype)
-    matrix = np.eye(4)
-    matrix[:3, :3], matrix[:3, 3] = rotation, BESIDE
-    name = place_part(plotter, name, matrix=matrix.T.ravel())
-    plotter.add_mesh(spoon, color=color, smooth_shading=True, name=name).user_matrix = matrix
+    return Mesh(spoon, color, {"smooth_shading": True})

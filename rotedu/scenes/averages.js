@@ -1,4 +1,4 @@
-/* Model of `rotedu.scenes.averages`. */
+/* Model of page B. */
 import { DEGREES, ORIGIN, placing } from "./parts.js";
 import {
   axisAngle,
@@ -12,14 +12,17 @@ import {
   unit,
 } from "./rotations.js";
 
+// Where the given orientations are turned, quite beside the ball, and where their names are.
 const BESIDE = [[-2.13, 0, 0.36], [-1.42, 0, 0.36], [-1.77, 0, -0.28]];
-const NAME = combine(1, BESIDE[2], 1, [0, 0, -0.43]);
+const NAMES = BESIDE.map((place, i) => combine(1, place, 1, [0, 0, i === 2 ? -0.43 : 0.43]));
 const SIZE = 0.36;
+// A sum of quaternions that is shorter has no direction.
 const SMALLEST = 1e-9;
+// A mean that is no clearer is none: links keep five digits, and a hand keeps fewer.
 const UNCLEAR = 1e-3;
 
-/** `mean_by_hand` */
-export function mean({ poses, flip }, { no_mean }) {
+/** The mean of three orientations by their matrices and by their quaternions. */
+export function meanByHand({ poses, flip }, { no_mean }) {
   const q = poses.map(unit);
   if (flip) q[2] = q[2].map((x) => -x);
   const given = q.map(quaternionMatrix);
@@ -31,22 +34,24 @@ export function mean({ poses, flip }, { no_mean }) {
   };
 
   const parts = {};
-  const labels = { q_3: flip ? null : NAME, "-q_3": flip ? NAME : null };
+  const [first, another, last] = NAMES;
+  const labels = { q_1: first, q_2: another, q_3: flip ? null : last, "-q_3": flip ? last : null };
   given.forEach((turn, i) => {
     parts[`R_${i + 1}`] = { matrix: spoon(turn, BESIDE[i], SIZE) };
     parts[`R_${i + 1} in the ball`] = { matrix: spoon(turn, ORIGIN, 1) };
     parts[`tip ${i + 1}`] = { at: tip(turn) };
   });
   const outputs = { singular };
-  for (const [name, turn] of Object.entries(means)) {
+  Object.entries(means).forEach(([name, turn], i) => {
     const hidden = !turn;
+    labels[name] = [i ? 0.72 : -0.72, 0, -0.97];
     parts[name] = hidden ? { hidden } : { matrix: spoon(turn, ORIGIN, 1), hidden };
     parts[`tip by ${name}`] = hidden ? { hidden } : { at: tip(turn), hidden };
     outputs[`by_${name}`] = hidden ? no_mean : given.map((one) => between(one, turn));
-  }
+  });
   const { matrices, quaternions } = means;
   outputs.apart = matrices && quaternions ? between(matrices, quaternions) : no_mean;
-  return { parts, labels, outputs };
+  return { parts, labels, grips: { poses: { at: BESIDE, size: SIZE } }, outputs };
 }
 
 const tip = (turn) => turn.map(([x]) => x);
@@ -60,7 +65,7 @@ function entrywise(given) {
   return [entries.slice(0, 3), entries.slice(3, 6), entries.slice(6)];
 }
 
-/** `mean_of_quaternions` */
+/** The rotation of the sum of quaternions, whatever their signs, or null if it is zero. */
 function meanOfQuaternions(q) {
   const total = sum(q);
   return length(total) < SMALLEST ? null : quaternionMatrix(total);
@@ -68,5 +73,5 @@ function meanOfQuaternions(q) {
 
 const sum = (rows) => transpose(rows).map((column) => column.reduce((a, b) => a + b));
 
-/** `rotedu.averages.angular_distance`, in degrees. */
+/** The angle of the turn from one orientation to another, in degrees. */
 const between = (a, b) => DEGREES * axisAngle(product(transpose(a), b)).angle;

@@ -1,10 +1,10 @@
-/* Models of `rotedu.scenes.closed_curve`. */
+/* Models of page 5 III. */
 import { DEGREES, ORIGIN, arcs, columns, spread } from "./parts.js";
 import {
   angleBetween,
   arcAxis,
   bisect,
-  closedCurve as curveThrough,
+  closedCurve,
   combine,
   controlPoints,
   cross,
@@ -17,29 +17,21 @@ import {
 } from "./rotations.js";
 
 const STEP = 3e-4;
-// Of `arcs_of_arcs`.
+// Names this close together would cover each other.
 const CROWDED = 0.19;
-// Of `closed_curve_by_hand`.
-const MOST = 8;
+// With more points than this, the names of control points have no room.
 const NAMED = 5;
 const SAMPLES = 25;
-// Of `camera_by_hand`.
+// Samples from one target of the camera to the next.
 const LEG = 24;
 const TIMES = Array.from({ length: LEG }, (_, i) => i / LEG);
+// Half the width and height of the camera's picture on the sphere.
 const [WIDTH, HEIGHT] = [0.21, 0.14];
+// Of the view of who rides on the camera, in degrees.
 const ANGLE = 56;
 
-/** Velocity and geodesic curvature: `motion`. */
-function motion(control, u) {
-  const [before, here, after] = [-STEP, 0, STEP].map((x) => deCasteljau(control, u + x));
-  const velocity = combine(1 / (2 * STEP), after, -1 / (2 * STEP), before);
-  const acceleration = here.map((x, i) => (after[i] - 2 * x + before[i]) / STEP ** 2);
-  const speed = Math.max(length(velocity), STEP);
-  return { velocity, curvature: dot(cross(here, velocity), acceleration) / speed ** 3 };
-}
-
-/** `closed_curve_by_hand` */
-export function closedCurve({ points, u, fraction }) {
+/** Figure 8 with de Casteljau's construction of one point, speed and curvature. */
+export function closedCurveByHand({ points, u, fraction }, { most }) {
   const p = points.map(unit);
   const n = p.length;
   const { a, b } = controlPoints(p, fraction);
@@ -47,25 +39,23 @@ export function closedCurve({ points, u, fraction }) {
   const segment = Math.min(Math.floor(u * n), n - 1);
   const within = u * n - segment;
   const levels = deCasteljauLevels(control[segment], within);
-  const curve = curveThrough(p, 40, fraction);
+  const samples = closedCurve(p, 40, fraction);
+  const curve = [...samples, samples[0]];
 
   const polygon = p.flatMap((point, i) => [b[i], point, a[i]]);
   const [, first, second, [here]] = levels;
   const parts = {
-    curve: { paths: [[...curve, curve[0]]] },
+    curve: { paths: [curve] },
     handles: { paths: arcs([...b, ...p], [...p, ...a]) },
     polygon: { paths: arcs(a, control.map((four) => four[2])) },
     levels: { paths: arcs([first[0], first[1], second[0]], [first[1], first[2], second[1]]) },
-    "Q 1 1": { at: first[0] },
-    "Q 1 2": { at: first[1] },
-    "Q 1 3": { at: first[2] },
-    "Q 2 2": { at: second[0] },
-    "Q 2 3": { at: second[1] },
+    ...pointsOf(first, 1),
+    ...pointsOf(second, 2),
     C: { at: here },
   };
   const labels = {};
   const middle = polygon.reduce((sum, q) => combine(1, sum, 1 / polygon.length, q), ORIGIN);
-  for (let i = 0; i < 3 * MOST; i++) {
+  for (let i = 0; i < 3 * most; i++) {
     const name = `${"bPa"[i % 3]}_${Math.floor(i / 3)}`;
     const point = polygon[i];
     parts[name] = point ? { at: point, hidden: false } : { hidden: true };
@@ -82,7 +72,7 @@ export function closedCurve({ points, u, fraction }) {
   return {
     parts,
     labels,
-    grips: { u: { path: [...curve, curve[0]] } },
+    grips: { u: { path: curve } },
     outputs: {
       speed: DEGREES * length(now.velocity),
       curvature: now.curvature,
@@ -98,7 +88,16 @@ export function closedCurve({ points, u, fraction }) {
   };
 }
 
-/** The place of a label, beside a corner of the polygon. */
+/** The parts that show the points of a level of de Casteljau's construction. */
+const pointsOf = (level, j) =>
+  Object.fromEntries(level.map((point, k) => [`Q ${j} ${j + k}`, { at: point }]));
+
+/**
+ * The place of a label beside a corner of a closed polygon on the sphere.
+ *
+ * It is on the outer side of the corner. Where the polygon has no corner, as at P_i, it is on the
+ * side away from the middle of all.
+ */
 function beside(polygon, i, middle) {
   const count = polygon.length;
   const [before, after] = [polygon.at(i - 1), polygon[(i + 1) % count]];
@@ -109,14 +108,14 @@ function beside(polygon, i, middle) {
   return combine(1.1, polygon[i], dot(sideways, outwards) < 0 ? -0.16 : 0.16, sideways);
 }
 
-/** `arcs_of_arcs` */
+/** De Casteljau's construction on the sphere: the arcs of all levels for one u. */
 export function arcsOfArcs({ control, u }) {
   const levels = deCasteljauLevels(control, u);
   const curve = spread(61).map((x) => deCasteljau(control, x));
   const parts = { curve: { paths: [curve] } };
   levels.forEach((level, j) => {
     if (level.length > 1) parts[`level ${j}`] = { paths: arcs(level.slice(0, -1), level.slice(1)) };
-    level.forEach((point, k) => (parts[`Q ${j} ${j + k}`] = { at: point }));
+    Object.assign(parts, pointsOf(level, j));
   });
   const way = (j) => DEGREES * angleBetween(levels[0][0], levels[j][0]);
   return {
@@ -127,14 +126,16 @@ export function arcsOfArcs({ control, u }) {
   };
 }
 
-/** Places for the names of points, none where there is no room: `names_of_levels`. */
+/** Places for the names of the points of all levels, none where there is no room. */
 function namesOfLevels(levels) {
   const middle = levels[0].reduce((sum, q) => combine(1, sum, 1 / 4, q), ORIGIN);
   const labels = {};
+  // Given points and the result come first.
   for (const j of [0, 3, 2, 1]) {
     levels[j].forEach((point, k) => {
       const away = combine(1, point, -1, middle);
-      const place = combine(1, point, (j === 3 ? -0.13 : 0.13) / Math.max(length(away), STEP), away);
+      const reach = (j === 3 ? -0.13 : 0.13) / Math.max(length(away), STEP);
+      const place = combine(1, point, reach, away);
       const taken = Object.values(labels).filter(Boolean);
       const free = taken.every((other) => length(combine(1, place, -1, other)) > CROWDED);
       labels[`Q_{${j},${j + k}}`] = free ? place : null;
@@ -143,13 +144,13 @@ function namesOfLevels(levels) {
   return labels;
 }
 
-/** `camera_by_hand` */
-export function camera({ targets, path, roll, u }, { seen }) {
+/** A camera that looks from target to target and back to the first, and what it sees. */
+export function cameraByHand({ u, targets, path, roll }, { seen }) {
   const p = targets.map(unit);
   const legs = legsBetween(p);
   const ways = {
     arcs: legs.arcs.flatMap((arc) => TIMES.map((t) => deCasteljau(arc, t))),
-    curve: curveThrough(p, LEG),
+    curve: closedCurve(p, LEG),
   };
   const leg = Math.min(Math.floor(p.length * u), p.length - 1);
   const [taken, within] = [legs[path][leg], p.length * u - leg];
@@ -173,6 +174,7 @@ export function camera({ targets, path, roll, u }, { seen }) {
     },
     labels: {
       ...named((point) => outside(point, middle)),
+      // Seen from the centre, names are close to their targets.
       ...named((point) => combine(1, point, 0.08, away(point, middle)), " seen"),
       up: combine(1, top, 0.36, up),
     },
@@ -188,7 +190,7 @@ export function camera({ targets, path, roll, u }, { seen }) {
   };
 }
 
-/** Control points from target to target, for both paths: `legs_between`. */
+/** Control points from target to target, for both paths. */
 function legsBetween(p) {
   const after = p.map((_, i) => p[(i + 1) % p.length]);
   const { a, b } = controlPoints(p);
@@ -198,10 +200,10 @@ function legsBetween(p) {
   };
 }
 
-/** How many samples of the way round lie before a place on it: `samples_until`. */
+/** How many samples of the way round lie before a place on it. */
 const samplesUntil = (u) => Math.min(Math.floor(4 * LEG * u), 4 * LEG - 1) + 1;
 
-/** Both paths, each thick and thin: `add_paths`. */
+/** Both paths, each thick and thin; thick is the one that the camera takes. */
 function paths(ways, path) {
   const parts = {};
   for (const [name, way] of Object.entries(ways)) {
@@ -212,7 +214,7 @@ function paths(ways, path) {
   return parts;
 }
 
-/** A camera and the middle of its picture, upright and as it is: `add_camera`. */
+/** A camera and the middle of its picture, upright and as it is. */
 function cameraAndFrames(ahead, up, vertical) {
   const [level, corners] = [vertical, up].map((side) => picture(ahead, side));
   const [levelTop, top] = [vertical, up].map((side) => combine(1, ahead, HEIGHT, side));
@@ -226,7 +228,7 @@ function cameraAndFrames(ahead, up, vertical) {
   };
 }
 
-/** The bends of a path, the speed on both, and the spin of an upright camera: `show_motion`. */
+/** The bends of a path, the speed on both, and the spin of an upright camera. */
 function motions(legs, path) {
   const t = spread(LEG / 2 + 1);
   const velocities = (way) => way.map((leg) => t.map((x) => motion(leg, x).velocity));
@@ -247,17 +249,22 @@ function motions(legs, path) {
 /** The upward direction of the picture of an upright camera. */
 const upright = (ahead) => cross(ahead, arcAxis([0, 0, 1], ahead));
 
-/** How fast an upright camera turns about its line of sight. */
+/** How fast an upright camera turns about its line of sight: by its turn about W. */
 function spinOfUpright([x, y, z], [dx, dy]) {
   return (z * (x * dy - y * dx)) / Math.max(x ** 2 + y ** 2, STEP ** 2);
 }
 
-/** Carry a direction along a path on the sphere: two half turns make up the rotation of an arc. */
+/**
+ * Carry a direction along a path on the sphere, by the rotation of each short arc.
+ *
+ * Two half turns, about the start and about the middle of an arc, make up its rotation. Unlike an
+ * axis, they also exist where the path stands still.
+ */
 function carried(up, way) {
   return way.slice(1).reduce((v, q, i) => double(double(v, way[i]), bisect(way[i], q)), up);
 }
 
-/** The corners of what a camera sees, where it meets the unit sphere. */
+/** The corners of what a camera at the origin sees, where it meets the unit sphere. */
 function picture(ahead, up) {
   const left = cross(up, ahead);
   const signs = [[1, 1], [1, -1], [-1, -1], [-1, 1]];
@@ -276,8 +283,22 @@ function away(point, middle) {
   return tangent.map((x) => x / Math.max(length(tangent), STEP));
 }
 
-/** The place of a label: away from the middle, and from the path. */
+/** The place of a label, clear of the path and of the upper side of the picture. */
 function outside(point, middle) {
   const aside = away(point, middle);
   return combine(1.1, point, 0.15, combine(1, aside, 1, cross(point, aside)));
+}
+
+/**
+ * Velocity and geodesic curvature of a Bezier curve on the sphere, by differences.
+ *
+ * They are in radians for a step of 1 in u, and in radians turned for each radian travelled:
+ * positive to the left, 0 on a great circle and where the curve stands still.
+ */
+function motion(control, u) {
+  const [before, here, after] = [-STEP, 0, STEP].map((x) => deCasteljau(control, u + x));
+  const velocity = combine(1 / (2 * STEP), after, -1 / (2 * STEP), before);
+  const acceleration = here.map((x, i) => (after[i] - 2 * x + before[i]) / STEP ** 2);
+  const speed = Math.max(length(velocity), STEP);
+  return { velocity, curvature: dot(cross(here, velocity), acceleration) / speed ** 3 };
 }

@@ -1,5 +1,5 @@
-/* Model of `rotedu.scenes.conclusions`. */
-import { CUBE, DEGREES, ORIGIN } from "./parts.js";
+/* Model of Chapter 6. */
+import { CUBE, DEGREES, placing } from "./parts.js";
 import {
   axisAngle,
   combine,
@@ -14,14 +14,15 @@ import {
   unit,
 } from "./rotations.js";
 
-const MOST = 1000;
-const SIZES = { "any size": 0, "about 2°": 0.02, "about 0.02°": 0.0002 };
+// A chart shows every tenth number of turns, and nothing below 1e-8 degrees.
 const EVERY = 10;
 const FLOOR = 1e-8;
 const ACROSS = [0.93, 0.36, 0].map((x) => 0.88 * x);
+const BELOW = [0, 0, -0.95];
 const IDENTITY = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
+// What is left of a number after every turn.
 const ROUNDED = {
-  // Ties, which Python rounds to even, do not occur.
+  // Ties, which could go either way, do not occur.
   "2 decimals": (x) => Math.round(100 * x) / 100,
   "3 decimals": (x) => Math.round(1000 * x) / 1000,
   "16 bits": to16Bits,
@@ -37,15 +38,14 @@ function to16Bits(x) {
   return Math.round(x / step) * step;
 }
 
-/** Unit quaternions, of any size or near 1: `random_turns`. */
-function* randomTurns(size) {
-  const small = SIZES[size];
+/** Unit quaternions whose directions are evenly spread, of any size or `small`, near 1. */
+function* randomTurns(count, small) {
   let seed = 3;
   const thrown = () => {
     seed = (Math.imul(1664525, seed) + 1013904223) >>> 0;
     return seed / 2 ** 31 - 1;
   };
-  for (let found = 0; found < MOST; ) {
+  for (let found = 0; found < count; ) {
     const [w, ...v] = [0, 0, 0, 0].map(thrown);
     const square = length([w, ...v]) ** 2;
     if (square <= 0.01 || square > 1) continue;
@@ -54,8 +54,11 @@ function* randomTurns(size) {
   }
 }
 
-/** Products, rounded after every turn, and one turn more back to the start: `chains`. */
-function chains(precision, size) {
+/**
+ * Turns multiplied as matrices and as quaternions, every number rounded after every turn: what
+ * there is after 0, 1, ... turns and one turn more, which leads back to the start.
+ */
+function chains(precision, size, { most, sizes }) {
   const name = `${precision} ${size}`;
   if (!known.has(name)) {
     const round = ROUNDED[precision];
@@ -64,7 +67,7 @@ function chains(precision, size) {
     let matrix = IDENTITY;
     let kept = exact;
     const worn = { matrix: [], quaternion: [] };
-    for (const turn of [...randomTurns(size), exact]) {
+    for (const turn of [...randomTurns(most, sizes[size]), exact]) {
       const back = conjugate(exact);
       worn.matrix.push(rounded(product(quaternionMatrix(back), matrix)));
       worn.quaternion.push(quaternionProduct(back, kept).map(round));
@@ -83,34 +86,37 @@ function chains(precision, size) {
   return known.get(name);
 }
 
-/** A number with two digits, however small it is: `two_digits`. */
+/** A number with two digits, however small it is. */
 function twoDigits(value) {
   return value.toFixed(value > FLOOR ? Math.max(0, 1 - Math.floor(Math.log10(value))) : 0);
 }
 
-/** `worn_spoons_by_hand` */
-export function wornSpoons({ turns, precision, size, repair }, { degree, in_length }) {
-  const worn = chains(precision, size);
+/** What rounding does to a product of matrices and to a product of quaternions. */
+export function wornSpoonsByHand({ turns, precision, size, repair }, constants) {
+  const { degree, in_length } = constants;
+  const worn = chains(precision, size, constants);
   const k = Math.round(turns);
   const q = worn.quaternion[k];
   const square = length(q) ** 2;
   const unrepaired = [worn.matrix[k], quaternionMatrix(q).map((row) => row.map((x) => square * x))];
   const rotations = repair ? worn.near(k) : unrepaired;
   const off = worn.off(k);
-  const frame = { parts: {}, labels: {}, outputs: {}, charts: { off: {} } };
+  const state = { parts: {}, labels: {}, outputs: {}, charts: { off: {} } };
   ["matrix", "quaternion"].forEach((name, i) => {
     const rotation = rotations[i];
-    const place = combine(i ? 1 : -1, ACROSS, 0, ORIGIN);
-    const columns = transpose(rotation);
-    frame.parts[name] = { matrix: [...columns.flatMap((column) => [...column, 0]), ...place, 1] };
-    const moved = (point) => combine(1, place, 1, transform(rotation, point));
-    frame.parts[`box, ${name}`] = { paths: CUBE.map((edge) => edge.map(moved)) };
-    const edges = columns.map(length);
-    const bent = Math.max(...edges.map((x) => Math.abs(x - 1)));
-    frame.outputs[`${name}_off`] = repair ? twoDigits(off[i]) + degree : twoDigits(100 * bent) + in_length;
-    frame.outputs[`${name}_edges`] = edges;
+    const place = ACROSS.map((x) => (i ? x : -x));
+    for (const [part, matrix] of [[`${name} at the start`, IDENTITY], [name, rotation]]) {
+      const moved = (point) => combine(1, place, 1, transform(matrix, point));
+      state.parts[`box, ${part}`] = { paths: CUBE.map((edge) => edge.map(moved)) };
+      state.parts[part] = { matrix: placing(matrix, place) };
+    }
+    state.labels[name] = combine(1, place, 1, BELOW);
+    const edges = transpose(rotation).map(length);
+    const bent = twoDigits(100 * Math.max(...edges.map((x) => Math.abs(x - 1))));
+    state.outputs[`${name}_off`] = repair ? twoDigits(off[i]) + degree : bent + in_length;
+    state.outputs[`${name}_edges`] = edges;
     const heights = (angles) => angles.map((angle) => Math.log10(Math.max(angle, FLOOR)));
-    frame.charts.off[name] = repair ? heights(worn.curves()[i]) : null;
+    state.charts.off[name] = repair ? heights(worn.curves()[i]) : null;
   });
-  return frame;
+  return state;
 }

@@ -1,8 +1,7 @@
 """Scene of Chapter 6: what rounding does to a rotation."""
 
 from collections.abc import Callable, Iterator
-from functools import cache
-from typing import Any
+from functools import cache, reduce
 
 import numpy as np
 import pyvista
@@ -12,18 +11,21 @@ from rotedu.colors import MATRIX, QUATERNION, VECTOR
 from rotedu.figures import (
     Choice,
     Slider,
+    State,
     Switch,
     describe,
     draw_chart,
     explorable,
     limit_turning,
-    place_part,
     read_out,
 )
-from rotedu.ordinary_rotation import axis_angle
-from rotedu.orientations import nearest_rotation
 from rotedu.quaternions import Quaternion
-from rotedu.scenes.parts import CUBE, ORIGIN, add_label, add_lines, add_thin, new_scene, teaspoon
+from rotedu.scenes.parts import ORIGIN, Lines, Look, Mesh, Text, draw, new_scene, teaspoon
+
+__all__ = [
+    "worn_rotations",
+    "worn_spoons_by_hand",
+]
 
 MOST = 1000
 INKS = {"matrix": MATRIX, "quaternion": QUATERNION}
@@ -36,14 +38,8 @@ ROUNDED: dict[str, Callable[[NDArray[np.float64]], NDArray[np.float64]]] = {
 """What is left of a number after every turn."""
 SIZES = {"any size": 0.0, "about 2°": 0.02, "about 0.02°": 0.0002}
 """How large turns are: twice as much is the largest angle of small ones, in radians."""
-# The chart shows every tenth number of turns, and nothing below 1e-8 degrees.
-EVERY = 10
-FLOOR = 1e-8
-ACROSS = 0.88 * np.array([0.93, 0.36, 0])
 # The spoon at the start is thinner by so much, and one in the same place covers it.
 THINNER = 0.005
-# What is off before repair.
-IN_LENGTH = " % in length"
 
 
 def dice(seed: int = 3) -> Iterator[float]:
@@ -65,43 +61,6 @@ def random_turns(size: str) -> list[Quaternion]:
             q = Quaternion(1, small * np.array(v)) if small else Quaternion(w, v)
             turns.append(q / q.norm())
     return turns
-
-
-@cache
-def chains(precision: str, size: str) -> dict[str, NDArray[np.float64]]:
-    """Multiply turns as matrices and as quaternions, and round every number after every turn.
-
-    Parameters
-    ----------
-    precision : str
-        One of `ROUNDED`.
-    size : str
-        One of `SIZES`.
-
-    Returns
-    -------
-    dict
-        After 0, 1, ... turns: ``matrix``, shape (1001, 3, 3), and ``quaternion``, shape (1001, 4).
-        Each was then multiplied by one turn more, which leads back to the start.
-    """
-    rounded = ROUNDED[precision]
-    exact = one = Quaternion(1, ORIGIN)
-    matrix: NDArray[np.float64] = np.eye(3)
-    kept: NDArray[np.float64] = one.components
-    worn: dict[str, list[Any]] = {"matrix": [], "quaternion": []}
-    for turn in [*random_turns(size), one]:
-        back = exact.conjugate()
-        worn["matrix"].append(rounded(back.matrix() @ matrix))
-        worn["quaternion"].append(rounded((back * quaternion(kept)).components))
-        exact = turn * exact
-        matrix = rounded(turn.matrix() @ matrix)
-        kept = rounded((turn * quaternion(kept)).components)
-    return {name: np.array(values) for name, values in worn.items()}
-
-
-def quaternion(components: NDArray[np.float64]) -> Quaternion:
-    """Make quaternions of components, shape (..., 4)."""
-    return Quaternion(components[..., 0], components[..., 1:])
 
 
 def worn_rotations(
@@ -133,47 +92,31 @@ def worn_rotations(
     True
     True
     """
-    worn = chains(precision, size)
-    q = quaternion(worn["quaternion"][turns])
-    return [worn["matrix"][turns], q.norm() ** 2 * q.matrix()]
-
-
-def degrees_off(precision: str, size: str) -> dict[str, NDArray[np.float64]]:
-    """Return by how much the nearest rotations are off, after 0 to 1000 turns."""
-    worn = chains(precision, size)
-    nearest = {
-        "matrix": nearest_rotation(worn["matrix"]),
-        "quaternion": quaternion(worn["quaternion"]).matrix(),
-    }
-    return {name: np.degrees(axis_angle(rotation)[1]) for name, rotation in nearest.items()}
-
-
-def two_digits(value: float) -> str:
-    """Write a number with two digits, however small it is."""
-    digits = max(0, 1 - int(np.floor(np.log10(value)))) if value > FLOOR else 0
-    return f"{value:.{digits}f}"
+    rounded = ROUNDED[precision]
+    gone = random_turns(size)[:turns]
+    matrix, q = np.eye(3), Quaternion(1, ORIGIN)
+    back = reduce(lambda product, turn: turn * product, gone, q).conjugate()
+    for turn in [*gone, back]:
+        matrix = rounded(turn.matrix() @ matrix)
+        w, *v = rounded((turn * q).components)
+        q = Quaternion(w, v)
+    return [matrix, q.norm() ** 2 * q.matrix()]
 
 
 @explorable(
-    model="wornSpoons",
-    constants={"degree": "°", "in_length": IN_LENGTH},
     tries={
         "repair both": {"repair": True},
         "after 100 turns": {"repair": True, "turns": 100},
         "32 bits": {"repair": True, "precision": "32 bits"},
         "tiny turns, 16 bits": {"repair": True, "precision": "16 bits", "size": "about 0.02°"},
     },
-    turns=Slider(0, MOST, "turns", step=1, stride=100, plays=10),
-    precision=Choice("rounded to", tuple(ROUNDED)),
-    size=Choice("turns of", tuple(SIZES)),
-    repair=Switch("repair both: take the nearest rotation"),
+    constants={"most": MOST, "sizes": SIZES, "degree": "°", "in_length": " % in length"},
+    turns=Slider(0, MOST, "turns", step=1, stride=100, plays=10, start=MOST),
+    precision=Choice("rounded to", tuple(ROUNDED), start="2 decimals"),
+    size=Choice("turns of", tuple(SIZES), start="any size"),
+    repair=Switch("repair both: take the nearest rotation", start=False),
 )
-def worn_spoons_by_hand(
-    turns: float = MOST,
-    precision: str = "2 decimals",
-    size: str = "any size",
-    repair: bool = False,
-) -> pyvista.Plotter:
+def worn_spoons_by_hand(state: State) -> pyvista.Plotter:
     """Draw what rounding does to a product of matrices and to a product of quaternions.
 
     Parameters
@@ -196,40 +139,23 @@ def worn_spoons_by_hand(
     spoon.points = spoon.points / 2
     thin = spoon.copy()
     thin.points = spoon.points + THINNER * spoon.point_normals
-    off = degrees_off(precision, size)
-    kept = worn_rotations(round(turns), precision, size)
-    if repair:
-        kept = [nearest_rotation(rotation) for rotation in kept]
-
     plotter = new_scene(
         (2.93, -7.43, 3.64), (-0.03, -0.03, -0.06), view_angle=11.6, size=(720, 366)
     )
     limit_turning(plotter, 20)
-    for side, rotation, (name, color) in zip((-1, 1), kept, INKS.items(), strict=True):
-        place = side * ACROSS
-        for mesh, which, ink, radius, title in (
-            (thin, np.eye(3), VECTOR, 0.005, f"{name} at the start"),
-            (spoon, rotation, color, 0.009, name),
-        ):
-            box = list(place + CUBE @ which.T)
-            add_lines(plotter, box, ink, radius, f"box, {title}")
-            pose = np.eye(4)
-            pose[:3, :3], pose[:3, 3] = which, place
-            part = place_part(plotter, title, matrix=pose.T.ravel())
-            add_thin(plotter, mesh, ink, part).user_matrix = pose
-        add_label(plotter, place - np.array([0, 0, 0.95]), name, color)
-        lengths = np.linalg.norm(rotation, axis=0)
-        bent = two_digits(100 * np.abs(lengths - 1).max())
-        now = f"{two_digits(off[name][round(turns)])}°" if repair else f"{bent}{IN_LENGTH}"
-        read_out(plotter, f"{name}_off", now, f"{name} off by", where="picture")
-        read_out(plotter, f"{name}_edges", lengths, f"edges of the cube, {name}", 3)
+    for name, ink in INKS.items():
+        looks: dict[str, Look] = {
+            f"box, {name} at the start": Lines(VECTOR, 0.005),
+            f"{name} at the start": Mesh(thin, VECTOR),
+            f"box, {name}": Lines(ink, 0.009),
+            name: Mesh(spoon, ink),
+        }
+        draw(plotter, state, looks, {name: Text(ink, "{}")})
+        read_out(plotter, f"{name}_off", f"{name} off by", where="picture")
+        read_out(plotter, f"{name}_edges", f"edges of the cube, {name}", 3)
     draw_chart(
         plotter,
         "off",
-        {
-            name: np.log10(np.maximum(angle[::EVERY], FLOOR)) if repair else None
-            for name, angle in off.items()
-        },
         over="turns",
         x=(0, MOST),
         y=(-8, 2),
@@ -240,9 +166,9 @@ def worn_spoons_by_hand(
     describe(
         plotter,
         "Two teaspoons, each in a wire box and each drawn twice: blue at the start, and in a second"
-        f" colour after {turns:.0f} turns that should lead back to the start. On the left, matrices"
-        " were multiplied: the ochre box is askew, and its spoon is bent. On the right, quaternions"
-        " were multiplied: the violet box is still a cube, but of another size, and turned further"
-        " from the blue one.",
+        f" colour after {state['inputs']['turns']:.0f} turns that should lead back to the start. On"
+        " the left, matrices were multiplied: the ochre box is askew, and its spoon is bent. On the"
+        " right, quaternions were multiplied: the violet box is still a cube, but of another size,"
+        " and turned further from the blue one.",
     )
     return plotter

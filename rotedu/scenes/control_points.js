@@ -1,17 +1,20 @@
-/* Models of `rotedu.scenes.control_points`. */
-import { DEGREES, ORIGIN, arcs, spread, turning } from "./parts.js";
+/* Model of page 5 II. */
+import { DEGREES, ORIGIN, arcs, lamp, spread, turning } from "./parts.js";
 import { angleBetween, arcAxis, combine, cross, dot, slerp, unit } from "./rotations.js";
 
+// Lengths of vectors and angles in radians that look equal.
 const SAME = 1e-6;
+// From a point to its label.
 const NEAR = 0.17;
 const FAR = 0.36;
+// What lies behind the sphere is named within the glass.
 const INWARD = -0.2;
 const SAMPLES = spread(25);
 
-/** `control_points_by_hand` */
-export function controlPoints(
+/** The four steps to the control points, with either misprint, and four tests of the result. */
+export function controlPointsByHand(
   { points, step, printed_axis, printed_double, one_circle },
-  { inks, lamp, notYet, steps, verdicts },
+  { inks, notYet, steps, verdicts },
 ) {
   const [before, here, held] = points.map(unit);
   const axis = one_circle && arcAxis(before, here);
@@ -51,12 +54,13 @@ export function controlPoints(
   const last = printed_double ? FAR : NEAR;
   const bWrong = printed_axis || printed_double;
   const ways = [
-    ["\\bar P_{i-1}", path(0, [before, here], 1, 2), inks.cross, false, [], INWARD],
-    ["\\bar P_i", path(1, [reflected, after], 0, half), inks.cross, printed_axis, [here, reflected], NEAR],
-    ["a_i", path(2, [middle, here], 0, 0.5), inks.result, printed_axis, [here, after], NEAR],
-    ["b_i", path(3, doubled, 0, 2), inks.result, bWrong, [here, reflected], last],
+    ["\\bar P_{i-1}", [[before, here], 1, 2], inks.cross, false, [], INWARD],
+    ["\\bar P_i", [[reflected, after], 0, half], inks.cross, printed_axis, [here, reflected], NEAR],
+    ["a_i", [[middle, here], 0, 0.5], inks.result, printed_axis, [here, after], NEAR],
+    ["b_i", [doubled, 0, 2], inks.result, bWrong, [here, reflected], last],
   ];
-  ways.forEach(([name, way, ink, wrong, others, distance], k) => {
+  ways.forEach(([name, ends, ink, wrong, others, distance], k) => {
+    const way = path(k, ...ends);
     const [at, color, hidden] = [way.at(-1), wrong ? inks.wrong : ink, step <= k];
     parts[`path ${k}`] = { paths: [way], color, hidden };
     parts[`$${name}$`] = { at, color, hidden };
@@ -75,7 +79,7 @@ export function controlPoints(
     equally_far: [4, Math.abs(near - far)],
     no_corner: [4, -dot(turnsIn, cross(here, a))],
   };
-  const tested = ([made, error]) => (step < made ? notYet : lamp[Number(error < SAME)]);
+  const tested = ([made, error]) => (step < made ? notYet : lamp(error < SAME));
   const failed = Object.values(errors).filter(([, error]) => error >= SAME).length;
   return {
     // The ring stays on the point that it holds.

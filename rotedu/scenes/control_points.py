@@ -1,29 +1,43 @@
 """Scenes of page 5 II: the construction, and the misprints (5-9) and (5-13)."""
 
-from math import ceil
-
 import numpy as np
 import pyvista
 from numpy.typing import ArrayLike, NDArray
 
-from rotedu.arcs import angle_between, arc_axis, slerp
+from rotedu.arcs import arc_axis, slerp
 from rotedu.closed_curve import closed_curve, de_casteljau
 from rotedu.colors import CROSS, NEUTRAL, RESULT, VECTOR, WRONG
 from rotedu.control_points import bisect, double
-from rotedu.figures import Handles, Slider, Switch, describe, explorable, read_out
-from rotedu.figures.frames import LAMP
-from rotedu.scenes.closed_curve import add_arcs
+from rotedu.figures import Handles, Slider, State, Switch, describe, explorable, read_out
 from rotedu.scenes.parts import (
+    Ball,
+    Lines,
+    Look,
+    Text,
+    U,
+    W,
     add_angle,
     add_arc,
     add_axis,
     add_label,
     add_line,
     add_point,
+    draw,
     normalised,
     sphere_scene,
-    turning,
 )
+
+__all__ = [
+    "LOOP",
+    "NEIGHBOURS",
+    "control_points_by_hand",
+    "figure_3",
+    "figure_4",
+    "figure_5",
+    "figure_6",
+    "figure_7",
+    "reversed_axis",
+]
 
 # The points of figures 3 to 7 are 60 degrees apart, then 90, so no bisected angle equals the angle
 # that its name would mean without the bar.
@@ -263,19 +277,19 @@ STEPS = (
     "4 Double: to the other side",
 )
 NOT_YET = "–"
-JUMPS = r"$\mathrm{here}\ a_i\ \mathrm{jumps}$"
 # By the number of tests that say no.
 VERDICTS = ("all say yes", "one says no", "two say no", "three say no", "all say no")
 INKS = {"cross": CROSS, "result": RESULT, "wrong": WRONG}
-# Lengths of vectors and angles in radians that look equal.
-SAME = 1e-6
 # Two points of the equator and one 90 degrees after them, off the poles: its nearest point of the
 # equator is half way from P_{i-1} to the place where a_i jumps.
 AHEAD = (*NEIGHBOURS[:2], (0.3, -0.3 / 3**0.5, 0.94))
-# From a point to its label.
-NEAR, FAR = 0.17, 0.36
-# What lies behind the sphere is named within the glass.
-INWARD = -0.2
+GIVEN: dict[str, Look] = {
+    "circle": Lines(NEUTRAL, 0.004),
+    "given": Lines(VECTOR, 0.006),
+    **dict.fromkeys((BEFORE, HERE, AFTER), Ball(VECTOR, 0.036)),
+    "halved": Lines(CROSS, 0.006),
+    "opposite": Ball(NEUTRAL),
+}
 
 
 def on_equator(degrees: float) -> tuple[float, float, float]:
@@ -284,10 +298,8 @@ def on_equator(degrees: float) -> tuple[float, float, float]:
 
 
 @explorable(
-    model="controlPoints",
     constants={
         "inks": {name: pyvista.Color(ink).float_rgb for name, ink in INKS.items()},
-        "lamp": LAMP,
         "notYet": NOT_YET,
         "steps": STEPS,
         "verdicts": VERDICTS,
@@ -298,19 +310,13 @@ def on_equator(degrees: float) -> tuple[float, float, float]:
         "before the jump": {"points": (*NEIGHBOURS[:2], on_equator(295)), "one_circle": True},
         "behind it": {"points": (*NEIGHBOURS[:2], on_equator(305)), "one_circle": True},
     },
-    points=Handles(("P before", "P", "P after")),
-    step=Slider(0, 4, "steps taken", step=1, stride=1, plays=8),
-    printed_axis=Switch("step 2 with its misprint"),
-    printed_double=Switch("step 4 with its misprint"),
-    one_circle=Switch("keep Pᵢ₊₁ on the great circle of the others"),
+    points=Handles(("P before", "P", "P after"), start=AHEAD),
+    step=Slider(0, 4, "steps taken", step=1, stride=1, plays=8, start=4),
+    printed_axis=Switch("step 2 with its misprint", start=False),
+    printed_double=Switch("step 4 with its misprint", start=False),
+    one_circle=Switch("keep Pᵢ₊₁ on the great circle of the others", start=False),
 )
-def control_points_by_hand(
-    points: ArrayLike = AHEAD,
-    step: float = 4,
-    printed_axis: bool = False,
-    printed_double: bool = False,
-    one_circle: bool = False,
-) -> pyvista.Plotter:
+def control_points_by_hand(state: State) -> pyvista.Plotter:
     """Draw the four steps to the control points, with either misprint, and test the result.
 
     Parameters
@@ -331,79 +337,31 @@ def control_points_by_hand(
     pyvista.Plotter
         The scene.
     """
-    before, here, held = normalised(points)
-    axis = arc_axis(before, here) if one_circle else np.eye(3)[2]
-    after = np.cross(arc_axis(axis, held), axis) if one_circle else held
-    ahead = step - np.arange(4)
-    # What is not yet taken is hidden, and whole: a tube needs a length.
-    share = np.where(ahead > 0, np.minimum(ahead, 1), 1)[:, np.newaxis] * np.linspace(0, 1, 25)
-    reflected = slerp(before, here, 2)
-    # About the reversed axis, half of the angle turns away from the next point.
-    half = -0.5 if printed_axis else 0.5
-    middle = slerp(reflected, after, half)
-    a = slerp(middle, here, 0.5)
-    doubled = (here, a) if printed_double else (a, here)
-    b = slerp(*doubled, 2)
-
     plotter = sphere_scene(eye=(4.86, -0.2, 3.0), target=(0, 0, 0.06))
-    circle = turning(before, axis, 2 * np.pi, 96)
-    add_line(plotter, circle, NEUTRAL, radius=0.004, name="circle").visibility = one_circle
-    add_arcs(plotter, [before, here], [here, after], VECTOR, name="given")
-    for name, point, joined in (
-        (BEFORE, before, [here]),
-        (HERE, here, [before, after]),
-        (AFTER, after, [here, reflected]),
-    ):
-        add_point(plotter, point, VECTOR, 0.036, name=name)
-        add_label(plotter, beside(point, joined), name, VECTOR)
-    add_arcs(plotter, [reflected], [after], CROSS, name="halved")
-    plotter.actors["halved"].visibility = step > 1
-    opposite = add_point(plotter, -reflected, NEUTRAL, 0.03, name="opposite")
-    opposite.visibility = step >= 1
-    place = beside(-reflected, (), INWARD) if step >= 1 else None
-    add_label(plotter, place, JUMPS, name="opposite")
+    texts = {"opposite": Text(text=r"$\mathrm{here}\ a_i\ \mathrm{jumps}$"), "P*": Text(VECTOR)}
+    draw(plotter, state, GIVEN, texts)
     for name, color in (("way of a", RESULT), ("way of P", VECTOR)):
         # Nothing has moved yet, and a tube needs a length.
-        add_line(plotter, [before, here], color, 0.006, name).visibility = False
+        add_line(plotter, [U, W], color, 0.006, name).visibility = False
+    for k, name in enumerate((REFLECTED, MIDDLE, A, B)):
+        ink, label = COLORS[name], name.strip("$")
+        looks: dict[str, Look] = {
+            f"path {k}": Lines(ink, 0.008 + 0.002 * k),
+            name: Ball(ink),
+        }
+        # A state colours no label, so a point that a misprint spoils has another one.
+        draw(plotter, state, looks, {label: Text(ink), f"{label} spoiled": Text(WRONG, name)})
 
-    # With (5-13) as printed, b_i comes to the second auxiliary point and its name.
-    last = FAR if printed_double else NEAR
-    b_wrong = printed_axis or printed_double
-    aiming = slerp(reflected, after, half * share[1])
-    ways = (
-        (REFLECTED, slerp(before, here, 1 + share[0]), CROSS, False, (), INWARD),
-        (MIDDLE, aiming, CROSS, printed_axis, [here, reflected], NEAR),
-        (A, slerp(middle, here, share[2] / 2), RESULT, printed_axis, [here, after], NEAR),
-        (B, slerp(*doubled, 2 * share[3]), RESULT, b_wrong, [here, reflected], last),
-    )
-    for k, (name, way, ink, wrong, others, distance) in enumerate(ways):
-        color, taken = WRONG if wrong else ink, step > k
-        line = add_line(plotter, way, color, radius=0.008 + 0.002 * k, name=f"path {k}")
-        line.visibility = taken
-        add_point(plotter, way[-1], color, name=name).visibility = taken
-        place = beside(way[-1], others, distance) if taken else None
-        add_label(plotter, None if wrong else place, name, ink)
-        # No frame colours a label, so a point that a misprint spoils has another one.
-        add_label(plotter, place if wrong else None, name, WRONG, f"{name.strip('$')} spoiled")
-
-    near, far = (angle_between(here, q) for q in (a, b))
-    span = angle_between(reflected, after)
-    halves = np.array([angle_between(reflected, middle), angle_between(middle, after)])
-    turns_in, turns_out = np.cross(b, here), np.cross(here, a)
-    tests = (
-        ("midway", 2, "P̄ᵢ halfway from P̄ᵢ₋₁ to Pᵢ₊₁", abs(halves - span / 2).max()),
-        ("on_circle", 4, "bᵢ, Pᵢ, aᵢ on a great circle", abs(turns_in @ a)),
-        ("equally_far", 4, "aᵢ, bᵢ equally far from Pᵢ", abs(near - far)),
-        ("no_corner", 4, "straight on at Pᵢ", -(turns_in @ turns_out)),
-    )
-    failed = sum(bool(error >= SAME) for *_, error in tests)
-    read_out(plotter, "now", STEPS[ceil(step)], "step")
-    read_out(plotter, "tests", VERDICTS[failed] if step == 4 else "", "four tests", where="picture")
-    to_jump = 180 - np.degrees(span) if one_circle and step >= 1 else ""
-    read_out(plotter, "to_jump", to_jump, "from Pᵢ₊₁ to the jump", 0, "°", where="picture")
-    for name, made, label, error in tests:
-        verdict = bool(error < SAME) if step >= made else NOT_YET
-        read_out(plotter, name, verdict, label, where="folded")
+    read_out(plotter, "now", "step")
+    read_out(plotter, "tests", "four tests", where="picture")
+    read_out(plotter, "to_jump", "from Pᵢ₊₁ to the jump", 0, "°", where="picture")
+    for name, label in (
+        ("midway", "P̄ᵢ halfway from P̄ᵢ₋₁ to Pᵢ₊₁"),
+        ("on_circle", "bᵢ, Pᵢ, aᵢ on a great circle"),
+        ("equally_far", "aᵢ, bᵢ equally far from Pᵢ"),
+        ("no_corner", "straight on at Pᵢ"),
+    ):
+        read_out(plotter, name, label, where="folded")
     describe(
         plotter,
         "A see-through sphere with three blue points P_{i-1}, P_i and P_{i+1} that can be dragged."
@@ -413,13 +371,6 @@ def control_points_by_hand(
         " a_i jumps. With a misprint, what it makes wrong is red.",
     )
     return plotter
-
-
-def beside(point: NDArray[np.float64], others: ArrayLike, distance: float = NEAR) -> ArrayLike:
-    """Return the place of a label: next to a point of the sphere, away from others."""
-    # The sum is never zero: all of its terms have a part that points outwards.
-    away = 0.3 * point + np.sum(point - np.reshape(others, (-1, 3)), axis=0)
-    return np.asarray(point + distance * away / np.linalg.norm(away))
 
 
 # Four points with four different gaps, all visible from one side.

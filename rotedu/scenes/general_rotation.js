@@ -1,12 +1,12 @@
-/* Models of `rotedu.scenes.general_rotation`. */
-import { DEGREES, ORIGIN, spread, turning } from "./parts.js";
+/* Models of Chapter 4. */
+import { DEGREES, ORIGIN, placing, spread, turning } from "./parts.js";
 import {
   DegenerateError,
   axisAngle,
   combine,
   cross,
   dot,
-  eulerAngles as anglesOf,
+  eulerAngles,
   length,
   matrixFromEulerAngles,
   product,
@@ -20,115 +20,23 @@ import {
   unit,
 } from "./rotations.js";
 
-const RINGS = [["u", 0.67], ["v", 0.885], ["w", 1.1]];
-const SPOON = 0.58;
-const SIZES = [0.9, 0.97];
-const STEP = 1e-4;
-const SAME = 1e-9;
 const IDENTITY = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
-const NAMES = ["angles", "slerp"];
-const PIECES = spread(33);
-const ROUND = spread(49).map((x) => [Math.cos(2 * Math.PI * x), Math.sin(2 * Math.PI * x)]);
-const WHOLE = spread(73).map((x) => 360 * x - 180);
-// Each ring in its own pose, and the place on it that can be seen to be grabbed.
-const FLAT = [([c, s]) => [c, s, 0], ([c, s]) => [c, s, 0], ([c, s]) => [0, c, s]];
-// Far from each other in most poses.
-const GRABBED = [[1, 1, 0], [-1, 1, 0], [0, -1, -1]];
-const BACK = [0.48, -0.74, 0.47];
-const RIGHT = unit(cross([0, 0, 1], BACK));
+// A shorter direction has no length of 1.
 const SHORT = 0.05;
-const PLACE = RIGHT.map((x) => 2.6 * x);
 
-const pose = (angles) => matrixFromEulerAngles(...angles.map((angle) => angle / DEGREES));
 const column = (matrix, k) => matrix.map((row) => row[k]);
 const scaled = (factor, v) => combine(factor, v, 0, v);
-
-/** The ways to a pose, as functions of t: `two_ways`, only the first if the pose is half a turn away. */
-function twoWays(angles) {
-  const end = pose(angles);
-  const byAngles = (t) => pose(scaled(t, angles));
-  try {
-    slerpRotations(IDENTITY, end, 0);
-  } catch (error) {
-    if (error instanceof DegenerateError) return [byAngles];
-    throw error;
-  }
-  const { axis, angle } = axisAngle(end);
-  return [byAngles, (t) => rotationMatrix(axis, t * angle)];
-}
-
-/** The angle between orientations that are close together. */
-function degreesBetween(before, after) {
-  const change = before.flatMap((row, i) => combine(1, row, -1, after[i]));
-  return 2 * DEGREES * Math.asin(length(change) / Math.sqrt(8));
-}
-
-/** The Euler angles of a matrix that are nearest to given ones, in degrees, which stay if they fit. */
-function nearestAngles(matrix, angles) {
-  const off = pose(angles).flatMap((row, i) => combine(1, row, -1, matrix[i]));
-  if (largest(off) < SAME) return angles;
-  const [u, v, w] = anglesOf(matrix).map((angle) => DEGREES * angle);
-  const [one, other] = [[u, v, w], [u + 180, 180 - v, w + 180]].map((triple) =>
-    triple.map(remainder),
-  );
-  const change = (triple) => largest(triple.map((angle, i) => remainder(angle - angles[i])));
-  return change(one) <= change(other) ? one : other;
-}
-
-const largest = (changes) => Math.max(...changes.map(Math.abs));
-
-/** The same angle between -180 and 180 degrees. */
-const remainder = (angle) => angle - 360 * Math.round(angle / 360);
-
-/** A matrix of 4x4 by columns, from a 3x3 matrix and a place. */
-function placed(matrix, place) {
-  const columns = transpose(matrix).map((v) => [...v, 0]);
-  return [...columns.flat(), ...place, 1];
-}
-
-/** `rotedu.scenes.general_rotation.add_gimbals` */
-function gimbals([u, v, w]) {
-  const moved = (turn, point) => combine(1, PLACE, 1, transform(turn, point));
-  const poses = [pose([u, v, w]), pose([0, v, w]), pose([0, 0, w])];
-  const parts = { held: { matrix: placed(poses[0].map((row) => scaled(SPOON, row)), PLACE) } };
-  const grips = { spoon: { at: PLACE, size: SPOON } };
-  const labels = {};
-  RINGS.forEach(([name, radius], k) => {
-    const body = ROUND.map((place) => moved(poses[k], scaled(radius, FLAT[k](place))));
-    const corner = scaled(radius / Math.SQRT2, GRABBED[k]);
-    const at = (angle) => [u, v, w].map((x, i) => (i < k ? 0 : i === k ? angle : x));
-    parts[`ring ${name}`] = { paths: [body] };
-    grips[name] = { path: WHOLE.map((angle) => moved(pose(at(angle)), corner)), body };
-  });
-  const axes = { W: [0, 0, 1], V: column(poses[2], 1), U: column(poses[1], 0) };
-  const { W, V, U } = axes;
-  const seen = combine(1, U, -dot(U, BACK), BACK);
-  const beside = scaled(1 / Math.max(length(seen), SHORT), seen);
-  const [[, inner], [, middle], [, outer]] = RINGS;
-  for (const [name, first, last, direction, aside] of [
-    ["W", outer, 1.3, W, 0.1],
-    ["V", middle, outer + 0.15, V, 0],
-    ["U", inner, middle, beside, -0.2],
-  ]) {
-    const axis = axes[name];
-    const paths = [1, -1].map((sign) =>
-      [first, last].map((far) => combine(1, PLACE, sign * far, axis)),
-    );
-    parts[`axis ${name}`] = { paths };
-    labels[name] = combine(1, combine(1, PLACE, 1.42, direction), aside, RIGHT);
-  }
-  return { parts, labels, grips };
-}
 
 const ROW_BACK = [0.49, -0.77, 0.42];
 const ROW_RIGHT = unit(cross([0, 0, 1], ROW_BACK));
 const ROW_UP = cross(ROW_BACK, ROW_RIGHT);
 const ACROSS = [-3.4, -1.35, 0.7, 2.6];
 const DIAL = 0.45;
+// A shorter bent arrow has no room for its head.
 const SMALLEST_ARC = 12;
 
-/** `three_turns_by_hand` */
-export function threeTurns({ u, v, w, order, axes }, { factors, carried }) {
+/** The three principal rotations twice: U, V, W as in (4-1), and in any order. */
+export function threeTurnsByHand({ u, v, w, order, axes }, { factors, carried }) {
   const angles = { U: u, V: v, W: w };
   const parts = {};
   const labels = {};
@@ -139,23 +47,25 @@ export function threeTurns({ u, v, w, order, axes }, { factors, carried }) {
   ].map(([row, height, letters, along]) => {
     let soFar = IDENTITY;
     const place = (k) => combine(ACROSS[k], ROW_RIGHT, height, ROW_UP);
-    parts[`${row} 0`] = { matrix: placed(soFar, place(0)) };
+    parts[`${row} 0`] = { matrix: placing(soFar, place(0)) };
     letters.forEach((letter, i) => {
       const k = i + 1;
       const own = IDENTITY["UVW".indexOf(letter)];
       const n = along ? transform(soFar, own) : own;
       soFar = product(rotationMatrix(n, angles[letter] / DEGREES), soFar);
       const at = (far) => combine(1, place(k), far, n);
-      parts[`${row} ${k}`] = { matrix: placed(soFar, place(k)) };
+      parts[`${row} ${k}`] = { matrix: placing(soFar, place(k)) };
       parts[`${row} axis ${k}`] = { from: at(-1.05), to: at(1.15) };
       const { arc, head, path } = dial(at(-0.7), n, angles[letter]);
       parts[`${row} turn ${k}`] = arc;
       parts[`${row} turn ${k}, head`] = head;
       if (row === "upper") {
         labels[letter] = at(1.4);
+        // The dial or the spoon, from end to end.
         const spoon = [-1, 1].map((end) => combine(1, place(k), end, column(soFar, 0)));
         grips[letter.toLowerCase()] = { path, body: [...path, ...spoon] };
       } else {
+        // Of the names of an axis, one for each number of turns that carried it, one shows.
         for (const primes of [0, 1, 2]) {
           labels[`${letter} ${primes}`] = primes === (along ? i : 0) ? at(1.4) : null;
         }
@@ -169,13 +79,18 @@ export function threeTurns({ u, v, w, order, axes }, { factors, carried }) {
   return { parts, labels, grips, outputs: { apart, upper: upper.written, lower: lower.written } };
 }
 
-/** A bent arrow, and the whole dial from -180 to 180 degrees: `add_dial`. */
+/**
+ * A bent arrow on the side of the eye that shows an angle about an axis, and the whole dial from
+ * -180 to 180 degrees.
+ */
 function dial(center, n, angle) {
   const view = combine(1, ROW_BACK, -dot(ROW_BACK, n), n);
+  // A quarter turn lies in the middle of what the eye sees.
   const zero = rotate(scaled(DIAL / Math.max(length(view), SHORT), view), n, -Math.PI / 4);
   const moved = (points) => points.map((point) => combine(1, center, 1, point));
   const path = moved(turning(rotate(zero, n, -Math.PI), n, 2 * Math.PI, 72));
-  if (Math.abs(angle) < SMALLEST_ARC) return { arc: { hidden: true }, head: { hidden: true }, path };
+  const none = { hidden: true };
+  if (Math.abs(angle) < SMALLEST_ARC) return { arc: none, head: none, path };
   const arc = moved(turning(zero, n, angle / DEGREES, 24));
   const to = arc.at(-1);
   const ahead = cross(n, combine(1, to, -1, center));
@@ -183,8 +98,33 @@ function dial(center, n, angle) {
   return { arc: { paths: [arc], hidden: false }, head: { from, to, hidden: false }, path };
 }
 
-/** `euler_angles_by_hand`: who turns the spoon takes the rings along, who sets them, the spoon. */
-export function eulerAngles({ u, v, w, spoon, t }, { noWay }, changed) {
+// Each ring turns with its angle within the next.
+const RINGS = [["u", 0.67], ["v", 0.885], ["w", 1.1]];
+// Each ring in its own pose, and the place on it that can be seen to be grabbed.
+const FLAT = [([c, s]) => [c, s, 0], ([c, s]) => [c, s, 0], ([c, s]) => [0, c, s]];
+// Far from each other in most poses.
+const GRABBED = [[1, 1, 0], [-1, 1, 0], [0, -1, -1]];
+const ROUND = spread(49).map((x) => [Math.cos(2 * Math.PI * x), Math.sin(2 * Math.PI * x)]);
+const WHOLE = spread(73).map((x) => 360 * x - 180);
+const BACK = [0.48, -0.74, 0.47];
+const RIGHT = unit(cross([0, 0, 1], BACK));
+const UP = cross(BACK, RIGHT);
+const PLACE = RIGHT.map((x) => 2.6 * x);
+const SPOON = 0.58;
+// The spoons on their way have two sizes: where they lie alike, one is seen.
+const WAYS = [["angles", "three angles", 0.9, -0.5], ["slerp", "one turn", 0.97, 0.6]];
+const PIECES = spread(33);
+const STEP = 1e-4;
+const SAME = 1e-9;
+
+const pose = (angles) => matrixFromEulerAngles(...angles.map((angle) => angle / DEGREES));
+const larger = (factor, matrix) => matrix.map((row) => scaled(factor, row));
+
+/**
+ * A spoon in the rings of its Euler angles, and two ways to its pose: who turns the spoon takes the
+ * rings along, who sets them, the spoon.
+ */
+export function eulerAnglesByHand({ u, v, w, spoon, t }, { noWay }, changed) {
   const turned = RINGS.some(([name]) => changed.includes(name));
   const led = changed.includes("spoon") && !turned;
   const angles = led ? nearestAngles(quaternionMatrix(spoon), [u, v, w]) : [u, v, w];
@@ -193,13 +133,14 @@ export function eulerAngles({ u, v, w, spoon, t }, { noWay }, changed) {
   const q = dot(found, spoon) < 0 ? scaled(-1, found) : found;
   const ways = twoWays(angles);
   const { parts, labels, grips } = gimbals(angles);
-  NAMES.forEach((name, k) => {
+  WAYS.forEach(([name, text, size, aside], k) => {
+    labels[text] = combine(aside, RIGHT, -1.14, UP);
     const three = [`${name} spoon`, `${name} path`, `${name} tip`];
     for (const part of three) parts[part] = { hidden: !ways[k] };
     if (!ways[k]) return;
     const here = ways[k](t);
     const [body, path, point] = three.map((part) => parts[part]);
-    body.matrix = placed(here.map((row) => scaled(SIZES[k], row)), ORIGIN);
+    body.matrix = placing(larger(size, here), ORIGIN);
     path.paths = [PIECES.map((x) => column(ways[k](x), 0))];
     point.at = column(here, 0);
   });
@@ -227,4 +168,79 @@ export function eulerAngles({ u, v, w, spoon, t }, { noWay }, changed) {
     },
     charts: { speeds: { "three angles": byAngles, "one turn": slerp } },
   };
+}
+
+/**
+ * From the start to a pose by its three angles and by slerp, as functions of t; only the first if
+ * the pose is half a turn away, where slerp has two shortest ways.
+ */
+function twoWays(angles) {
+  const end = pose(angles);
+  const byAngles = (t) => pose(scaled(t, angles));
+  try {
+    slerpRotations(IDENTITY, end, 0);
+  } catch (error) {
+    if (error instanceof DegenerateError) return [byAngles];
+    throw error;
+  }
+  const { axis, angle } = axisAngle(end);
+  return [byAngles, (t) => rotationMatrix(axis, t * angle)];
+}
+
+/** The angle between orientations that are close together. */
+function degreesBetween(before, after) {
+  const change = before.flatMap((row, i) => combine(1, row, -1, after[i]));
+  return 2 * DEGREES * Math.asin(length(change) / Math.sqrt(8));
+}
+
+/** The Euler angles of a matrix nearest to given ones, in degrees, which stay if they fit. */
+function nearestAngles(matrix, angles) {
+  const off = pose(angles).flatMap((row, i) => combine(1, row, -1, matrix[i]));
+  if (largest(off) < SAME) return angles;
+  const [u, v, w] = eulerAngles(matrix).map((angle) => DEGREES * angle);
+  const [one, other] = [[u, v, w], [u + 180, 180 - v, w + 180]].map((triple) =>
+    triple.map(remainder),
+  );
+  const change = (triple) => largest(triple.map((angle, i) => remainder(angle - angles[i])));
+  return change(one) <= change(other) ? one : other;
+}
+
+const largest = (changes) => Math.max(...changes.map(Math.abs));
+
+/** The same angle between -180 and 180 degrees. */
+const remainder = (angle) => angle - 360 * Math.round(angle / 360);
+
+/** A spoon in three rings, each turning within the next, for Euler angles in degrees. */
+function gimbals([u, v, w]) {
+  const moved = (turn, point) => combine(1, PLACE, 1, transform(turn, point));
+  const poses = [pose([u, v, w]), pose([0, v, w]), pose([0, 0, w])];
+  const parts = { held: { matrix: placing(larger(SPOON, poses[0]), PLACE) } };
+  const grips = { spoon: { at: PLACE, size: SPOON } };
+  const labels = {};
+  RINGS.forEach(([name, radius], k) => {
+    const body = ROUND.map((place) => moved(poses[k], scaled(radius, FLAT[k](place))));
+    const corner = scaled(radius / Math.SQRT2, GRABBED[k]);
+    const at = (angle) => [u, v, w].map((x, i) => (i < k ? 0 : i === k ? angle : x));
+    parts[`ring ${name}`] = { paths: [body] };
+    grips[name] = { path: WHOLE.map((angle) => moved(pose(at(angle)), corner)), body };
+  });
+  const axes = { W: [0, 0, 1], V: column(poses[2], 1), U: column(poses[1], 0) };
+  const { W, V, U } = axes;
+  const seen = combine(1, U, -dot(U, BACK), BACK);
+  // The name of U″ lies in the plane of the picture, outside the rings.
+  const beside = scaled(1 / Math.max(length(seen), SHORT), seen);
+  const [[, inner], [, middle], [, outer]] = RINGS;
+  for (const [name, first, last, direction, aside] of [
+    ["W", outer, 1.3, W, 0.1],
+    ["V", middle, outer + 0.15, V, 0],
+    ["U", inner, middle, beside, -0.2],
+  ]) {
+    const axis = axes[name];
+    const paths = [1, -1].map((sign) =>
+      [first, last].map((far) => combine(1, PLACE, sign * far, axis)),
+    );
+    parts[`axis ${name}`] = { paths };
+    labels[name] = combine(1, combine(1, PLACE, 1.42, direction), aside, RIGHT);
+  }
+  return { parts, labels, grips };
 }

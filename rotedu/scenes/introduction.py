@@ -19,6 +19,10 @@ from rotedu.scenes.parts import (
     turning,
 )
 
+__all__ = [
+    "four_descriptions",
+]
+
 
 def pointing_spoon(stations: int = 81, around: int = 28) -> pyvista.PolyData:
     """Model a teaspoon 1 unit long, from the origin along U, with its bowl open upwards."""

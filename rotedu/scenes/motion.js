@@ -1,4 +1,4 @@
-/* Model of `rotedu.scenes.motion`. */
+/* Model of page A. */
 import { CUBE, DEGREES, ORIGIN, placing, spread } from "./parts.js";
 import {
   axisAngle,
@@ -17,22 +17,21 @@ import {
 } from "./rotations.js";
 
 const SPEED = Math.PI / 2;
-const SECONDS = 1.5;
-const EDGE = 0.85;
 const ARROW = 0.85;
 const EYE = [0.3, -0.88, 0.36];
 const ACROSS = unit(cross([0, 0, 1], EYE));
 const UPWARDS = unit(cross(EYE, ACROSS));
 const ASLANT = 0.6;
 const PLACES = [0, 2.72, 5.07].map((x) => ACROSS.map((y) => x * y));
-const TIP = [EDGE / 2, 0, 0];
-const TIMES = spread(61).map((x) => SECONDS * x);
+const BELOW = [0, 0, -1.5];
 const PIECE = 0.025;
 const ROUNDING = 1e-6;
 const IDENTITY = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
 
-/** `spinning_by_hand` */
-export function spinning({ space, body, h, t, repair }, { longest: edges, aside }) {
+/** A spoon that turns by two velocities, as three integrators see it: `spinning_by_hand`. */
+export function spinningByHand({ space, body, h, t, repair }, { seconds, edge: size, longest: edges, aside }) {
+  const times = spread(61).map((x) => seconds * x);
+  const tip = [size / 2, 0, 0];
   const [omega, own] = [space, body].map((axis) => unit(axis).map((x) => SPEED * x));
   const [first, second] = [unit(space), unit(body)];
   const exact = (t) => product(rotationMatrix(first, SPEED * t), rotationMatrix(second, SPEED * t));
@@ -42,34 +41,35 @@ export function spinning({ space, body, h, t, repair }, { longest: edges, aside 
   const parts = {};
   const labels = {};
   for (const [name, axis, side] of [["space", first, 1], ["body", transform(turn, second), -1]]) {
-    const tip = axis.map((x) => ARROW * x);
-    parts[name] = { from: ORIGIN, to: tip };
-    labels[name] = beside(tip, side);
+    const end = axis.map((x) => ARROW * x);
+    parts[name] = { from: ORIGIN, to: end };
+    labels[name] = beside(end, side);
   }
   const outputs = {};
   const charts = { longest: {}, off: {} };
-  const ways = integrators(omega, own, h, repair);
+  const ways = integrators(omega, own, h, repair, seconds);
   Object.entries(ways).forEach(([name, way], i) => {
     const now = way(t);
     const put = (matrix) => (point) => combine(1, PLACES[i], 1, transform(matrix, point));
-    const box = (matrix) => ({ paths: CUBE.map((edge) => edge.map((p) => put(matrix)(p.map((x) => EDGE * x)))) });
+    const box = (matrix) => ({ paths: CUBE.map((edge) => edge.map((p) => put(matrix)(p.map((x) => size * x)))) });
+    labels[name] = combine(1, PLACES[i], 1, BELOW);
     parts[`exact, ${name}`] = box(right);
     parts[`box, ${name}`] = box(now);
     parts[name] = { matrix: placing(now, PLACES[i]) };
-    parts[`way, ${name}`] = { paths: [moments(h, t).map((moment) => put(way(moment))(TIP))] };
+    parts[`way, ${name}`] = { paths: [moments(h, t).map((moment) => put(way(moment))(tip))] };
     // All but one matrix are a rotation times a number.
     const turnOf = (matrix) =>
       name === "Euler, matrix" && !repair ? nearestRotation(matrix) : scaled(1 / longest(matrix), matrix);
     const off = (matrix, rotation) => DEGREES * axisAngle(product(transpose(turnOf(matrix)), rotation)).angle;
-    const drawn = TIMES.map(way);
+    const drawn = times.map(way);
     charts.longest[name] = drawn.map(longest);
-    charts.off[name] = drawn.map((matrix, k) => off(matrix, exact(TIMES[k])));
+    charts.off[name] = drawn.map((matrix, k) => off(matrix, exact(times[k])));
     outputs[name] = `${edges}${longest(now).toFixed(2)}, ${off(now, right).toFixed(0)}${aside}`;
   });
   return { parts, labels, grips: { body: { turn } }, outputs, charts };
 }
 
-/** Where the name of an arrow is: its tip, and `beside` it. */
+/** Where the name of an arrow is, clear of the ring around its tip. */
 function beside(tip, side) {
   const angle = Math.atan2(dot(tip, UPWARDS), dot(tip, ACROSS)) + side * ASLANT;
   return combine(1, tip, 1, combine(0.42 * Math.cos(angle), ACROSS, 0.3 * Math.sin(angle), UPWARDS));
@@ -79,8 +79,12 @@ const scaled = (factor, matrix) => matrix.map((row) => row.map((x) => factor * x
 
 const longest = (matrix) => Math.max(...transpose(matrix).map(length));
 
-/** `integrators` */
-function integrators(omega, own, h, repair) {
+/**
+ * What each method makes of the body at a time, as the matrix that draws it; what is left of a step at
+ * the end is a shorter step.
+ */
+function integrators(omega, own, h, repair, seconds) {
+  const steps = (step, start, drawn) => stepped(step, start, h, seconds, drawn);
   const turned = (vector, t) => rotationMatrix(vector, length(vector) * t);
   const exponential = (r, h) => product(product(turned(omega, h), r), turned(own, h));
   const matrix = (m, h) => {
@@ -94,16 +98,16 @@ function integrators(omega, own, h, repair) {
     return repair ? unit(moved) : moved;
   };
   return {
-    exponential: steps(exponential, IDENTITY, h, (r) => r),
-    "Euler, matrix": steps(matrix, IDENTITY, h, (m) => m),
-    "Euler, quaternion": steps(quaternion, [1, 0, 0, 0], h, (q) => scaled(dot(q, q), quaternionMatrix(q))),
+    exponential: steps(exponential, IDENTITY, (r) => r),
+    "Euler, matrix": steps(matrix, IDENTITY, (m) => m),
+    "Euler, quaternion": steps(quaternion, [1, 0, 0, 0], (q) => scaled(dot(q, q), quaternionMatrix(q))),
   };
 }
 
-/** The matrix that draws a body at a time, after whole steps and the rest of one: `steps`. */
-function steps(step, start, h, drawn) {
+/** The matrix that draws a body at a time, after whole steps and the rest of one. */
+function stepped(step, start, h, seconds, drawn) {
   const states = [start];
-  while (states.length <= SECONDS / h) states.push(step(states.at(-1), h));
+  while (states.length <= seconds / h) states.push(step(states.at(-1), h));
   return (t) => {
     const whole = Math.min(Math.floor(t / h), states.length - 1);
     const rest = t - whole * h;
@@ -111,7 +115,7 @@ function steps(step, start, h, drawn) {
   };
 }
 
-/** `moments` */
+/** A time divided into steps, and these into pieces that are short enough for a path. */
 function moments(h, t) {
   const pieces = Math.ceil(h / PIECE);
   const whole = Math.max(1, Math.ceil((t * pieces) / h - ROUNDING));

@@ -1,12 +1,14 @@
-/* Models of `rotedu.scenes.ordinary_rotation`. */
+/* Model of Chapter 3. */
 import { DEGREES, ORIGIN, turning } from "./parts.js";
 import { combine, cross, dot, length, rotate, rotationMatrix, unit } from "./rotations.js";
 
+// A shorter piece is not drawn.
 const HAIR = 1e-6;
+// To the right in the picture, clear of the ring around a tip.
 const ASIDE = [-0.03, 0.13, 0];
 
-/** `figure_1_by_hand` */
-export function figure1({ vector: r, axis, theta, around }, _, changed) {
+/** Two vectors turned about one axis, and the three terms of (3-1) for each. */
+export function figure1ByHand({ vector: r, axis, theta, around }, _, changed) {
   const n = unit(axis);
   const angle = theta / DEGREES;
   const cos = Math.cos(angle);
@@ -44,6 +46,7 @@ export function figure1({ vector: r, axis, theta, around }, _, changed) {
       around: { path: circle, body: [ORIGIN, other] },
     },
     labels: {
+      O: [0, 0.13, -0.1],
       "\\theta": combine(1, center, 0.28, rotate(spoke, n, 0.5 * angle)),
       "\\vec r_\\parallel": combine(0.4, center, -0.16, spoke),
       "\\vec r_\\perp": combine(1, combine(1, center, 0.72, spoke), 0.09, n),
@@ -82,13 +85,13 @@ function unchanged(changed, center, here, there) {
   return { theta: [[ORIGIN, center]], around: [second(here), second(there)] }[changed[0]] ?? [];
 }
 
-/** Lines that shine, without those that vanish. */
+/** What stays as it is shines, but only while the hand moves: lines, without those that vanish. */
 function halo(lines) {
   const paths = lines.filter(([from, to]) => length(combine(1, to, -1, from)) > HAIR);
   return paths.length ? { paths, hidden: false } : { hidden: true };
 }
 
-/** Arrows for terms, without those that vanish: `add_terms`. */
+/** Arrows for terms, without those that vanish. */
 function headToTail(three, name) {
   let from = ORIGIN;
   const arrows = three.map((term, i) => {

@@ -1,5 +1,5 @@
-/* Models of `rotedu.scenes.orientations`. */
-import { DEGREES, columns, spread, turning } from "./parts.js";
+/* Models of page 5 IV. */
+import { DEGREES, placing, spread, turning } from "./parts.js";
 import {
   angleBetween,
   arcAxis,
@@ -23,14 +23,15 @@ import {
   unit,
 } from "./rotations.js";
 
+// Arrows that are left on the way.
 const STATIONS = 9;
 const SIZE = 0.33;
+// In so many steps the arrow sweeps its ribbon.
 const STEPS = 60;
 const LEAST = 0.001;
-const JUST_INSIDE = 0.99;
 
-/** `carried_around_by_hand` */
-export function carriedAround({ corners, t }) {
+/** An arrow carried around a triangle by the rotations of its sides. */
+export function carriedAroundByHand({ corners, t }, { just_inside }) {
   const p = corners.map(unit);
   const after = [p[1], p[2], p[0]];
   const axes = p.map((point, i) => arcAxis(point, after[i]));
@@ -59,7 +60,7 @@ export function carriedAround({ corners, t }) {
   const tails = soFar.map(([at]) => at);
   const rim = turning(ahead.map((x) => 0.7 * SIZE * x), start, twist, 48);
   const parts = {
-    inside: { points: triangle(p) },
+    inside: { points: triangle(p).map((point) => point.map((x) => just_inside * x)) },
     sides: { paths: p.map((point, i) => side.map((s) => slerp(point, after[i], s))) },
     way: { paths: [tails] },
     swept: { points: [...tails, ...soFar.map((here) => head(here))] },
@@ -67,9 +68,11 @@ export function carriedAround({ corners, t }) {
     sector: { points: [start, ...rim.map((x) => combine(1, start, 1, x))], hidden: t !== 1 },
   };
   for (let k = 0; k < STATIONS; k++) {
+    // The first is longer, so that the arrow does not hide it.
     const size = k ? SIZE : 1.4 * SIZE;
     parts[`station ${k}`] = { ...arrow(carried(k / STATIONS), size), hidden: k > t * STATIONS };
   }
+  // Beyond the tips of both arrows, and outside the sphere when they are seen edge on.
   const labels = { twist: t === 1 ? combine(1.12, start, 2.6, rim[24]) : null };
   p.forEach((point, i) => {
     const others = combine(1, p[(i + 1) % 3], 1, p[(i + 2) % 3]);
@@ -79,6 +82,7 @@ export function carriedAround({ corners, t }) {
   return {
     parts,
     labels,
+    // The arrow is grabbed by its tip, away from the rings of the corners.
     grips: { t: { path: roundOnce.map((x) => head(carried(x))) } },
     outputs: {
       twist: DEGREES * twist,
@@ -88,22 +92,20 @@ export function carriedAround({ corners, t }) {
   };
 }
 
-/** Points of a triangle: `spherical_triangle`. */
+/** Points of a triangle of the sphere, on arcs from its first corner to the opposite side. */
 function triangle([p, q, r]) {
   const s = spread(13);
-  return s.flatMap((u) => {
-    const opposite = slerp(q, r, u);
-    return s.map((v) => slerp(p, opposite, v).map((x) => JUST_INSIDE * x));
-  });
+  return s.flatMap((u) => s.map((v) => slerp(p, slerp(q, r, u), v)));
 }
 
 const SAMPLES = 20;
+// Where the given poses are turned, round the ball.
 const PLACES = [[-0.8, 0, 1.42], [0.8, 0, 1.42], [0.8, 0, -1.42], [-0.8, 0, -1.42]];
 const MOUNTED = 0.28;
 const SAME = 1e-6;
 
-/** `routes_by_hand` */
-export function routes({ poses, u }, { signs }) {
+/** A closed curve of orientations along its route, and by shortest ways of matrices. */
+export function routesByHand({ poses, u }, { signs }) {
   const q = poses.map(unit);
   const given = q.map(quaternionMatrix);
   const route = closedRotationCurve(given, SAMPLES);
@@ -157,8 +159,8 @@ export function routes({ poses, u }, { signs }) {
 const nearer = (p, q) => (dot(p, q) < 0 ? q.map((x) => -x) : q);
 
 /**
- * The curve of Section 5 with the shortest way between two matrices as its arc: `shortest_way`. Here
- * quaternions compute it, faster, with the sign of each chosen anew for every arc.
+ * The curve of Section 5 with the shortest way between two matrices as its arc, computed by
+ * quaternions, which are faster: the sign of each is chosen anew for every arc.
  */
 function shortestWay(q) {
   const shortest = (p, q, t) => slerp(p, nearer(p, q), t);
@@ -177,7 +179,7 @@ function shortestWay(q) {
   );
 }
 
-/** How far it is, along the route, from Double of two poses to the next: `turns_from_double`. */
+/** How far it is, along the route, from Double of two poses to the next, in radians. */
 function turnsFromDouble(q) {
   return q.map((here, i) => {
     const after = nearer(here, q[(i + 1) % q.length]);
@@ -185,93 +187,94 @@ function turnsFromDouble(q) {
   });
 }
 
-const FILMS = ["slerp", "squad", "spline of q", "the paper's", "spline of M"];
-const JUMPY = ["squad", "the paper's"];
-const MOST_POSES = 6;
+// Pictures of a film a second. Each second leads from one pose to the next.
 const PICTURES = 24;
-const [ROW, RAIL, SHELF] = [1.12, 0.42, -0.96];
+// Heights of the given poses and of the line of time.
+const [ROW, RAIL] = [1.12, 0.42];
 const TICK = 0.07;
-const FILMED = 0.63;
 
-/** `animate` */
-export function animate({ poses, t, fraction }) {
+/** Five films of a spoon that go through the same poses at the same times. */
+export function animate({ poses, t, fraction }, { most, jumpy, middles, radius }) {
   const q = poses.map(unit);
   const films = filmsThrough(q, fraction);
   const count = PICTURES * q.length;
   const picture = Math.floor(count * t + 1 / 2) % count;
-  const { parts, labels, grips } = timeline(q);
-  FILMS.forEach((name, i) => {
-    const middle = [-2.64 + (5.28 * i) / (FILMS.length - 1), 0, SHELF];
-    const tips = films[i].map(([[x], [y], [z]]) => [x, y, z]);
-    const line = [...tips, tips[0]].map((tip) => combine(1, middle, FILMED, tip));
-    parts[`${name}, tip`] = { paths: [line] };
-    parts[name] = { matrix: spoon(films[i][picture], middle, FILMED) };
+  const { parts, labels, grips } = timeline(q, most);
+  Object.entries(films).forEach(([name, film], i) => {
+    const tips = film.map((rotation) => rotation.map(([x]) => radius * x));
+    const round = [...tips, tips[0]].map((tip) => combine(1, middles[i], 1, tip));
+    parts[`${name}, tip`] = { paths: [round] };
+    parts[name] = { matrix: spoon(film[picture], middles[i], radius) };
+    labels[name] = combine(1, middles[i], 1, [0, 0, -0.84]);
   });
-  const steps = films.map(filmSteps);
-  const motions = steps.map(filmMotion);
-  const sizes = (kind) => motions.map((motion) => motion[kind].map((piece) => piece.map(length)));
+  const steps = mapped(films, filmSteps);
+  const motions = mapped(steps, filmMotion);
+  const sizes = (kind) => mapped(motions, (motion) => motion[kind].map((own) => own.map(length)));
   const [speeds, accelerations] = [sizes("velocity"), sizes("acceleration")];
-  const named = (values) => Object.fromEntries(FILMS.map((name, i) => [name, values[i]]));
   const [segment, within] = [Math.floor(picture / PICTURES), picture % PICTURES];
   return {
     parts,
     labels,
     grips,
-    charts: { speeds: named(speeds), accelerations: named(accelerations) },
+    charts: { speeds, accelerations },
     outputs: {
-      fastest: steps.map((pieces) => Math.max(...pieces.flat().map(length))),
-      corner: jump(motions[0].velocity),
-      speed: speeds.map((speed) => speed[segment][within]),
-      jumps: JUMPY.map((name) => jump(motions[FILMS.indexOf(name)].acceleration)),
+      fastest: Object.values(steps).map((pieces) => Math.max(...pieces.flat().map(length))),
+      corner: jump(motions.slerp.velocity),
+      speed: Object.values(speeds).map((speed) => speed[segment][within]),
+      jumps: jumpy.map((name) => jump(motions[name].acceleration)),
     },
   };
 }
 
-/** A line of time, and spoons above it: `add_timeline`. */
-function timeline(q) {
+/** A function of each value of an object, by its name. */
+const mapped = (object, value) =>
+  Object.fromEntries(Object.entries(object).map(([name, own]) => [name, value(own)]));
+
+/** A line of time, and above it a spoon for each pose and, at its end, the first again. */
+function timeline(q, most) {
   const n = q.length;
   const size = 2.2 / n;
   const stop = (k, height) => [-2.75 + (5.5 * k) / n, 0, height];
   const given = q.map(quaternionMatrix);
   const every = Array.from({ length: n + 1 }, (_, k) => k);
-  const ticks = every.map((k) => [stop(k, RAIL - TICK), stop(k, RAIL + TICK)]);
+  const rail = [stop(0, RAIL), stop(n, RAIL)];
   const parts = {
-    ticks: { paths: ticks },
+    rail: { paths: [rail] },
+    ticks: { paths: every.map((k) => [stop(k, RAIL - TICK), stop(k, RAIL + TICK)]) },
     again: { matrix: spoon(given[0], stop(n, ROW), size) },
   };
-  const labels = {};
-  for (let k = 0; k < MOST_POSES; k++) {
+  const labels = { again: stop(n, RAIL - 4 * TICK) };
+  for (let k = 0; k < most; k++) {
     const used = k < n;
     const i = Math.min(k, n - 1);
     parts[`R_${k}`] = { matrix: spoon(given[i], stop(i, ROW), size), hidden: !used };
     labels[`R_${k}`] = used ? stop(k, RAIL - 4 * TICK) : null;
   }
-  return { parts, labels, grips: { poses: { at: given.map((_, k) => stop(k, ROW)), size } } };
+  const grips = { t: { path: rail }, poses: { at: given.map((_, k) => stop(k, ROW)), size } };
+  return { parts, labels, grips };
 }
 
 /** The sixteen numbers, by columns, that turn and shrink a spoon about its new place. */
-function spoon(rotation, middle, size) {
-  const matrix = columns(transpose(rotation).map((axis) => axis.map((x) => size * x)));
-  return [...matrix.slice(0, 12), ...middle, 1];
-}
+const spoon = (turn, place, size) => placing(turn.map((row) => row.map((x) => size * x)), place);
 
-/** Films of rotation matrices, from quaternions: `films_through`. */
+/** Films of rotation matrices, from quaternions. */
 function filmsThrough(q, fraction) {
   const given = q.map(quaternionMatrix);
+  const arcs = q.flatMap((p, i) => {
+    const next = q[(i + 1) % q.length];
+    return Array.from({ length: PICTURES }, (_, k) => slerp(p, next, k / PICTURES));
+  });
   const entries = periodicSpline(given.map((matrix) => matrix.flat()), PICTURES);
-  return [
-    q.flatMap((p, i) => {
-      const next = q[(i + 1) % q.length];
-      return Array.from({ length: PICTURES }, (_, k) => quaternionMatrix(slerp(p, next, k / PICTURES)));
-    }),
-    squad(q, PICTURES).map(quaternionMatrix),
-    periodicSpline(q, PICTURES).map(quaternionMatrix),
-    closedRotationCurve(given, PICTURES, fraction),
-    entries.map((m) => nearestRotation([m.slice(0, 3), m.slice(3, 6), m.slice(6)])),
-  ];
+  return {
+    slerp: arcs.map(quaternionMatrix),
+    squad: squad(q, PICTURES).map(quaternionMatrix),
+    "spline of q": periodicSpline(q, PICTURES).map(quaternionMatrix),
+    "the paper's": closedRotationCurve(given, PICTURES, fraction),
+    "spline of M": entries.map((m) => nearestRotation([m.slice(0, 3), m.slice(3, 6), m.slice(6)])),
+  };
 }
 
-/** The turns from picture to picture, in degrees a second: `film_steps`. */
+/** The turns from picture to picture, in degrees a second, in pieces from pose to pose. */
 function filmSteps(film) {
   const turns = film.map((rotation, k) => {
     const { axis, angle } = axisAngle(product(transpose(rotation), film[(k + 1) % film.length]));
@@ -281,7 +284,10 @@ function filmSteps(film) {
   return starts.map((start) => turns.slice(start, start + PICTURES));
 }
 
-/** Velocity and acceleration at the pictures from pose to pose: `film_motion`. */
+/**
+ * Velocity and acceleration, as the body sees them, at the pictures from pose to pose, both ends
+ * included: at a pose, the pieces before and after it have their own.
+ */
 function filmMotion(steps) {
   const extended = steps.map((own) => [beyond(own), ...own, beyond(own.toReversed())]);
   const between = (combined) =>

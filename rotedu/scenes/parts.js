@@ -3,7 +3,7 @@ import { combine, length, rotate, slerp, transpose } from "./rotations.js";
 
 export const DEGREES = 180 / Math.PI;
 export const ORIGIN = [0, 0, 0];
-/** The edges of a cube, from corner to corner: `rotedu.scenes.parts.CUBE`. */
+/** The edges of a cube, from corner to corner. */
 export const CUBE = cube();
 
 function cube() {
@@ -16,6 +16,9 @@ function cube() {
   );
 }
 
+/** What an output says that is true or false. */
+export const lamp = (value) => (value ? "yes" : "no");
+
 /** Numbers evenly spread from 0 to 1, both included. */
 export function spread(count) {
   return Array.from({ length: count }, (_, i) => i / (count - 1));
@@ -26,13 +29,13 @@ export function columns([u, v, w], origin = ORIGIN) {
   return [...u, 0, ...v, 0, ...w, 0, ...origin, 1];
 }
 
-/** Arcs from each point to another: `rotedu.scenes.closed_curve.add_arcs`. */
+/** Arcs from each point to another. */
 export function arcs(starts, ends) {
   const t = spread(13);
   return starts.map((p, i) => t.map((x) => slerp(p, ends[i], x)));
 }
 
-/** The path of a turned point: `rotedu.scenes.parts.turning`. */
+/** The path of a turned point. */
 export function turning(point, axis, angle, steps) {
   return spread(steps + 1).map((x) => rotate(point, axis, x * angle));
 }

@@ -1,5 +1,5 @@
-/* Models of `rotedu.scenes.quaternions`. */
-import { DEGREES, ORIGIN, columns, placing, spread, turning } from "./parts.js";
+/* Models of Chapter 2. */
+import { DEGREES, ORIGIN, columns, lamp, placing, spread, turning } from "./parts.js";
 import {
   combine,
   dot,
@@ -20,32 +20,46 @@ const U = [1, 0, 0];
 const V = [0, 1, 0];
 const W = [0, 0, 1];
 const AXES = { U, V, W };
+const IDENTITY = [U, V, W];
 const ONE = [1, 0, 0, 0];
-const SMALLEST_ARC = 8;
-const BACK = 0.5;
-const [SPOON, BAR, WIDTH, STEM] = [0.42, 1.26, 0.11, 0.06];
-const [REACH, RING] = [0.4, 0.6];
+// To the right in the picture, where a spoon and the ball of turns lie side by side.
 const ACROSS = unit([-2.6, 4.4, 0]);
-const HOME = ACROSS.map((x) => -2.35 * x);
-const [NO_AXIS, JUMP] = [1e-6, 0.35];
-const ON_SKIN = 0.97;
-const TINY = 1e-12;
-const [INNER, OUTER] = [0.55, 1.05];
+// An arc of fewer degrees has no room for the head of its arrow.
+const SMALLEST_ARC = 8;
+// What is within this many degrees of its start is back.
+const BACK = 0.5;
+// Radius of the circle of the angle between the mirrors.
+const INNER = 0.55;
+// The place of the spoon that is turned by hand.
 const TABLE = ACROSS.map((x) => -2.2 * x);
-const LENGTH = 0.75;
+// The letters leave room for the name of an axis along theirs.
+const ASIDE = { U: [0, 0, -1], V: [0, 0, -1], W: ACROSS };
+const BY_HAND = "by hand";
 const STEPS_OF_WAY = 120;
 const WOBBLE = 0.3;
+// A smaller share of a whole turn has no axis to show.
 const SHOWN_TURN = 0.01;
-const BY_HAND = "by hand";
+// From this share of a whole turn on, a quaternion is on the skin.
+const ON_SKIN = 0.97;
+// A vector part without a direction, and a step of a path that is a jump through the skin.
+const [NO_AXIS, JUMP] = [1e-6, 0.35];
+// The place of the spoon on the ribbon, and the radius of the ring about it.
+const HOME = ACROSS.map((x) => -2.35 * x);
+const RING = 0.6;
+// The ribbon reaches from a bar down to a spoon about the middle of shells that turn.
+const [SPOON, BAR, WIDTH, STEM] = [0.42, 1.26, 0.11, 0.06];
+const MIDDLE_OF_BAR = combine(1, HOME, BAR, W);
+const TINY = 1e-12;
+const HIDDEN = { hidden: true };
 
 /** A point off the axis. */
 const out = (angle, radius = 1) => rotate([radius, 0, 0], W, angle / DEGREES);
 
 const round = (point) => turning(point, W, 2 * Math.PI, 48);
 
-/** `two_mirrors_by_hand` */
-export function twoMirrors({ first, second, both, letter }, { lamp }) {
-  // As in Python, the remainder is not negative.
+/** A letter mirrored twice, which turns by twice the angle between the mirrors. */
+export function twoMirrorsByHand({ first, second, both, letter }, { outer }) {
+  // The shorter way, as mirrors are grabbed and led round.
   const behind = (180 - second + first) % 360;
   const between = 180 - (behind < 0 ? behind + 360 : behind);
   const angles = [first + both, second + both];
@@ -57,6 +71,8 @@ export function twoMirrors({ first, second, both, letter }, { lamp }) {
   const twice = mirrored(once, 1);
 
   const parts = {
+    ring: { paths: [round(out(0, INNER))] },
+    "ring 2": { paths: [round(out(0, outer))] },
     letter: { matrix: columns(start) },
     image: { matrix: columns(once) },
     "image of the image": { matrix: columns(twice) },
@@ -64,13 +80,14 @@ export function twoMirrors({ first, second, both, letter }, { lamp }) {
   const labels = { both: out(first + both + between / 2 + 130, INNER + 0.28) };
   const grips = {
     letter: {
-      path: round(out(-180, OUTER)),
-      body: [-0.24, 0.24].map((far) => out(letter, OUTER + far)),
+      path: round(out(-180, outer)),
+      body: [-0.24, 0.24].map((far) => out(letter, outer + far)),
     },
     both: { path: round(out(first + between / 2 + 130, INNER)) },
   };
   angles.forEach((angle, k) => {
     const name = k + 1;
+    // The second mirror is longer: both show where they coincide.
     const size = [1.4, 1.65][k];
     const foot = out(angle, size);
     const top = [0, 0, 0.3];
@@ -83,6 +100,7 @@ export function twoMirrors({ first, second, both, letter }, { lamp }) {
     };
     const [, ...normal] = m[k];
     parts[`mirror ${name}`] = { points: edge };
+    // A mirror acts as if it went on beyond the axis.
     parts[`edge ${name}`] = { paths: [[out(angle, -size), ...edge]] };
     parts[`m ${name}`] = { from: corner, to: combine(1, corner, 0.3, normal) };
     labels[`m ${name}`] = combine(1, corner, 0.42, normal);
@@ -94,14 +112,14 @@ export function twoMirrors({ first, second, both, letter }, { lamp }) {
     const drawn = Math.abs(angle) >= SMALLEST_ARC;
     const arc = drawn && spread(61).map((t) => out(begin + t * angle, radius));
     const ahead = out(begin + angle + 90);
-    parts[name] = drawn ? { paths: [arc], hidden: false } : { hidden: true };
+    parts[name] = drawn ? { paths: [arc], hidden: false } : HIDDEN;
     parts[`${name}, head`] = drawn
       ? {
           from: combine(1, arc.at(-1), -0.1 * Math.sign(angle), ahead),
           to: arc.at(-1),
           hidden: false,
         }
-      : { hidden: true };
+      : HIDDEN;
     labels[name] = drawn ? out(begin + angle / 2, radius + 0.16) : null;
   }
 
@@ -112,14 +130,14 @@ export function twoMirrors({ first, second, both, letter }, { lamp }) {
     outputs: {
       between,
       turned: 2 * between,
-      home: lamp[Number(isBack(2 * between, 360))],
+      home: lamp(isBack(2 * between, 360)),
       q: quaternionProduct(m[1], m[0]).map((x) => -x),
     },
   };
 }
 
-/** `grab_the_spoon` */
-export function grabTheSpoon(inputs, { lamp, inks }, changed) {
+/** A spoon that is turned by hand, and its two quaternions in the ball of turns. */
+export function grabTheSpoon(inputs, { inks, length }, changed) {
   const decided = following(inputs, changed);
   const { spoon, way, along, left } = { ...inputs, ...decided };
   const going = way !== BY_HAND;
@@ -130,51 +148,54 @@ export function grabTheSpoon(inputs, { lamp, inks }, changed) {
   const share = shares.at(-1);
   const whole = 2 * Math.PI * share;
   const turned = SHOWN_TURN < share && share < 1 - SHOWN_TURN;
-  const hidden = { hidden: true };
-  const at = (length) => combine(1, TABLE, length, axis);
+  const arc = turning([length, 0, 0], axis, whole, 48);
+  const onTable = (far, direction) => combine(1, TABLE, far, direction);
 
   const near = (less) => axis.map((x) => (share - less) * x);
   const [point, opposite] = [near(0), near(1)];
   const path = (less) => {
     const runs = going ? pieces(axes.map((n, i) => n.map((x) => (shares[i] - less) * x))) : [];
-    return runs.length ? { paths: runs, hidden: false } : hidden;
+    return runs.length ? { paths: runs, hidden: false } : HIDDEN;
   };
   const farther = Math.max(share, 1 - share);
+  const parts = {
+    "at the start": { matrix: placing(IDENTITY, TABLE) },
+    spoon: { matrix: placing(rotationMatrix(axis, whole), TABLE) },
+    axis: turned ? { from: onTable(-0.8, axis), to: onTable(0.92, axis), hidden: false } : HIDDEN,
+    turn: turned ? { paths: [arc.map((p) => onTable(1, p))], hidden: false } : HIDDEN,
+    "axis in the ball": { paths: [[axis.map((x) => -x), axis]], hidden: !turned },
+    way: path(0),
+    "opposite way": path(1),
+    q: { at: point },
+    "-q": { at: opposite },
+    skin: farther > ON_SKIN ? { color: inks[Number(share > 0.5)], hidden: false } : HIDDEN,
+  };
+  const labels = {
+    axis: turned ? onTable(1.03, axis) : null,
+    q: beside(point),
+    "-q": beside(opposite),
+  };
+  for (const [letter, direction] of Object.entries(AXES)) {
+    parts[`axis ${letter}`] = { from: TABLE, to: onTable(0.9, direction) };
+    labels[letter] = combine(1, onTable(0.88, direction), 0.13, ASIDE[letter]);
+  }
   return {
     inputs: { ...decided, spoon: gone.at(-1) },
     ...(going ? {} : { trails: { trail: point, "opposite trail": opposite } }),
-    parts: {
-      spoon: { matrix: placing(rotationMatrix(axis, whole), TABLE) },
-      axis: turned ? { from: at(-0.8), to: at(0.92), hidden: false } : hidden,
-      turn: turned
-        ? {
-            paths: [turning([LENGTH, 0, 0], axis, whole, 48).map((p) => combine(1, TABLE, 1, p))],
-            hidden: false,
-          }
-        : hidden,
-      "axis in the ball": { paths: [[axis.map((x) => -x), axis]], hidden: !turned },
-      way: path(0),
-      "opposite way": path(1),
-      q: { at: point },
-      "-q": { at: opposite },
-      skin: farther > ON_SKIN ? { color: inks[Number(share > 0.5)], hidden: false } : hidden,
-    },
-    labels: {
-      axis: turned ? at(1.03) : null,
-      q: beside(point),
-      "-q": beside(opposite),
-    },
+    parts,
+    labels,
+    grips: { spoon: { at: TABLE, size: 0.85 } },
     outputs: {
       q: gone.at(-1),
       angle: 360 * share,
-      home: lamp[Number(farther > 1 - BACK / 360)],
+      home: lamp(farther > 1 - BACK / 360),
     },
   };
 }
 
 /**
- * What follows from what the hand has set last: the spoon, a way, or how far the spoon has come. All
- * ways home begin where the hand has left the spoon.
+ * What follows from what the hand has set last: the spoon, a way, or how far the spoon has come.
+ * All ways home begin where the hand has left the spoon.
  */
 function following({ spoon, way }, changed) {
   const only = (name) => changed.length === 1 && changed[0] === name;
@@ -183,7 +204,10 @@ function following({ spoon, way }, changed) {
   return only("along") && way === BY_HAND ? { way: "home by slerp" } : {};
 }
 
-/** The quaternion at a time on a way: `on_way`. */
+/**
+ * The quaternion of the spoon on a way, as a function of the time from 0 to 1, without a jump; a
+ * way home leads to 1 or -1.
+ */
 function onWay(way, left) {
   if (way.startsWith("half turns")) {
     const axes = [...way.slice(-7)].filter((_, i) => i % 3 === 0).map((letter) => AXES[letter]);
@@ -209,44 +233,48 @@ function onWay(way, left) {
   return (t) => between(left, to, t);
 }
 
-/** `rotedu.general_rotation.quaternion_from_euler_angles` */
+/** Turns about U, V, W: `rotedu.general_rotation.quaternion_from_euler_angles`. */
 function quaternionFromEulerAngles([u, v, w]) {
   const [qu, qv, qw] = [[U, u], [V, v], [W, w]].map((turn) => quaternionFromAxisAngle(...turn));
   return quaternionProduct(qw, quaternionProduct(qv, qu));
 }
 
-/** `double_cover_by_hand` */
-export function doubleCover({ turns, passed: wanted }, { lamp, on_its_way }) {
+/** A spoon that has turned on a ribbon, and how the ribbon is passed round it. */
+export function doubleCoverByHand({ turns, passed: wanted }, { on_its_way, reach }) {
   const passed = Math.min(wanted, passes(turns));
   const hangs = Number.isInteger(passed);
   const angle = 2 * Math.PI * turns;
   const matrix = rotationMatrix(W, angle);
 
+  const bar = [-2.5, 2.5].map((far) => combine(1, MIDDLE_OF_BAR, far * WIDTH, U));
   const edges = [-WIDTH, 0, WIDTH].map((width) => sideOfRibbon(turns, passed, width));
   const onRing = (theta, side) => combine(1, HOME, RING, onBand(theta, side));
+  const rounds = spread(97).map((t) => 2 * Math.PI * t);
   const [q, opposite] = [1, -1].map((side) => onRing(angle, side));
   const { axes, shares } = turnsOf(alongRibbon(turns, passed, spread(161)));
   const path = axes.map((axis, i) => axis.map((x) => shares[i] * x));
   const end = path.at(-1);
   const drawn = pieces(path);
-  const wayHidden = !(hangs && turns > 0);
+  const way = spread(97).map((t) => onRing(t * angle, 1));
 
   return {
     inputs: wanted > passed ? { passed } : {},
     parts: {
+      bar: { paths: [bar] },
       spoon: { matrix: placing(matrix, HOME) },
       "one half": { points: [...edges[0], ...edges[1]] },
       "other half": { points: [...edges[1], ...edges[2]] },
-      borders: { paths: [edges[0], edges[2]].map((edge) => edge.filter((_, i) => i % 2 === 0)) },
-      band: { hidden: !hangs },
-      ring: { hidden: !hangs },
-      way: wayHidden
-        ? { hidden: true }
-        : { paths: [spread(97).map((t) => onRing(t * angle, 1))], hidden: false },
+      borders: { paths: [edges[0], edges[2]].map(everyOther) },
+      band: {
+        points: rounds.flatMap((theta) => [1, 0, -1].map((side) => onRing(theta, side))),
+        hidden: !hangs,
+      },
+      ring: { paths: [everyOther(rounds).map((theta) => onRing(theta, 0))], hidden: !hangs },
+      way: hangs && turns > 0 ? { paths: [way], hidden: false } : HIDDEN,
       stick: { paths: [[q, opposite]], hidden: !hangs },
       q: { at: q, hidden: !hangs },
       "-q": { at: opposite, hidden: !hangs },
-      path: drawn.length ? { paths: drawn, hidden: false } : { hidden: true },
+      path: drawn.length ? { paths: drawn, hidden: false } : HIDDEN,
       end: { at: end },
       skin: { hidden: shares.at(-1) <= ON_SKIN },
     },
@@ -255,20 +283,26 @@ export function doubleCover({ turns, passed: wanted }, { lamp, on_its_way }) {
       "-q": hangs ? onRing(angle, -1.6) : null,
       end: beside(end),
     },
-    grips: { turns: { path: onceForEachTurn() }, passed: { path: wayOfRibbon(turns) } },
+    grips: { turns: { path: onceForEachTurn(reach) }, passed: { path: wayOfRibbon(turns) } },
     outputs: {
       twists: hangs ? turns - 2 * passed : on_its_way,
-      spoon_back: lamp[Number(isBack(360 * turns, 360))],
-      q_back: lamp[Number(isBack(360 * turns, 720))],
+      spoon_back: lamp(isBack(360 * turns, 360)),
+      q_back: lamp(isBack(360 * turns, 720)),
       q: quaternionFromAxisAngle(W, angle),
       matrix,
     },
   };
 }
 
+/** How often a ribbon must be passed round the spoon to lose all twists but one. */
 const passes = (turns) => (turns <= 2 ? 1 : 2);
 
-/** Rotations of the ribbon at fractions of its way: `along_ribbon`. */
+const everyOther = (list) => list.filter((_, i) => i % 2 === 0);
+
+/**
+ * Rotations of the ribbon at fractions of its way from the bar to the spoon, which goes at constant
+ * speed.
+ */
 function alongRibbon(turns, passed, fractions) {
   const { axis, radius, length, side, staying } = movingArc(turns, passed);
   return fractions.map((s) => {
@@ -280,7 +314,16 @@ function alongRibbon(turns, passed, fractions) {
   });
 }
 
-/** `moving_arc` */
+/**
+ * The arc of unit quaternions to which the ribbon is a path, beside turns that stay next to the
+ * spoon: a part of a circle about an axis, whose coordinates are along 1, W and a direction to the
+ * side. The quaternion of so many turns about W, which stay as they are, follows the arc.
+ *
+ * Its ends are held: 1 at the bar, a quaternion about W at the other end. Two turns are a great
+ * circle from 1 to 1, which shrinks to a point. Fewer are an arc of it, which goes over to the
+ * other arc between its ends, with two turns less. On the way the circle is that through the ends
+ * and the middle of the arc, which moves evenly from one side to the other.
+ */
 function movingArc(turns, passed) {
   const done = Math.min(Math.floor(passed), passes(turns) - 1);
   const [left, tau] = [turns - 2 * done, passed - done];
@@ -296,7 +339,10 @@ function movingArc(turns, passed) {
   return { axis, radius, length: arc, side, staying };
 }
 
-/** `side_of_ribbon` */
+/**
+ * A line of the ribbon, which is so far from its middle, from spoon to bar. Shells about the spoon
+ * turn as the ribbon does. So it crosses neither itself nor the spoon.
+ */
 function sideOfRibbon(turns, passed, width) {
   const radii = spread(201).map((t) => STEM + t * (BAR - STEM));
   const places = radii.map((r) => {
@@ -309,13 +355,16 @@ function sideOfRibbon(turns, passed, width) {
   );
 }
 
-/** `way_of_ribbon` */
+/**
+ * Where the middle of what moves is, for all values of `passed`. At the end the way goes on to the
+ * bar: a path that ended where it begins would have no end.
+ */
 function wayOfRibbon(turns) {
   const most = passes(turns);
-  const bar = combine(1, HOME, BAR, W);
   const middle = (passed) => {
     const { length, staying } = movingArc(turns, passed);
     const s = staying ? length / (length + Math.PI * staying) / 2 : 0.5;
+    // The inverse of the smooth step by which a shell's radius gives its place on the way.
     const x = 0.5 - Math.sin(Math.asin(2 * s - 1) / 3);
     const [q] = alongRibbon(turns, passed, [s]);
     return combine(1, HOME, SPOON + x * (BAR - SPOON), rotateByQuaternion(q, W));
@@ -323,20 +372,27 @@ function wayOfRibbon(turns) {
   return spread(97).map((t) => {
     const beyond = Math.max(2 * t - most, 0);
     const there = middle(Math.min(2 * t, most));
-    return beyond ? combine(1 - beyond, there, beyond, bar) : there;
+    return beyond ? combine(1 - beyond, there, beyond, MIDDLE_OF_BAR) : there;
   });
 }
 
-/** `once_for_each_turn` */
-function onceForEachTurn() {
+/** The way of the tip of the spoon, which opens a little: four turns have two ends. */
+function onceForEachTurn(reach) {
   return spread(97).map((t) => {
-    return combine(1, HOME, REACH * (1 + 0.01 * t), rotate(U, W, 8 * Math.PI * t));
+    return combine(1, HOME, reach * (1 + 0.01 * t), rotate(U, W, 8 * Math.PI * t));
   });
 }
 
+/** Where the name of a point of the ball is: where the glass does not hide it. */
 const beside = (point) => combine(0.9, point, 1, combine(0.1, ACROSS, 0.12, W));
 
-/** Axes and angles of quaternions along a path: `turns_of`. */
+/**
+ * Axes and angles of unit quaternions one after the other, angles as shares of a whole turn: from 0
+ * for the quaternion 1 over 1/2 for half a turn to 1 for -1. At 1 and -1, where any axis would do,
+ * the axis is that of the one before, and at the beginning that of the first one after.
+ *
+ * The opposite quaternion has the same axis and a share that is less by 1.
+ */
 function turnsOf(path) {
   const sizes = path.map(([, ...v]) => Math.hypot(...v));
   const known = (i) => sizes[i] > NO_AXIS;
@@ -349,21 +405,25 @@ function turnsOf(path) {
   return { axes, shares: path.map(([w], i) => Math.atan2(sizes[i], w) / Math.PI) };
 }
 
-/** `pieces` */
+/** Cut a path where it jumps through the skin of the ball; leave out what has no length. */
 function pieces(path) {
   const parts = [[]];
   path.forEach((point, i) => {
     if (i && Math.hypot(...combine(1, point, -1, path[i - 1])) > JUMP) parts.push([]);
     parts.at(-1).push(point);
   });
-  const extent = (part, k) => Math.max(...part.map((p) => p[k])) - Math.min(...part.map((p) => p[k]));
-  return parts.filter((part) => [0, 1, 2].some((k) => extent(part, k) > NO_AXIS));
+  const extent = (values) => Math.max(...values) - Math.min(...values);
+  return parts.filter((part) => transpose(part).some((values) => extent(values) > NO_AXIS));
 }
 
-/** `on_band` */
+/**
+ * Where the quaternion (side 1) or its opposite (side -1) of a turn about the W axis is on the
+ * band; other sides are fractions of the way from the ring, which has radius 1, to q.
+ */
 function onBand(theta, side) {
   const [w, s] = [Math.cos(theta / 2), Math.sin(theta / 2)].map((x) => 0.33 * side * x);
   return [(1 + s) * Math.cos(theta), (1 + s) * Math.sin(theta), w];
 }
 
+/** Whether a turn, in degrees, ends where it began: after whole laps. */
 const isBack = (angle, lap) => (Math.abs(angle) + BACK) % lap < 2 * BACK;

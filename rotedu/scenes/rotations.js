@@ -252,8 +252,8 @@ export function nearestRotation(matrix) {
 }
 
 /**
- * The singular values of a 3x3 matrix from the largest down, the last with the sign of the determinant:
- * `rotedu.scenes.averages.singular_values`.
+ * The singular values of a 3x3 matrix from the largest down, the last with the sign of the determinant. The
+ * nearest rotation is unique if the two smaller ones do not add up to zero.
  */
 export function singularValues(matrix) {
   const { values } = eigen(sixteenProducts(matrix.map((row) => row.map(finite)), 0));

@@ -43,7 +43,7 @@ const SVG = "http://www.w3.org/2000/svg";
  * @param {function} now returns the present inputs
  * @param {function} change takes changed inputs and a function that says for those who cannot see
  *   them what has come of it
- * @returns {{update: function}} takes the grips of a frame, by input; handles go there with the picture
+ * @returns {{update: function}} takes the grips of a state, by input; handles go there with the picture
  */
 export function addHandles(scene, live, specs, now, change) {
   const layer = document.createElement("div");

@@ -3,7 +3,7 @@
  * browser has nothing better to do. For a reader who saves data, a click does so. Until then, and where
  * it fails, the posters stay. The data-state of a scene is poster, loading, live or failed.
  */
-/* global VIEWER, BY_HAND */
+/* global VIEWER, EXPLORABLES */
 import { goTo, isInSight, isNew, keepDrags, spokenOf } from "./arrival.js";
 import { SERVE, fail, loading, onClickOnly, openWebGL, reason } from "./startup.js";
 
@@ -26,16 +26,16 @@ async function goLive(scene) {
   try {
     const figure = scene.closest(".explorable");
     const needed = [loadModule(VIEWER), load(scene.dataset.scene)];
-    if (figure) needed.push(loadModule(BY_HAND), load(figure.dataset.explore));
+    if (figure) needed.push(loadModule(EXPLORABLES), load(figure.dataset.explore));
     context ??= openWebGL(scene);
-    const [viewer, file, byHand, data] = await Promise.all(needed);
+    const [viewer, file, explorables, data] = await Promise.all(needed);
     const { attributes } = scene.querySelector(".scene-poster");
     // The size of the scene as it was made, not of the poster as it is shown.
     const [width, height] = [attributes.width, attributes.height].map(({ value }) => Number(value));
     const alt = attributes.alt.value;
     const live = await viewer.show(scene, file, context, { width, height, alt });
     scene.dataset.state = "live";
-    if (figure) byHand.answer(figure, live, JSON.parse(new TextDecoder().decode(data)));
+    if (figure) explorables.answer(figure, live, JSON.parse(new TextDecoder().decode(data)));
     goOn(scene);
   } catch (error) {
     fail(scene, reason(error));

@@ -1,18 +1,18 @@
-/* The parts of a scene by name, and how a frame moves them. */
+/* The parts of a scene by name, and how a state moves them. */
 import { BufferAttribute, BufferGeometry, Matrix4 } from "three";
 import { arrow, tubes } from "./shapes.js";
 
 /**
  * @typedef {object} Part
  * @property {object[]} objects what draws the part
- * @property {{at?: number[], radius?: number}} place as `rotedu.figures.frames` recorded it
+ * @property {{at?: number[], radius?: number}} place as `rotedu.figures.state` recorded it
  * @property {object} [surface] what hides labels, if the part does
  */
 
 /**
  * Move a part.
  * @param {Part} part
- * @param {object} change one entry of the parts of a frame
+ * @param {object} change one entry of the parts of a state
  */
 export function move(part, change) {
   const { objects, place } = part;

@@ -1,4 +1,4 @@
-/* What a figure says to those who do not see it: the values of its inputs, in words. */
+/* What a figure says in words: the values of its inputs, for those who do not see it, and its outputs. */
 
 const UNIT = /, (°)$/;
 
@@ -29,4 +29,17 @@ export function statement(specs, names, inputs) {
 export function changedSince(start, inputs) {
   const text = JSON.stringify;
   return Object.keys(inputs).filter((name) => text(inputs[name]) !== text(start[name]));
+}
+
+/** What an output says: a number, a text or a matrix. */
+export function outputText(value, { digits, unit }) {
+  if (typeof value === "string") return value;
+  const number = (x) => {
+    const written = x.toFixed(digits);
+    return (Number(written) === 0 ? written.replace("-", "") : written).replace("-", "\u2212");
+  };
+  const rows = (Array.isArray(value[0]) ? value : [value]).map((row) => [row].flat().map(number));
+  // The columns of a matrix are of one width; other numbers are a list.
+  const [width, between] = rows.length > 1 ? [Math.max(...rows.flat().map((x) => x.length)), " "] : [0, ", "];
+  return rows.map((row) => row.map((x) => x.padStart(width)).join(between)).join("\n") + unit;
 }

@@ -9,7 +9,7 @@ const MOST = 500;
 
 /**
  * @returns {{follow: function, clear: function}} takes the places where parts are now, by name, and
- *   returns the parts of a frame that draw their ways; hides the ways and forgets them
+ *   returns the parts of a state that draw their ways; hides the ways and forgets them
  */
 export function trails() {
   const ways = new Map();

@@ -10,7 +10,7 @@ const [NEAR, FAR] = [0.01, 100];
 /**
  * @param {HTMLElement} box a poster, or nothing yet, and labels
  * @param {Map<string, {objects: object[]}>} parts of the scene, by name
- * @returns {{camera: PerspectiveCamera, look: function, draw: function}} look takes a view of a frame, and
+ * @returns {{camera: PerspectiveCamera, look: function, draw: function}} look takes a view of a state, and
  *   draw a scene; before the first look there is nothing to draw
  */
 export function secondPicture(box, parts) {

@@ -177,7 +177,7 @@ export async function show(element, file, context, { width, height, alt }) {
   return {
     canvas,
     look,
-    /** Show a frame: move parts and labels, and look from elsewhere in other pictures. */
+    /** Show a state: move parts and labels, and look from elsewhere in other pictures. */
     apply({ parts: moved, labels: moving, views: seen }) {
       if (around.radius === radius) {
         // What moves may come nearer to the camera than anything did at the start.

@@ -2,6 +2,7 @@
 /* global STYLES */
 import katex from "katex";
 import { explore } from "./explore.js";
+import { panelHtml } from "./panel-html.js";
 import { openWebGL, status } from "./startup.js";
 import { takePicture } from "./picture.js";
 import { element } from "./elements.js";
@@ -33,7 +34,7 @@ addEventListener("keydown", share, true);
 /**
  * Show the figure of a model while it is near the screen.
  * @param {{model, el: HTMLElement}} view as anywidget gives it
- * @param {Object<string, function>} models what computes frames, by name
+ * @param {Object<string, function>} models what computes states, by name
  * @returns a function that removes the figure
  */
 export function render({ model, el }, models) {
@@ -50,7 +51,7 @@ export function render({ model, el }, models) {
   );
   el.classList.add("scene-in-notebook");
   const data = model.get("spec");
-  const figure = data.name ? createExplorable([scene, ...views.map(createView)], data) : scene;
+  const figure = data.name ? createExplorable([scene, ...views.map(createView)], data, models) : scene;
   el.replaceChildren(figure);
 
   const goLive = async () => {
@@ -134,20 +135,20 @@ function createView({ name, alt, without, width, height, labels }) {
 }
 
 /** Put pictures and their panel into one box. */
-function createExplorable(pictures, { name, panel }) {
-  const figure = element("div", { class: "explorable", "data-name": name }, ...pictures);
-  figure.insertAdjacentHTML("beforeend", panel);
+function createExplorable(pictures, data, models) {
+  const figure = element("div", { class: "explorable", "data-name": data.name }, ...pictures);
+  const state = models[data.model](data.start, data.constants, []);
+  figure.insertAdjacentHTML("beforeend", panelHtml(data, state));
   // Another page has the address of this state.
   figure.querySelector("[data-action=link]").remove();
   return figure;
 }
 
-/** Let values and frames go to Python and back. */
+/** Let values go to Python and back. */
 function join(model, begin) {
   let told;
   const hand = begin({
     values: model.get("values"),
-    ask: (values) => model.send({ frame: values }),
     tell(values) {
       told = values;
       model.set("values", values);
@@ -156,9 +157,6 @@ function join(model, begin) {
   });
   model.on("change:values", () => {
     if (model.get("values") !== told) hand.set(model.get("values"));
-  });
-  model.on("msg:custom", (message) => {
-    if (message.frame || message.refused) hand.receive(message);
   });
 }
 

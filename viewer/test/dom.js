@@ -50,7 +50,7 @@ export function figure(panel) {
 
 /**
  * What `show` returns for a scene, seen from afar along y: the picture goes from -2 to 2, and is 100
- * pixels wide and high. `applied` holds the frames, `draw` ends one.
+ * pixels wide and high. `applied` holds the states, `draw` ends a frame.
  */
 export function liveScene(scene) {
   const canvas = document.createElement("canvas");
@@ -62,7 +62,7 @@ export function liveScene(scene) {
     applied: [],
     looks: [],
     resets: 0,
-    apply: (frame) => live.applied.push(frame),
+    apply: (state) => live.applied.push(state),
     look: (views) => live.looks.push(views),
     onDraw: (watch) => watchers.push(watch),
     draw: () => watchers.forEach((watch) => watch()),

@@ -17,11 +17,11 @@ const INPUTS = {
   u: { ...NUMBER, low: 0, high: 1 },
   v: { ...NUMBER, low: 0, high: 2 },
 };
-const frame = (u, v) => ({ parts: { ball: { at: [u, v, 0] } }, labels: {}, outputs: { sum: u + v }, charts: {} });
+const stateOf = (u, v) => ({ parts: { ball: { at: [u, v, 0] } }, labels: {}, outputs: { sum: u + v }, charts: {} });
 const START = { u: 0.25, v: 1 };
 
 /** A figure with a model, or with what is given instead. */
-function shown({ data = {}, models = { add: ({ u, v }) => frame(u, v) }, python, past = null, around = "" } = {}) {
+function shown({ data = {}, models = { add: ({ u, v }) => stateOf(u, v) }, python, past = null, around = "" } = {}) {
   history.replaceState(past, "");
   const element = figure(PANEL);
   element.parentElement.className = around;
@@ -33,8 +33,6 @@ function shown({ data = {}, models = { add: ({ u, v }) => frame(u, v) }, python,
     start: START,
     model: "add",
     constants: {},
-    frame: frame(START.u, START.v),
-    grid: [],
     ...data,
   };
   const hand = explore(element, live, made, models, python);
@@ -48,19 +46,6 @@ function shown({ data = {}, models = { add: ({ u, v }) => frame(u, v) }, python,
   return { element, scene, live, hand, find, write, values, status };
 }
 
-/** What a figure says on the console, while something is done. */
-function complaints(action) {
-  const said = [];
-  const { error } = console;
-  console.error = (text) => said.push(text);
-  try {
-    action();
-  } finally {
-    console.error = error;
-  }
-  return said;
-}
-
 test("a figure tells its values at once, and draws nothing that is there already", () => {
   const { live, values, find } = shown();
   assert.deepEqual(values(), { ...START, sum: 1.25 });
@@ -71,7 +56,7 @@ test("a figure tells its values at once, and draws nothing that is there already
 test("what the hand changes is computed, shown and told", () => {
   const { live, write, values, find } = shown();
   write("v", "1.5");
-  assert.deepEqual(live.applied, [frame(0.25, 1.5)]);
+  assert.deepEqual(live.applied, [stateOf(0.25, 1.5)]);
   assert.deepEqual(values(), { u: 0.25, v: 1.5, sum: 1.75 });
   assert.equal(find("output").textContent, "1.75");
   assert.equal(find(".scene-hint"), null);
@@ -80,69 +65,17 @@ test("what the hand changes is computed, shown and told", () => {
 });
 
 test("a model is given the constants of its figure, and may correct inputs", () => {
-  const add = ({ u, v }, { more }) => ({ ...frame(u, v + more), inputs: { v: 0.5 } });
-  const data = { constants: { more: 0.125 }, frame: frame(0.25, 1.125) };
+  const add = ({ u, v }, { more }) => ({ ...stateOf(u, v + more), inputs: { v: 0.5 } });
+  const data = { constants: { more: 0.125 } };
   const { write, values } = shown({ data, models: { add } });
   write("u", "0.5");
-  assert.deepEqual(values(), { u: 0.5, v: 0.5, sum: 1.625 });
-});
-
-test("a model that differs from Python leaves a figure that only turns", () => {
-  const cases = [
-    [{ outputs: { sum: 1.2501 } }, "differs from Python in sum"],
-    [{ outputs: {} }, "does not compute sum"],
-    [{ parts: { ball: { at: [0.25, 1] } } }, "differs from Python in ball"],
-    [{ parts: { ball: { at: [0.25, 1, 0.5] } } }, "differs from Python in ball"],
-    [{ parts: { ball: { at: null } } }, "differs from Python in ball"],
-    [{ parts: { ball: { hidden: true } } }, "differs from Python in ball"],
-    [{ labels: { P: [0, 0, 0] } }, "differs from Python in P"],
-    [{ labels: { Q: [0, 0, 0] } }, "differs from Python in Q"],
-    [{ charts: { speeds: { one: [0, 1] } } }, "differs from Python in speeds"],
-  ];
-  const data = { frame: { ...frame(START.u, START.v), labels: { Q: null } } };
-  for (const [wrong, what] of cases) {
-    const models = { add: ({ u, v }) => ({ ...frame(u, v), ...wrong }) };
-    let made;
-    const said = complaints(() => (made = shown({ data, models })));
-    assert.deepEqual(said, [`some-figure: the model add ${what}; the figure only turns`]);
-    made.hand.set({ u: 1 });
-    made.hand.receive({ frame: frame(1, 1) });
-    assert.deepEqual(made.live.applied, []);
-    assert.ok(made.find("fieldset").disabled);
-  }
-  assert.match(complaints(() => shown({ models: {} }))[0], /the model add is missing/);
-});
-
-test("a model may differ from Python by what rounding leaves, and say less", () => {
-  const models = { add: ({ u, v }) => ({ parts: {}, outputs: { sum: u + v + 1e-6 } }) };
-  assert.deepEqual(complaints(() => shown({ models })), []);
-});
-
-test("stored frames are found by their inputs, the first of the grid changing last", () => {
-  const grid = [["v", 3], ["u", 2]];
-  const frames = [0, 1, 2].flatMap((v) => [0, 1].map((u) => frame(u, v)));
-  const data = { model: "", grid, frames, start: { u: 0, v: 1 }, frame: frame(0, 1) };
-  const { live, write, values } = shown({ data });
-  write("u", "0.7");
-  write("v", "1.6");
-  assert.deepEqual(values(), { u: 1, v: 2, sum: 3 });
-  write("u", "0.4");
-  assert.deepEqual(live.applied, [frame(1, 1), frame(1, 2), frame(0, 2)]);
-});
-
-test("stored frames need not begin at zero", () => {
-  const frames = [-1, 0, 1].map((u) => frame(u, 1));
-  const inputs = { u: { ...NUMBER, low: -1, high: 1 } };
-  const data = { model: "", inputs, grid: [["u", 3]], frames, start: { u: 0.2 }, frame: frame(0, 1) };
-  const { values, live } = shown({ data });
-  assert.deepEqual(values(), { u: 0, sum: 1 });
-  assert.deepEqual(live.applied, [frame(0, 1)]);
+  assert.deepEqual(values(), { u: 0.5, v: 0.5, sum: 1.125 });
 });
 
 /** A model that refuses where u is 1. */
 function refusing({ u, v }) {
   if (u === 1) throw Object.assign(new Error("p and q are antipodal"), { name: "DegenerateError" });
-  return frame(u, v);
+  return stateOf(u, v);
 }
 
 test("a geometry without an answer keeps the last picture, pale, and says why", () => {
@@ -163,7 +96,7 @@ test("a geometry without an answer keeps the last picture, pale, and says why", 
 test("any other error is one", () => {
   const add = ({ u, v }) => {
     if (u === 1) throw new RangeError("no");
-    return frame(u, v);
+    return stateOf(u, v);
   };
   const { hand } = shown({ models: { add } });
   assert.throws(() => hand.set({ u: 1 }), RangeError);
@@ -312,9 +245,8 @@ test("a change is told in a sentence, and the picture's name with it, once the h
 
 test("what a model shows only while the hand moves goes once it rests", ({ mock }) => {
   mock.timers.enable({ apis: ["setTimeout"] });
-  const model = ({ u, v }, constants, changed) => ({ ...frame(u, v), labels: { P: changed } });
-  const data = { frame: { ...frame(START.u, START.v), labels: { P: ["u", "v"] } } };
-  const { live, write, hand } = shown({ data, models: { add: model } });
+  const model = ({ u, v }, constants, changed) => ({ ...stateOf(u, v), labels: { P: changed } });
+  const { live, write, hand } = shown({ models: { add: model } });
   hand.set({ v: 2 });
   mock.timers.tick(500);
   write("v", "1.5");
@@ -340,8 +272,7 @@ const pointed = ({ p }) => ({ parts: {}, labels: {}, outputs: { sum: p[0][0] }, 
 
 test("a dragged point keeps its length; the status line says where it lies", ({ mock }) => {
   mock.timers.enable({ apis: ["setTimeout"] });
-  const data = { ...POINTS, frame: pointed(POINTS.start) };
-  const { scene, values, status } = shown({ data, models: { add: pointed } });
+  const { scene, values, status } = shown({ data: POINTS, models: { add: pointed } });
   const handle = scene.querySelector("[data-handle=p-0]");
   drag(handle, 25, 0);
   const [[x, y], q] = values().p;
@@ -351,10 +282,9 @@ test("a dragged point keeps its length; the status line says where it lies", ({ 
   assert.equal(status(), `${handle.getAttribute("aria-label")}. sum 1.00`);
 });
 
-/** Python in a notebook, which keeps what it is asked and told. */
+/** Python in a notebook, which keeps what it is told. */
 function notebook(values) {
-  const python = { values, asked: [], told: [] };
-  python.ask = (inputs) => python.asked.push(inputs);
+  const python = { values, told: [] };
   python.tell = (inputs) => python.told.push(inputs);
   return python;
 }
@@ -373,24 +303,6 @@ test("in a notebook the figure starts where Python is, and tells it what the han
   dispatchEvent(new Event("hashchange"));
   assert.deepEqual(values(), { u: 0.75, v: 0, sum: 0.75 });
   history.replaceState(null, "", "#");
-});
-
-test("without a model Python is asked for one frame at a time, and for the last", () => {
-  const python = notebook(START);
-  // Its frames are not those of a page.
-  const data = { model: "", grid: [["u", 3], ["v", 3]] };
-  const { hand, write, values, status } = shown({ data, python });
-  for (const u of ["0.4", "0.6", "0.7"]) write("u", u);
-  assert.deepEqual(python.asked, [{ u: 0.4, v: 1 }]);
-  hand.receive({ frame: frame(0.4, 1) });
-  assert.deepEqual(python.asked.slice(1), [{ u: 0.7, v: 1 }]);
-  hand.receive({ refused: "no answer" });
-  assert.equal(status(), "No answer.");
-  assert.equal(python.asked.length, 2);
-  write("u", "0.8");
-  hand.receive({ frame: frame(0.8, 1) });
-  assert.deepEqual(values(), { u: 0.8, v: 1, sum: 1.8 });
-  assert.equal(python.asked.length, 3);
 });
 
 test("a cell with the tag plays its figure for who comes to no state of it", () => {

@@ -20,7 +20,7 @@ const PANEL = `<form class="explorable-panel"><fieldset disabled>
   <output name="fits" data-digits="2" data-unit="" data-loud="no"></output>
   <output name="matrix" data-digits="1" data-unit="" data-loud="no"></output>
   <figure data-chart="heights" data-over="u" data-x="1 3" data-y="-1 1">
-    <svg viewBox="0 0 320 96"><path data-curve="one" d=""/><path data-curve="two" d=""/>
+    <svg viewBox="0 0 320 128"><path data-curve="one" d=""/><path data-curve="two" d=""/>
     <line data-mark="" x1="0" x2="0"/></svg>
     <div class="explorable-names"><span data-name="one">one</span><span data-name="two">two</span></div>
     <div class="explorable-marks"><span>P</span><span hidden>Q</span></div></figure>
@@ -102,7 +102,7 @@ test("controls show the inputs, but not the field in which somebody writes", () 
   assert.deepEqual(ways(), [true, false]);
 });
 
-test("numbers, texts and matrices are written as Python writes them", () => {
+test("numbers, texts and matrices are written with their digits", () => {
   const { panel, find } = bound();
   const text = (name) => find(`output[name=${name}]`).textContent;
   const loud = () => find("output[name=fits]").classList.contains("explorable-loud");
@@ -123,7 +123,7 @@ test("what rises in a curve rises on the chart", () => {
   const { panel, find } = bound();
   const d = (curve) => find(`[data-curve=${curve}]`).getAttribute("d");
   panel.show(START, { outputs: {}, charts: { heights: { one: [-1, 0, 0.5], two: null } } });
-  assert.equal(d("one"), "M0.0,96.0 160.0,48.0 320.0,24.0");
+  assert.equal(d("one"), "M0.0,128.0 160.0,64.0 320.0,32.0");
   assert.equal(d("two"), "");
 });
 
@@ -156,7 +156,7 @@ test("each curve has its own path, in pieces of one width", () => {
   const hidden = () => [...find(".explorable-marks").children].map((mark) => mark.hidden);
   panel.show(START, { outputs: {}, charts: { heights: { two: [[-1, 0], [1, 0]] } } });
   assert.equal(d("one"), "");
-  assert.equal(d("two"), "M0.0,96.0 160.0,48.0M160.0,0.0 320.0,48.0");
+  assert.equal(d("two"), "M0.0,128.0 160.0,64.0M160.0,0.0 320.0,64.0");
   assert.deepEqual(hidden(), [false, false]);
   panel.show(START, { outputs: {}, charts: { heights: { two: [0, 0] } } });
   assert.deepEqual(hidden(), [false, true]);
@@ -166,9 +166,9 @@ test("an arrow stands in the middle of what a chart cuts off, at its edge", () =
   const { panel, find } = bound();
   panel.show(START, { outputs: {}, charts: { heights: { one: [0, 2, 2, 0, -3] } } });
   const arrows = find("[data-curve=one]").getAttribute("d").split("M").slice(2);
-  assert.deepEqual(arrows, ["116.0,7.0 120.0,0.0 124.0,7.0", "316.0,89.0 320.0,96.0 324.0,89.0"]);
+  assert.deepEqual(arrows, ["116.0,7.0 120.0,0.0 124.0,7.0", "316.0,121.0 320.0,128.0 324.0,121.0"]);
   const [, line] = find("[data-curve=one]").getAttribute("d").split("M");
-  assert.equal(line, "0.0,48.0 80.0,-4.8 160.0,-4.8 240.0,48.0 320.0,100.8");
+  assert.equal(line, "0.0,64.0 80.0,-6.4 160.0,-6.4 240.0,64.0 320.0,134.4");
 
   // What only rounding puts beyond an edge is on it.
   panel.show(START, { outputs: {}, charts: { heights: { one: [-1 - 2e-16, 0, 1 + 3e-16] } } });

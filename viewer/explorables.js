@@ -1,4 +1,4 @@
-/* For pages with figures that answer the hand: what changes them, and the models of the scenes. */
+/* For pages with explorables: what changes them, and the models of the scenes. */
 import * as models from "../rotedu/scenes/models.js";
 import { explore } from "./src/explore.js";
 

@@ -1,16 +1,22 @@
 """What a scene shows, as data: where its parts and labels are, and what is read off.
 
-A part that can move is placed under a name when it is added to the scene. Two scenes with the same
-names then differ by a *frame*, which the viewer applies to the first without drawing it anew:
+The model of an explorable computes a *state* from its inputs. The scene is drawn from the state at
+the start, and the viewer moves its parts to others without drawing them anew:
 
 - a ball is ``at`` a point, an arrow goes ``from`` one point ``to`` another, lines follow ``paths``,
   and any other part has a ``matrix`` or ``points``;
 - a part may have another ``color`` and may be ``hidden``; a label has a position, or none;
-- a grip says where an input can be grabbed: a number along a ``path``, or none for now, perhaps by
-  a ``body`` that turns with it, bodies of a ``size`` ``at`` points, and points after a ``turn``;
+- a grip says where an input can be grabbed. A number goes evenly along its ``path`` from its lower
+  to its upper bound, or cannot be grabbed for now (None); a path that ends where it begins has no
+  end. If it is a circle about whose axis something turns with the number, a line on this thing, its
+  ``body``, is grabbed in its place. Poses have bodies of a ``size`` ``at`` a point or several.
+  Points given in the frame of a turned body have its rotation matrix, ``turn``;
 - a view says from where a second picture beside the scene sees it;
 - an output is a number, a text or rows of numbers; a chart has a curve, or none for now,
-  for each of its names.
+  for each of its names. A curve is heights evenly spread, or such heights for pieces of equal
+  width, with a gap where the height jumps from one to the next.
+
+Here stands what the model does not know: how an output is written, what a chart is called.
 """
 
 from collections.abc import Mapping, Sequence
@@ -21,21 +27,13 @@ import numpy as np
 import pyvista
 from numpy.typing import ArrayLike
 
-from rotedu.figures.gltf import part_names, surface_of
-
-# Digits after the point in frames: a thousandth of a pixel of the poster.
-DIGITS = 6
-# What a frame holds as a whole, not by property.
-WHOLE = ("labels", "grips", "charts", "views")
-# What an output says that is false or true.
-LAMP = ("no", "yes")
+State = dict[str, Any]
 
 
 @dataclass(frozen=True)
 class Output:
-    """A number, a text or a matrix beside a figure."""
+    """How a number, a text or a matrix beside a figure is written."""
 
-    value: Any
     label: str
     digits: int = 2
     unit: str = ""
@@ -48,11 +46,10 @@ class Output:
 class Chart:
     """Curves over one of the inputs of a figure, and a mark at the value of this input."""
 
-    x: tuple[float, float]
-    y: tuple[float, float]
-    curves: Mapping[str, ArrayLike | None]
     label: str
     over: str
+    x: tuple[float, float]
+    y: tuple[float, float]
     colors: Mapping[str, str] = field(default_factory=dict)
     marks: Sequence[str] = ()
     dashed: Sequence[str] = ()
@@ -70,12 +67,11 @@ class View:
 
 
 @dataclass
-class Shown:
+class Record:
     """What has been recorded about a scene; ``seen_in`` names the view of some labels."""
 
     parts: dict[str, dict[str, Any]] = field(default_factory=dict)
     labels: dict[str, list[float] | None] = field(default_factory=dict)
-    grips: dict[str, dict[str, Any]] = field(default_factory=dict)
     outputs: dict[str, Output] = field(default_factory=dict)
     charts: dict[str, Chart] = field(default_factory=dict)
     views: dict[str, View] = field(default_factory=dict)
@@ -84,11 +80,11 @@ class Shown:
     stack: dict[str, Any] = field(default_factory=dict)
 
 
-def shown(plotter: pyvista.Plotter) -> Shown:
+def record_of(plotter: pyvista.Plotter) -> Record:
     """Return what has been recorded about a scene."""
-    if not hasattr(plotter, "shown"):
-        pyvista.set_new_attribute(plotter, "shown", Shown())
-    recorded: Shown = plotter.shown
+    if not hasattr(plotter, "record"):
+        pyvista.set_new_attribute(plotter, "record", Record())
+    recorded: Record = plotter.record
     return recorded
 
 
@@ -119,7 +115,7 @@ def place_part(plotter: pyvista.Plotter, name: str, **place: Any) -> str:
     str
         The name.
     """
-    parts = shown(plotter).parts
+    parts = record_of(plotter).parts
     name = new_name(parts, name)
     parts[name] = place
     return name
@@ -135,7 +131,7 @@ def place_label(
     str
         The name for its actor.
     """
-    recorded = shown(plotter)
+    recorded = record_of(plotter)
     name = new_name(recorded.labels, name)
     recorded.labels[name] = None if position is None else np.asarray(position, float).tolist()
     if view:
@@ -175,35 +171,12 @@ def add_view(
         Parts that are not in the picture.
     """
     place = {"eye": eye, "target": target, "up": up, "angle": angle}
-    shown(plotter).views[name] = View(place, size, alt, without)
-
-
-def place_grip(plotter: pyvista.Plotter, name: str, **place: Any) -> None:
-    """Record where an input can be grabbed.
-
-    Parameters
-    ----------
-    plotter : pyvista.Plotter
-        The scene.
-    name : str
-        The input: a `Slider`, `Poses` or `Handles`.
-    **place
-        For a number its ``path``, shape (n, 3), along which it goes evenly from its lower to its
-        upper bound, or None while it cannot be grabbed. A path that ends where it begins has no
-        end. If it is a circle about whose axis something turns with the number, a line on this
-        thing, ``body``, of shape (m, 3), is grabbed in its place. For poses the ``size`` of their
-        bodies and where they are, ``at``, one point or several. For points that are given in the
-        frame of a turned body its rotation matrix, ``turn``.
-    """
-    shown(plotter).grips[name] = {
-        key: None if value is None else np.asarray(value, float) for key, value in place.items()
-    }
+    record_of(plotter).views[name] = View(place, size, alt, without)
 
 
 def read_out(
     plotter: pyvista.Plotter,
     name: str,
-    value: Any,
     label: str,
     digits: int = 2,
     unit: str = "",
@@ -211,7 +184,7 @@ def read_out(
     where: str = "panel",
     color: str = "",
 ) -> None:
-    """Show a number, a text or a matrix beside a scene.
+    """Show an output of the model beside a scene: a number, a text or a matrix.
 
     Parameters
     ----------
@@ -219,8 +192,6 @@ def read_out(
         The scene.
     name : str
         Name of the output, which is its name in the page, too.
-    value : float, str or array_like
-        The value. A boolean becomes a lamp: *yes* or *no*.
     label : str
         What it is, in a word or two.
     digits : int
@@ -235,17 +206,12 @@ def read_out(
     color : str
         Colour of the label: that of what the number belongs to.
     """
-    if isinstance(value, (bool, np.bool_)):
-        value = LAMP[bool(value)]
-    elif not isinstance(value, str):
-        value = np.asarray(value, float).tolist()
-    shown(plotter).outputs[name] = Output(value, label, digits, unit, loud, where, color)
+    record_of(plotter).outputs[name] = Output(label, digits, unit, loud, where, color)
 
 
 def draw_chart(
     plotter: pyvista.Plotter,
     name: str,
-    curves: Mapping[str, ArrayLike | None],
     *,
     over: str,
     x: tuple[float, float],
@@ -256,7 +222,7 @@ def draw_chart(
     dashed: Sequence[str] = (),
     ticks: Mapping[float, str] | None = None,
 ) -> None:
-    """Show a chart beside a scene, while it has a curve.
+    """Show a chart of the model beside a scene, while it has a curve.
 
     Parameters
     ----------
@@ -264,14 +230,10 @@ def draw_chart(
         The scene.
     name : str
         Name of the chart.
-    curves : mapping of str to array_like
-        The heights of each curve at places evenly spread over `x`: shape (m,), or (n, m) for n
-        pieces of equal width, with a gap where the height jumps from one to the next. A curve that
-        does not exist for now is None.
     over : str
         The input along the chart; a mark shows its value.
     x, y : tuple of float
-        The range of each axis, the same in all frames. Where a curve lies beyond, an arrow says so.
+        The range of each axis. Where a curve lies beyond, an arrow says so.
     label : str
         What the chart shows.
     colors : mapping of str to str, optional
@@ -283,14 +245,13 @@ def draw_chart(
     ticks : mapping of float to str, optional
         Heights that have a hairline, and what stands beside it; else round numbers.
     """
-    heights = {curve: rounded(h) for curve, h in curves.items()}
-    chart = Chart(x, y, heights, label, over, colors or {}, marks, dashed, ticks or {})
-    shown(plotter).charts[name] = chart
+    chart = Chart(label, over, x, y, colors or {}, marks, dashed, ticks or {})
+    record_of(plotter).charts[name] = chart
 
 
 def limit_turning(plotter: pyvista.Plotter, degrees: float) -> None:
     """Let the reader turn a scene by so many degrees only: parts in a row then stay apart."""
-    shown(plotter).swing = degrees
+    record_of(plotter).swing = degrees
 
 
 def stack_on_phone(
@@ -314,7 +275,7 @@ def stack_on_phone(
         to = ((1 - share) / 2, above / sum(heights), share, height / sum(heights))
         rows.append({"from": np.divide(part, size).tolist(), "to": list(to)})
         above += height
-    shown(plotter).stack = {"rows": rows, "aspect": 1 / sum(heights)}
+    record_of(plotter).stack = {"rows": rows, "aspect": 1 / sum(heights)}
 
 
 def in_stack(stack: Mapping[str, Any], left: float, top: float) -> tuple[float, float]:
@@ -328,116 +289,3 @@ def in_stack(stack: Mapping[str, Any], left: float, top: float) -> tuple[float, 
     row = min(stack["rows"], key=beyond)
     (x, y, width, height), to = row["from"], row["to"]
     return to[0] + (left - x) / width * to[2], to[1] + (top - y) / height * to[3]
-
-
-def frame_of(plotter: pyvista.Plotter) -> dict[str, Any]:
-    """Describe a scene as a frame.
-
-    Parameters
-    ----------
-    plotter : pyvista.Plotter
-        The scene.
-
-    Returns
-    -------
-    dict
-        ``parts``, ``labels``, ``grips``, ``outputs``, ``charts`` and ``views``, each by name.
-    """
-    recorded = shown(plotter)
-    parts = {name: _part(plotter, name, actor) for name, actor in part_names(plotter)}
-    return {
-        "parts": parts,
-        "labels": {name: rounded(position) for name, position in recorded.labels.items()},
-        "grips": {
-            name: {key: rounded(value) for key, value in place.items()}
-            for name, place in recorded.grips.items()
-        },
-        "outputs": {name: output.value for name, output in recorded.outputs.items()},
-        "charts": {name: chart.curves for name, chart in recorded.charts.items()},
-        "views": {
-            name: {key: rounded(value) for key, value in view.place.items()}
-            for name, view in recorded.views.items()
-        },
-    }
-
-
-def _part(plotter: pyvista.Plotter, name: str, actor: pyvista.Actor) -> dict[str, Any]:
-    """Describe one part."""
-    place = shown(plotter).parts.get(name)
-    if place is not None:
-        part = {key: rounded(value) for key, value in place.items() if key != "radius"}
-    else:
-        part = {
-            "matrix": rounded(pyvista.array_from_vtkmatrix(actor.GetMatrix()).T.ravel()),
-            "points": surface_of(actor).points,
-        }
-    return part | {"color": list(actor.prop.color.float_rgb), "hidden": not actor.visibility}
-
-
-def rounded(value: Any) -> Any:
-    """Round all numbers of a place, which may be nested."""
-    if value is None:
-        return None
-    if isinstance(value, Sequence) and value and isinstance(value[0], np.ndarray):
-        return [rounded(part) for part in value]
-    return (np.round(np.asarray(value, float), DIGITS) + 0.0).tolist()
-
-
-def differences(base: dict[str, Any], frame: dict[str, Any]) -> set[tuple[str, ...]]:
-    """Tell what differs between two frames of a scene.
-
-    Parameters
-    ----------
-    base, frame : dict
-        The frames.
-
-    Returns
-    -------
-    set of tuple of str
-        ``("parts", name, property)``, or ``("labels", name)`` and so for each kind in `WHOLE`.
-
-    Raises
-    ------
-    ValueError
-        If a part or a label is missing or new, or if the points of a part have another number.
-    """
-    for kind in frame:
-        if odd := base[kind].keys() ^ frame[kind].keys():
-            raise ValueError(
-                f"scene: expected the same {kind} for all inputs,"
-                f" got {', '.join(sorted(odd))} for some only"
-            )
-    found: set[tuple[str, ...]] = set()
-    for name, part in frame["parts"].items():
-        before = base["parts"][name]
-        if len(before.get("points", ())) != len(part.get("points", ())):
-            raise ValueError(
-                f"part {name!r}: expected the same number of points for all inputs,"
-                f" got {len(before['points'])} and {len(part['points'])}"
-            )
-        found |= {
-            ("parts", name, key)
-            for key, value in part.items()
-            if not _equal(value, before.get(key))
-        }
-    for kind in WHOLE:
-        found |= {(kind, name) for name in frame[kind] if frame[kind][name] != base[kind][name]}
-    return found
-
-
-def _equal(value: Any, other: Any) -> bool:
-    return np.array_equal(value, other) if isinstance(value, np.ndarray) else value == other
-
-
-def only(frame: dict[str, Any], varying: set[tuple[str, ...]]) -> dict[str, Any]:
-    """Keep of a frame what varies, and all outputs; the result holds no arrays."""
-    kept: dict[str, Any] = {"parts": {}, "outputs": frame["outputs"]} | {kind: {} for kind in WHOLE}
-    for kind, name, *keys in sorted(varying):
-        if kind == "parts":
-            for key in keys:
-                value = frame[kind][name][key]
-                value = rounded(value) if isinstance(value, np.ndarray) else value
-                kept[kind].setdefault(name, {})[key] = value
-        else:
-            kept[kind][name] = frame[kind][name]
-    return kept

@@ -1,0 +1,35 @@
+"""The outputs of the figures of page A, by rotedu and SciPy."""
+
+from typing import Any
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from rotedu.averages import angular_distance
+from rotedu.orientations import nearest_rotation
+from rotedu.quaternions import Quaternion
+
+SPEED = np.pi / 2
+
+
+def spinning_by_hand(space: Any, body: Any, h: float, t: float, repair: bool) -> dict[str, Any]:
+    omega, own = (SPEED * np.divide(axis, np.linalg.norm(axis)) for axis in (space, body))
+
+    def exact(t: float) -> Any:
+        return (Rotation.from_rotvec(t * omega) * Rotation.from_rotvec(t * own)).as_matrix()
+
+    m, q = np.eye(3), Quaternion(1, np.zeros(3))
+    for step in [h] * int(t / h) + [t - int(t / h) * h]:
+        m = m + step * (np.cross(omega, m, axisb=0, axisc=0) + np.cross(m, own))
+        q = q + step / 2 * (Quaternion(0, omega) * q + q * Quaternion(0, own))
+        m, q = (nearest_rotation(m), q / q.norm()) if repair else (m, q)
+    drawn = {
+        "exponential": exact(t),
+        "Euler, matrix": m,
+        "Euler, quaternion": q.norm() ** 2 * q.matrix(),
+    }
+    return {
+        name: f"edge up to {np.linalg.norm(now, axis=0).max():.2f},"
+        f" {np.degrees(angular_distance(nearest_rotation(now), exact(t))):.0f}° wrong"
+        for name, now in drawn.items()
+    }

@@ -1,0 +1,134 @@
+/* The charts below a figure: curves as paths, the names beside their ends, and the input along them. */
+import { ALONG, drag } from "./pointer.js";
+import { statement } from "./speak.js";
+
+export const [WIDTH, HEIGHT] = [320, 128];
+const ROUNDING = 1e-9;
+// The arrow where a curve leaves its chart: half its width, and its length.
+const ARROW = [4, 7];
+// How far apart the names of curves are, as a share of the height of their chart.
+const LINE = 0.13;
+
+/**
+ * What draws the curves of a chart, and its mark at the value of the input along it. In the chart this
+ * input is dragged.
+ * @param {HTMLElement} chart as `panel-html.js` writes it
+ * @param specs the inputs of the figure
+ * @param {function} now returns the present inputs
+ * @param {function} scrub takes the name of an input and its new value
+ */
+export function bindChart(chart, specs, now, scrub) {
+  const { over } = chart.dataset;
+  const [[first, last], y] = [chart.dataset.x, chart.dataset.y].map((range) => range.split(" ").map(Number));
+  const lines = new Map(
+    [...chart.querySelectorAll("[data-curve]")].map((line) => [line.dataset.curve, line]),
+  );
+  const names = [...chart.querySelectorAll("[data-name]")];
+  const known = {};
+  const marks = chart.querySelectorAll(".explorable-marks span");
+  const here = chart.querySelectorAll("[data-mark]");
+  const plot = chart.querySelector("svg");
+  if (specs[over]?.kind === "number") {
+    grabbed(plot, chart.dataset.chart, specs[over], {
+      to: (share) => scrub(over, first + share * (last - first)),
+      by: (steps) => scrub(over, now()[over] + steps * specs[over].step),
+    });
+  }
+  return {
+    over,
+    draw(curves, value) {
+      for (const [curve, heights] of Object.entries(curves)) {
+        lines.get(curve).setAttribute("d", path(heights, y));
+        marks.forEach((mark, i) => (mark.hidden = i >= piecesOf(heights).length));
+      }
+      const tops = nameTops(Object.assign(known, curves), y);
+      for (const name of names) {
+        name.hidden = !tops[name.dataset.name];
+        if (!name.hidden) name.style.top = tops[name.dataset.name];
+      }
+      chart.hidden = [...lines.values()].every((line) => !line.getAttribute("d"));
+      const at = ((value - first) / (last - first)) * WIDTH;
+      for (const line of here) for (const x of ["x1", "x2"]) line.setAttribute(x, at);
+      plot.setAttribute("aria-valuenow", value);
+      if (specs[over]) plot.setAttribute("aria-valuetext", statement(specs, [over], { [over]: value }));
+    },
+  };
+}
+
+/** Let a number be dragged along a chart, and be moved by keys. */
+function grabbed(plot, name, { low, high }, { to, by }) {
+  const attributes = { role: "slider", tabindex: 0, "aria-valuemin": low, "aria-valuemax": high };
+  for (const [key, value] of Object.entries(attributes)) plot.setAttribute(key, value);
+  plot.dataset.handle = `chart-${name}`;
+  const follow = ({ share }) => to(share[0]);
+  drag(plot, plot, {
+    grab(place) {
+      follow(place);
+      return place;
+    },
+    move: (_, place) => follow(place),
+  });
+  plot.addEventListener("keydown", (event) => {
+    const way = ALONG[event.key];
+    if (!way || event.ctrlKey || event.metaKey) return;
+    event.preventDefault();
+    by(way * (event.shiftKey ? 10 : 1));
+  });
+}
+
+/** The pieces of a curve, which may be one or, for now, none. */
+const piecesOf = (heights) => (Array.isArray(heights?.[0]) ? heights : [heights ?? []]);
+
+/**
+ * How far down the names of curves stand, by name: beside their ends, but apart.
+ * @returns {Object<string, string>} as CSS says it; without the curves that are not there for now
+ */
+export function nameTops(curves, [low, high]) {
+  const found = Object.entries(curves).filter(([, heights]) => heights);
+  const places = found.map(([name, heights]) => {
+    const end = (high - piecesOf(heights).at(-1).at(-1)) / (high - low);
+    return { name, end: Math.round(100 * Math.min(1, Math.max(0, end))) / 100 };
+  });
+  places.sort((one, other) => one.end - other.end);
+  let above = -LINE;
+  const tops = places.map(({ name, end }, k) => {
+    above = Math.min(Math.max(end, above + LINE), 1 - LINE * (places.length - 1 - k));
+    return [name, `${(100 * above).toFixed(0)}%`];
+  });
+  return Object.fromEntries(tops);
+}
+
+/** A curve, in one or more pieces, as an SVG path, with arrows where it is cut off. */
+export function path(curve, [low, high]) {
+  const pieces = piecesOf(curve);
+  const each = WIDTH / pieces.length;
+  const paths = pieces.map((heights, i) => {
+    const shares = heights.map((value) => (value - low) / (high - low));
+    const x = (k) => (i + k / (heights.length - 1)) * each;
+    const points = shares.map((share, k) => {
+      const y = HEIGHT * (1 - Math.min(1.05, Math.max(-0.05, share)));
+      return `${x(k).toFixed(1)},${y.toFixed(1)}`;
+    });
+    const arrows = cutOff(shares).map(([k, edge]) => arrow(x(k), HEIGHT * (1 - edge), edge));
+    return points.length ? `M${points.join(" ")}${arrows.join("")}` : "";
+  });
+  return paths.join("");
+}
+
+/** Where a curve is beyond its chart: the middle of each such stretch, and the edge, 1 or 0. */
+function cutOff(shares) {
+  const edges = shares.map((share) => (share > 1 + ROUNDING ? 1 : share < -ROUNDING ? 0 : null));
+  const found = [];
+  for (let k = 0, end; k < edges.length; k = end) {
+    for (end = k + 1; edges[end] === edges[k]; ) end++;
+    if (edges[k] !== null) found.push([(k + end - 1) / 2, edges[k]]);
+  }
+  return found;
+}
+
+function arrow(x, y, edge) {
+  const [half, long] = ARROW;
+  const back = y + (edge ? long : -long);
+  const [left, right] = [x - half, x + half].map((end) => `${end.toFixed(1)},${back.toFixed(1)}`);
+  return `M${left} ${x.toFixed(1)},${y.toFixed(1)} ${right}`;
+}

@@ -73,8 +73,9 @@ SPECIAL: dict[str, list[dict[str, Any]]] = {
 @pytest.mark.parametrize("name", EXPLORABLES)
 def test_outputs_are_those_of_the_oracle(name: str) -> None:
     rng = np.random.default_rng(SEED)
-    cases = [{}, *SPECIAL.get(name, ()), *(moved(rng, name) for _ in range(TRIES))]
     figure = Explorable(EXPLORABLES[name])
+    cases = [{}, *figure.scene.tries.values(), *SPECIAL.get(name, ())]
+    cases += [moved(rng, name) for _ in range(TRIES)]
     for case, state in zip(cases, states(name, cases), strict=True):
         inputs = figure.start | figure.checked(case) | state.get("inputs", {})
         told, wanted = state.get("outputs", state), expected(name, inputs)

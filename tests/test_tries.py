@@ -1,7 +1,8 @@
 """What to try in a figure: each chip leads to a state that shows what the page says it does.
 
 A new chip gets a row here: the words on it, and the numbers on which its discovery rests, as a
-reader sees them. Where they are not obvious, a test below computes them in another way.
+reader sees them; `test_outputs.py` computes them in another way. What else a discovery rests on, a
+test below does.
 """
 
 from itertools import pairwise, product
@@ -323,17 +324,6 @@ def test_pulled_round_a_ribbon_keeps_one_twist_or_none(turns: int, rest: int) ->
     assert outputs("double_cover_by_hand", **inputs | {"passed": last})["twists"] == rest
 
 
-@pytest.mark.parametrize("words", EXPLORABLES["carried_around_by_hand"].tries)
-def test_the_area_is_what_the_angles_exceed_half_a_turn_by(words: str) -> None:
-    inputs = tried("carried_around_by_hand", words)
-    p = np.array(inputs["corners"])
-    # Where the planes of two sides meet at a corner.
-    planes = np.cross(p, np.roll(p, -1, axis=0))
-    angles = np.pi - angle_between(np.roll(planes, 1, axis=0), planes)
-    area = outputs("carried_around_by_hand", **inputs)["area"]
-    assert abs(area) == pytest.approx(np.degrees(angles.sum() - np.pi))
-
-
 @pytest.mark.parametrize("words", EXPLORABLES["two_mirrors_by_hand"].tries)
 def test_two_reflections_turn_as_far_as_the_mirrors_say(words: str) -> None:
     inputs = tried("two_mirrors_by_hand", words)
@@ -477,21 +467,6 @@ def test_a_spinning_body_is_where_linear_algebra_has_it(words: str) -> None:
         np.testing.assert_allclose(parts[name]["to"], 0.85 * axis, atol=2e-6)
 
 
-@pytest.mark.parametrize("words", ["", *list(EXPLORABLES["mean_by_hand"].tries)[:2]])
-def test_means_are_those_of_scipy(words: str) -> None:
-    """SciPy's mean is the eigenvector of the sum of q q^T."""
-    inputs = tried("mean_by_hand", words)
-    q = np.array(inputs["poses"])
-    given = Rotation.from_quat(q, scalar_first=True)
-    seen = outputs("mean_by_hand", **inputs)
-    far = np.degrees((given.inv() * given.mean()).magnitude())
-    assert seen["by_matrices"] == pytest.approx(far, abs=1e-6)
-    total = q[0] + q[1] + (-q[2] if inputs["flip"] else q[2])
-    plain = Rotation.from_quat(total, scalar_first=True)
-    apart = np.degrees((given.mean().inv() * plain).magnitude())
-    assert seen["apart"] == pytest.approx(apart, abs=1e-6)
-
-
 def test_no_choice_of_signs_brings_the_plain_mean_to_the_mean() -> None:
     inputs = tried("mean_by_hand", "no choice of signs helps")
     told = outputs("mean_by_hand", **inputs)["apart"]
@@ -549,10 +524,8 @@ def test_three_half_turns_multiply_to_the_sign(words: str, axes: str, sign: int)
     assert third * second * first == sign
     inputs = tried("grab_the_spoon", words)
     # By continuity: no step on the way is longer than a small turn.
-    q = [
-        outputs("grab_the_spoon", **inputs | {"along": along})["q"]
-        for along in np.linspace(0, 1, 31)
-    ]
+    cases = [inputs | {"along": along} for along in np.linspace(0, 1, 31)]
+    q = [state["outputs"]["q"] for state in states("grab_the_spoon", cases)]
     assert np.linalg.norm(np.diff(q, axis=0), axis=1).max() < 0.2
     assert q[0] == [1, 0, 0, 0]
     assert q[-1] == pytest.approx([sign, 0, 0, 0], abs=1e-12)
@@ -583,19 +556,3 @@ def test_the_longest_way_is_the_sum_of_many_small_turns() -> None:
     turned = np.degrees((path[:-1].inv() * path[1:]).magnitude().sum())
     assert turned == pytest.approx(304.8, abs=0.1)
     assert np.degrees(path[-1].magnitude()) == pytest.approx(119.5, abs=0.05)
-
-
-@pytest.mark.parametrize("words", ["", *EXPLORABLES["three_turns_by_hand"].tries])
-def test_three_turns_end_where_scipy_says(words: str) -> None:
-    """Small letters are fixed axes, capitals go along."""
-    inputs = tried("three_turns_by_hand", words)
-    letters = inputs["order"].replace(" ", "").translate(str.maketrans("UVW", "XYZ"))
-    if inputs["axes"] == "fixed":
-        letters = letters.lower()
-    upper = Rotation.from_euler("xyz", [inputs[key] for key in "uvw"], degrees=True)
-    lower = Rotation.from_euler(
-        letters, [inputs["uvw"["xyz".index(x)]] for x in letters.lower()], degrees=True
-    )
-    apart = np.degrees((upper.inv() * lower).magnitude())
-    assert outputs("three_turns_by_hand", **inputs)["apart"] == pytest.approx(apart, abs=1e-5)
-    assert apart == pytest.approx({"": 180, "turns of 10°": 3}.get(words, 0), abs=0.02)

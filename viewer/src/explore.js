@@ -63,7 +63,8 @@ export function explore(element, live, data, models, python) {
   const show = (state, drawn = false) => {
     refused = state.refused ?? "";
     write(refused && `${refused[0].toUpperCase()}${refused.slice(1)}.`);
-    inputs = { ...inputs, ...state.inputs };
+    // The start needs no correction but for rounding, by which it would no longer be the start.
+    if (!drawn) inputs = { ...inputs, ...state.inputs };
     scene.toggleAttribute("data-refused", Boolean(refused));
     if (refused) {
       hint?.remove();

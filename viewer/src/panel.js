@@ -58,11 +58,12 @@ export function bindPanel(element, specs, now, { change, reset, link, follow }) 
   });
   form.addEventListener("click", (event) => {
     const { target } = event;
+    const chip = target.closest("a.try");
     // With a key held, a link opens elsewhere.
-    if (target.matches("a.try") && !(event.ctrlKey || event.metaKey || event.shiftKey)) {
+    if (chip && !(event.ctrlKey || event.metaKey || event.shiftKey)) {
       event.preventDefault();
       player.stop();
-      follow(target);
+      follow(chip);
     }
     const { action, input } = target.dataset;
     const points = input && now()[input];

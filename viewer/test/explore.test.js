@@ -69,7 +69,7 @@ test("a model is given the constants of its figure, and may correct inputs", () 
   const data = { constants: { more: 0.125 } };
   const { write, values } = shown({ data, models: { add } });
   write("u", "0.5");
-  assert.deepEqual(values(), { u: 0.5, v: 0.5, sum: 1.125 });
+  assert.deepEqual(values(), { u: 0.5, v: 0.5, sum: 1.625 });
 });
 
 /** A model that refuses where u is 1. */

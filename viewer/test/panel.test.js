@@ -26,6 +26,7 @@ const PANEL = `<form class="explorable-panel"><fieldset disabled>
     <div class="explorable-marks"><span>P</span><span hidden>Q</span></div></figure>
   <button type="button" data-action="reset">Reset</button>
   <button type="button" data-action="link">Link</button>
+  <a class="try" href="#explore-some-figure?u=2"><i>u</i> = 2</a>
 </fieldset></form>`;
 const SPECS = {
   u: { kind: "number", low: 1, high: 3, step: 0.01, stride: 0.25, plays: 4 },
@@ -49,6 +50,7 @@ function bound(start = {}) {
     },
     reset: () => state.asked.push("reset"),
     link: () => state.asked.push("link"),
+    follow: ({ hash }) => state.asked.push(hash),
   };
   const panel = bindPanel(element, SPECS, () => state.inputs, actions);
   const find = (selector) => element.querySelector(selector);
@@ -230,6 +232,15 @@ test("buttons for the whole figure; the form itself does nothing", () => {
   find("fieldset").click();
   assert.deepEqual(state.asked, ["reset", "link"]);
   assert.ok(tell(find("form"), "submit").defaultPrevented);
+});
+
+test("a chip is followed wherever it is pressed, but with a key held it is a link", () => {
+  const { state, find } = bound();
+  for (const selector of [".try", ".try i"]) {
+    assert.ok(tell(find(selector), "click").defaultPrevented);
+    assert.ok(!tell(find(selector), "click", { ctrlKey: true }).defaultPrevented);
+  }
+  assert.deepEqual(state.asked, Array(2).fill("#explore-some-figure?u=2"));
 });
 
 test("a step goes on to the next stride, and from the end to the beginning", () => {

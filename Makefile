@@ -13,11 +13,14 @@ VIEWER := rotedu/figures/static/figure.js
 # The Python of the pages.
 LIVE := _build/page_python/.made-of
 
+# What Python compiles it keeps: compiling all that a kernel imports takes seconds.
+unexport PYTHONDONTWRITEBYTECODE
+
 # The test of a class adds accounts to the machine.
 CLASS := tests/test_class_load.py
 AS_ROOT := $(if $(filter-out 0,$(shell id -u)),sudo)
 
-.PHONY: book test test-book test-rest test-slow audit bench mutate newest lab class pdf epub notebooks lock clean help
+.PHONY: book watch test test-book test-rest test-slow audit bench mutate newest lab class pdf epub notebooks lock clean help
 .DEFAULT_GOAL := help
 # What is half written when a command fails is made anew.
 .DELETE_ON_ERROR:
@@ -28,6 +31,9 @@ help: ## list the targets
 book: $(READY) $(LIVE) ## build the book into _build/html
 	$(BIN)/jupyter-book build . -W --keep-going
 	@echo "The book is here: _build/html/index.html"
+
+watch: $(READY) $(LIVE) ## serve the book, and build again what you edit
+	$(BIN)/python tools/watch.py $(PORT)
 
 test: $(READY) $(VIEWER) $(LIVE) .venv/browser ## check code, notebooks and the built book
 	$(BIN)/ruff check

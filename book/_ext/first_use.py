@@ -5,6 +5,7 @@ The notebooks therefore need no markup for these links, which JupyterLab would s
 
 import re
 from collections.abc import Iterator
+from functools import lru_cache
 from typing import Any
 
 from docutils import nodes
@@ -37,6 +38,13 @@ def pattern(spelling: str) -> str:
     first, rest = spelling[0], re.escape(spelling[1:])
     rest = rest.replace("'", "['\N{RIGHT SINGLE QUOTATION MARK}]").replace(r"\ ", r"\s+")
     return f"[{first.upper()}{first}]{rest}"
+
+
+@lru_cache
+def finder(forms: tuple[str, ...]) -> re.Pattern[str]:
+    """Return a pattern that finds any of some spellings, and in which group."""
+    uses = "|".join(f"(?P<_{i}>{pattern(form)})" for i, form in enumerate(forms))
+    return re.compile(rf"(?<![\w-])(?:{uses})(?![\w-])")
 
 
 def is_prose(node: nodes.Node) -> bool:
@@ -73,9 +81,8 @@ class LinkFirstUses(SphinxPostTransform):
             return link
 
         def linked(text: str) -> Iterator[nodes.Node]:
-            longest_first = sorted(unseen, key=len, reverse=True)
-            uses = "|".join(f"(?P<_{i}>{pattern(form)})" for i, form in enumerate(longest_first))
-            found = re.search(rf"(?<![\w-])(?:{uses})(?![\w-])", text)
+            longest_first = tuple(sorted(unseen, key=len, reverse=True))
+            found = finder(longest_first).search(text)
             if found is None:
                 yield nodes.Text(text)
                 return

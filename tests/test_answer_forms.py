@@ -88,7 +88,7 @@ def test_every_numeric_exercise_has_its_form(pages: dict[str, str]) -> None:
     assert set(pages) == set(NUMERIC)
 
 
-@pytest.mark.parametrize("number", nightly(NUMERIC, "5.12", "5.19"))
+@pytest.mark.parametrize("number", nightly(NUMERIC, "5.19"))
 def test_the_verdict_is_pythons(number: str, reader: Any, site: str, pages: dict[str, str]) -> None:
     address = f"{site}/{pages[number]}"
     if reader.url != address:
@@ -108,6 +108,7 @@ def test_the_verdict_is_pythons(number: str, reader: Any, site: str, pages: dict
     assert any(second.startswith("Right.") for _, second in said)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("form", ["5.19"], indirect=True)
 def test_a_form_answers_the_keyboard(form: Any) -> None:
     keyboard, field, status = form.page.keyboard, form.locator("input"), form.get_by_role("status")
@@ -138,6 +139,7 @@ HOSTILE += ["1e999", "-Infinity", "NaN", "1/0", "0/0", "1/2/3", "/" * 10**6, "2*
 HOSTILE += ["\uff14\uff10", "\u0664\u0660", "\u2013", "4\N{DEGREE SIGN}0", "0\0", "9" * 10**6]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("form", ["5.19"], indirect=True)
 def test_what_is_no_number_hears_what_is_expected(form: Any) -> None:
     title = form.page.title()
@@ -149,6 +151,7 @@ def test_what_is_no_number_hears_what_is_expected(form: Any) -> None:
     assert form.page.title() == title
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("form", ["5.19"], indirect=True)
 def test_a_megabyte_is_cut_where_it_is_pasted(form: Any) -> None:
     field = form.locator("input")
@@ -166,6 +169,7 @@ def test_a_form_wants_every_field(form: Any) -> None:
     assert form.get_by_role("status").text_content() == "Fill in every field."
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("form", ["5.1"], indirect=True)
 def test_keys_stay_in_a_field_while_the_page_is_presented(form: Any) -> None:
     page = form.page

@@ -71,6 +71,7 @@ def test_notebooks_run_once_until_their_code_changes(small_book: Book) -> None:
     assert "Another text." in small_book.page("one")
 
 
+@pytest.mark.slow
 def test_a_failing_cell_stops_the_build_and_is_named(small_book: Book) -> None:
     small_book.write("two", "1 / 0")
     built = small_book.build()
@@ -79,6 +80,7 @@ def test_a_failing_cell_stops_the_build_and_is_named(small_book: Book) -> None:
     assert "is what one says" in small_book.page("one")
 
 
+@pytest.mark.slow
 def test_notebooks_run_at_the_same_time(small_book: Book) -> None:
     """Each waits for the other."""
     if os.cpu_count() == 1:

@@ -508,6 +508,7 @@ def test_a_letter_can_be_dragged_round_the_axis(open_figure: Callable[..., Any])
     np.testing.assert_allclose(there, (x + 30, y + 60), atol=15)
 
 
+@pytest.mark.slow
 def test_a_mirror_is_grabbed_by_its_sheet(open_figure: Callable[..., Any]) -> None:
     """In the middle of the sheet, far from its ring, and it follows the hand."""
     name = "two_mirrors_by_hand"
@@ -541,6 +542,7 @@ def test_a_chart_is_dragged_wherever_its_names_stand(open_figure: Callable[..., 
     assert figure.page.evaluate("getSelection().toString()") == ""
 
 
+@pytest.mark.slow
 def test_a_scene_of_three_turns_only_so_far(open_figure: Callable[..., Any]) -> None:
     figure = live(open_figure("euler_angles_by_hand"))
     canvas = figure.locator("canvas")
@@ -554,6 +556,7 @@ def test_a_scene_of_three_turns_only_so_far(open_figure: Callable[..., Any]) -> 
     assert difference(there, live_picture(figure)) < 0.001
 
 
+@pytest.mark.slow
 def test_play_starts_over(open_figure: Callable[..., Any]) -> None:
     figure = live(open_figure("euler_angles_by_hand"))
     slider = figure.locator("input[name=t-number]")
@@ -576,6 +579,7 @@ def test_the_status_line_forgets(open_figure: Callable[..., Any]) -> None:
     assert line.inner_text() == ""
 
 
+@pytest.mark.slow
 def test_the_status_line_says_where_the_point_came_to_lie(
     open_figure: Callable[..., Any],
 ) -> None:
@@ -635,6 +639,7 @@ def test_reset_brings_figure_numbers_and_camera_back(open_figure: Callable[..., 
     assert difference(first, live_picture(figure)) < 0.05
 
 
+@pytest.mark.slow
 def test_a_point_behind_cannot_be_caught(open_figure: Callable[..., Any]) -> None:
     figure = live(open_figure("closed_curve_by_hand"))
     figure.locator("canvas").focus()
@@ -649,6 +654,7 @@ def test_a_point_behind_cannot_be_caught(open_figure: Callable[..., Any]) -> Non
     assert float(opacity) < 0.4
 
 
+@pytest.mark.slow
 def test_without_webgl_two_pictures_stand_side_by_side(open_figure: Callable[..., Any]) -> None:
     """The reason stands below both."""
     figure = open_figure("camera_by_hand", script=NO_WEBGL)

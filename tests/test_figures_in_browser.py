@@ -379,6 +379,7 @@ def test_scenes_of_the_book_live(book: Path, site: str, open_page: Open, which: 
         page.context.close()
 
 
+@pytest.mark.slow
 def test_the_page_shows_through_light_and_dark(site: str, open_page: Open) -> None:
     inks, papers = [], []
     for scheme in ("light", "dark"):
@@ -492,6 +493,7 @@ def test_keys(one: Open) -> None:
     assert page.evaluate("document.activeElement === document.body")
 
 
+@pytest.mark.slow
 def test_the_wheel_scrolls_the_page_and_zooms_with_ctrl(one: Open) -> None:
     scene = bring_live(one(viewport={"width": 1000, "height": 600}))
     page = scene.page

@@ -94,6 +94,7 @@ def flings(figure: Any, hand: Callable[..., None], count: int) -> None:
         assert values(figure) != before, (i, name)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", [CURVE])
 def test_no_point_is_lost_at_the_rim(name: str, open_figure: Callable[..., Any]) -> None:
     flings(live(open_figure(name)), fling, 5)
@@ -188,6 +189,7 @@ def test_a_whole_scene_fits_a_low_screen(
     assert box["height"] >= 0.55 * size[1]
 
 
+@pytest.mark.slow
 def test_in_full_screen_the_controls_stay(open_figure: Callable[..., Any]) -> None:
     figure = live(open_figure(CURVE, viewport={"width": 1440, "height": 900}))
     page = figure.page
@@ -214,6 +216,7 @@ def test_a_finger_has_room(name: str, open_figure: Callable[..., Any]) -> None:
             assert box["width"] >= 44, control.inner_text()
 
 
+@pytest.mark.slow
 def test_a_finger_has_room_at_a_fold(site: str, open_page: Any) -> None:
     page = open_page(f"{site}/book/03-ordinary-rotation.html", **PHONE)
     for fold in page.locator("article summary").all():

@@ -78,6 +78,7 @@ def test_a_link_opens_on_its_state(
     assert figure.locator(".scene").evaluate(SEEN) == 1
 
 
+@pytest.mark.slow
 def test_a_reader_who_moves_on_is_left_alone(open_figure: Callable[..., Any]) -> None:
     figure = open_figure(CURVE, hash=STATE, script=LATE)
     figure.page.keyboard.press("Control+End")
@@ -144,6 +145,7 @@ def test_who_saves_data_follows_a_link_and_clicks(open_figure: Callable[..., Any
     assert arrived(figure)["u"] == 0.7
 
 
+@pytest.mark.slow
 def test_loading_is_said_after_a_second(site: str, pages: Any, open_page: Open) -> None:
     page = open_page("about:blank", quiet=False)
     held: list[Any] = []
@@ -180,6 +182,7 @@ def test_without_scripts_controls_look_dead(
     assert not any(chip.is_visible() for chip in figure.locator("a.try").all())
 
 
+@pytest.mark.slow
 def test_graphics_that_stay_away_leave_the_poster(open_figure: Callable[..., Any]) -> None:
     figure = live(open_figure(CURVE, script=CONTEXTS, quiet=False))
     page, scene = figure.page, figure.locator(".scene")
@@ -199,6 +202,7 @@ def test_graphics_that_stay_away_leave_the_poster(open_figure: Callable[..., Any
     assert values(figure)["fraction"] == 0.2
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("way", nightly(["Back", "a reload", "Back from memory"], "Back"))
 def test_a_figure_is_found_as_it_was_left(way: str, open_figure: Callable[..., Any]) -> None:
     figure = live(open_figure(CURVE))
@@ -224,6 +228,7 @@ def test_a_figure_is_found_as_it_was_left(way: str, open_figure: Callable[..., A
     assert same(values(live(figure)), before)
 
 
+@pytest.mark.slow
 def test_a_link_goes_into_the_clipboard(open_figure: Callable[..., Any]) -> None:
     figure = live(open_figure(CURVE, permissions=["clipboard-read", "clipboard-write"]))
     turn(figure, "input[name=fraction]", ("Home",))
@@ -235,6 +240,7 @@ def test_a_link_goes_into_the_clipboard(open_figure: Callable[..., Any]) -> None
     assert address.startswith(figure.page.url.partition("#")[0])
 
 
+@pytest.mark.slow
 def test_a_link_can_be_copied_where_the_clipboard_is_refused(
     open_figure: Callable[..., Any],
 ) -> None:
@@ -246,6 +252,7 @@ def test_a_link_can_be_copied_where_the_clipboard_is_refused(
     assert field.evaluate(chosen) == len(field.input_value())
 
 
+@pytest.mark.slow
 def test_a_change_is_told_once_the_hand_rests(open_figure: Callable[..., Any]) -> None:
     figure = live(open_figure(CURVE))
     canvas, line = figure.locator("canvas"), figure.locator("[role=status]")

@@ -2,6 +2,7 @@
 
 import shutil
 import sys
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -23,11 +24,17 @@ EVERY_PAGE = {page.file.stem for page in notebooks()}
 @pytest.fixture
 def package(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A copy of the package, which may be edited."""
+    before()
     root = Path(page_imports.ROOT)
     shutil.copytree(root / "rotedu", tmp_path / "rotedu")
     shutil.copy(root / "requirements.txt", tmp_path)
     monkeypatch.setattr(page_imports, "ROOT", tmp_path)
     return tmp_path / "rotedu"
+
+
+@cache
+def before() -> dict[str, str]:
+    return digests()
 
 
 def digests() -> dict[str, str]:
@@ -70,12 +77,11 @@ def digests() -> dict[str, str]:
 def test_a_page_changes_with_what_it_computes_with(
     package: Path, file: str, old: str, new: str, changed: set[str]
 ) -> None:
-    before = digests()
     source = (package / file).read_text("utf-8")
     edited = source.replace(old, new, 1)
     (package / file).write_text(edited, encoding="utf-8")
     after = digests()
-    assert {page for page in before if before[page] != after[page]} == set(changed)
+    assert {page for page, now in after.items() if now != before()[page]} == set(changed)
 
 
 @pytest.mark.parametrize("page", chapters(), ids=repr)

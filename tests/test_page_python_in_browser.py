@@ -256,6 +256,7 @@ def test_impatient_readers_get_everything_once_and_in_order(at_desk: Reader) -> 
     assert reader.output("code-6") == "1"
 
 
+@pytest.mark.slow
 def test_stop_and_go_on_without_a_network(at_desk: Reader) -> None:
     reader = at_desk
     reader.run("code-6")
@@ -361,6 +362,7 @@ def save(reader: Reader, folder: Path) -> NotebookNode:
     return saved
 
 
+@pytest.mark.slow
 def test_a_page_from_a_file_says_what_to_do(book: Path, open_page: Open) -> None:
     reader = Reader(open_page((book / "book" / f"{CURVE}.html").as_uri(), quiet=False))
     reader.press("code-6")

@@ -350,6 +350,7 @@ def test_choices_open_by_keyboard_without_scripts(browser: Any, site: str) -> No
     page.close()
 
 
+@pytest.mark.slow
 def test_a_finger_can_hit_a_choice(browser: Any, site: str) -> None:
     page = browser.new_page(viewport={"width": 390, "height": 900}, has_touch=True)
     heights = []

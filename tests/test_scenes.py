@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 import pyvista
 from explorables import outputs, states
+from nightly import nightly
 from scipy.spatial.transform import Rotation, Slerp
 
 from rotedu import colors, scenes
@@ -244,8 +245,9 @@ def test_two_turns_shrink_in_the_ball_and_one_swings(tau) -> None:
     assert farthest(1) == pytest.approx(1, abs=1e-6)
 
 
-@pytest.mark.parametrize(("turns", "passed"), WAYS)
-def test_the_ribbon_meets_neither_itself_nor_the_spoon(turns, passed) -> None:
+@pytest.mark.parametrize("way", nightly(WAYS, (1, 0.3), (3, 1.5)))
+def test_the_ribbon_meets_neither_itself_nor_the_spoon(way) -> None:
+    turns, passed = way
     border, middle = half_of_ribbon(turns, passed)
     far = np.linalg.norm(middle, axis=1)
     ribbon = np.stack([border, middle])

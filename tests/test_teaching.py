@@ -172,6 +172,7 @@ def test_arrows_go_from_section_to_section(page: Any) -> None:
     assert press(page, "End") == last
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("forward", "backward"), [("PageDown", "PageUp"), ("Space", "Shift+Space")]
 )
@@ -315,6 +316,7 @@ def test_the_buttons_of_the_view(page: Any) -> None:
     assert not bar.is_visible()
 
 
+@pytest.mark.slow
 def test_formulas_in_titles_are_announced_once(page: Any) -> None:
     page.goto(page.url.replace("03-ordinary-rotation", "05-control-points"))
     page.get_by_role("button", name="Slides").click()

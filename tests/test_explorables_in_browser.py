@@ -417,6 +417,7 @@ def test_play_goes_on_and_stops(name: str, open_figure: Callable[..., Any]) -> N
         check(name, figure)
 
 
+@pytest.mark.slow
 def test_who_wants_no_motion_gets_steps(open_figure: Callable[..., Any]) -> None:
     figure = live(open_figure("closed_curve_by_hand", reduced_motion="reduce"))
     assert not figure.get_by_role("button", name="Play").count()
@@ -469,6 +470,7 @@ def test_beyond_the_rim_a_point_slides_along_it(open_figure: Callable[..., Any])
     assert np.linalg.norm(np.subtract(left, right)) > 1.5
 
 
+@pytest.mark.slow
 def test_a_geometry_without_an_answer_stays_pale(open_figure: Callable[..., Any]) -> None:
     opposite = "#explore-closed-curve-by-hand?points=1,0,0+0,1,0+1,0,0+0,0,1"
     figure = live(open_figure("closed_curve_by_hand", hash=opposite))

@@ -87,6 +87,7 @@ def test_a_reader_who_moves_on_is_left_alone(open_figure: Callable[..., Any]) ->
     assert figure.locator(".scene").evaluate(SEEN) == 0
 
 
+@pytest.mark.slow
 def test_a_link_within_the_page_leads_to_its_state(open_figure: Callable[..., Any]) -> None:
     figure = open_figure(CURVE)
     figure.page.evaluate("scrollTo({ top: document.body.scrollHeight, behavior: 'instant' })")

@@ -383,6 +383,7 @@ def test_type_is_large_and_nothing_sticks_out(browser: Any, site: str, width: in
     page.close()
 
 
+@pytest.mark.slow
 def test_the_late_button_does_not_move_the_page(browser: Any, site: str) -> None:
     page = browser.new_page()
     page.goto(f"{site}/book/03-ordinary-rotation.html")

@@ -212,7 +212,11 @@ def test_a_figure_stands_on_a_page_and_loads_little(
 ) -> None:
     page = book / pages[name]
     [figure] = parse(page).select(f'.explorable[data-name="{name.replace("_", "-")}"]')
+    # A cache of notebooks would sort them.
+    sliders = [slider["name"] for slider in figure.select("input[type=range]")]
+    assert sliders == [key for key in EXPLORABLES[name].inputs if key in sliders]
     file = page.parent / figure["data-explore"]
+    assert list(json.loads(file.read_bytes())["inputs"]) == list(EXPLORABLES[name].inputs)
     assert len(gzip.compress(file.read_bytes(), 9)) < 60_000
 
 

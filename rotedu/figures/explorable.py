@@ -9,6 +9,7 @@ import base64
 import functools
 import inspect
 import io
+import json
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import asdict
@@ -220,7 +221,6 @@ class Explorable:
             "start": self.start,
             "model": self.scene.model.name,
             "constants": self.scene.model.constants,
-            # Lists, because a notebook sorts the keys of its JSON.
             "outputs": [{"name": name} | asdict(o) for name, o in recorded.outputs.items()],
             "charts": [
                 {"name": name} | asdict(c) | {"ticks": list(c.ticks.items())}
@@ -254,8 +254,8 @@ class Explorable:
         plotter = self.draw()
         if pyvista.global_theme.jupyter_backend == "book":
             figure = book_figure(plotter)
-            # On a page it starts as it is now.
-            figure.scene["spec"] = self.spec(plotter) | {"start": dict(self.values)}
+            # On a page it starts as it is now. Of all but a text a notebook sorts the keys.
+            figure.scene["spec"] = json.dumps(self.spec(plotter) | {"start": self.values})
             return figure._repr_mimebundle_()
         picture = io.BytesIO()
         still_picture(plotter).save(picture, "PNG")

@@ -85,13 +85,11 @@ class SceneRenderer:
         return [explorable_node(renderer, content["spec"], [node, *views])]
 
 
-def explorable_node(
-    renderer: Any, content: dict[str, Any], pictures: list[nodes.Element]
-) -> explorable:
+def explorable_node(renderer: Any, spec: str, pictures: list[nodes.Element]) -> explorable:
     """Write the file of an explorable, and build its node around its pictures."""
+    content = json.loads(spec)
     moving = {key: content[key] for key in ("name", "inputs", "start", "model", "constants")}
     target = write_file(renderer, json.dumps(moving, separators=(",", ":")).encode(), "json")
-    spec = json.dumps(content)
     return explorable("", "", *pictures, reftarget=target, spec=spec, title=content["name"])
 
 

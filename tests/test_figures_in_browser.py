@@ -95,7 +95,7 @@ WAITS = """() => {
     return performance.getEntriesByType("resource")
         .map(({ name, startTime }) => [name, startTime - loadEventStart]);
 }"""
-INK = "element => getComputedStyle(element.querySelector('.scene-label > *')).color"
+INK = "element => getComputedStyle(element.querySelector('[data-label=O] > *')).color"
 AT_REST = """() => {
     const before = window.scrolled;
     window.scrolled = scrollY;

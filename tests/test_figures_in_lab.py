@@ -346,7 +346,7 @@ def test_a_saved_notebook_shows_its_figures(run: Open, folder: Path) -> None:
 
 @pytest.mark.slow
 def test_a_saved_notebook_shows_a_figure_as_the_hand_has_left_it(run: Open, folder: Path) -> None:
-    page = run("left", EXPLORE, "explore(scenes.figure_2, t=(0, 1))")
+    page = run("left", EXPLORE, "explore(scenes.spinning_by_hand)")
     live = page.locator(LIVE).first
     live.wait_for(timeout=PATIENCE)
     picture = page.locator(PICTURES_OF_FIGURES).first

@@ -95,30 +95,32 @@ class TestWithoutNode:
 
 
 def test_starts_are_those_of_the_models() -> None:
-    for name in EXPLORABLES:
-        [state] = states(name, [{}])
-        stored = model.start_of(name.replace("_", "-"))
-        assert stored["parts"].keys() == state["parts"].keys()
-        assert json.dumps(stored, sort_keys=True) == json.dumps(
-            json.loads(json.dumps(state), parse_float=lambda x: round(float(x), 6)), sort_keys=True
-        )
+    found = {name.replace("_", "-"): states(name, [{}])[0] for name in EXPLORABLES}
+    rounded = json.loads(json.dumps(found), parse_float=lambda x: round(float(x), 6))
+    stored = json.loads(model.STARTS.read_text("utf-8"))
+    assert stored == rounded, "older than the models: call python tools/bundle.py"
 
 
 def test_a_model_that_fails_says_where(tmp_path: Path) -> None:
     (tmp_path / "models.js").write_text("export const f = () => missing;")
     with pytest.raises(RuntimeError, match="missing is not defined"):
         model.Model(tmp_path / "models.js", "f").states([{}])
+    with pytest.raises(RuntimeError, match="expected an export g, got f"):
+        model.Model(tmp_path / "models.js", "g").states([{}])
 
 
-def test_a_part_without_a_look_is_refused_by_name(monkeypatch: pytest.MonkeyPatch) -> None:
-    state: State = {"parts": {"ball": {"at": [0, 0, 1]}}, "outputs": {}}
+@pytest.mark.parametrize("kind", ["parts", "labels", "outputs", "charts", "grips"])
+def test_what_a_scene_leaves_out_is_refused_by_name(
+    kind: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    state: State = {"parts": {}, "outputs": {}, "inputs": {"u": 0}} | {kind: {"P": None}}
     monkeypatch.setattr(Explorable, "state", lambda *_, **__: state)
 
     @explorable(u=Slider(0, 1, start=0))
     def empty(state: State) -> pyvista.Plotter:
         return pyvista.Plotter()
 
-    with pytest.raises(ValueError, match="empty: expected a look of ball"):
+    with pytest.raises(ValueError, match=rf"empty: expected all {kind} of .*without \['P'\]"):
         empty()
 
 

@@ -61,8 +61,7 @@ def explorable(
         def scene(**values: Any) -> pyvista.Plotter:
             state = Explorable(scene).state(**values)
             plotter = draw(state)
-            if missing := state["parts"].keys() - record_of(plotter).parts.keys():
-                raise ValueError(f"{draw.__name__}: expected a look of {', '.join(missing)}")
+            refuse_what_is_not_shown(draw.__name__, state, plotter)
             return plotter
 
         kind = inspect.Parameter.KEYWORD_ONLY
@@ -77,6 +76,20 @@ def explorable(
         return scene
 
     return declare
+
+
+def refuse_what_is_not_shown(name: str, state: State, plotter: pyvista.Plotter) -> None:
+    """Refuse a scene that leaves out what its model computes, or a grip of no input."""
+    recorded = record_of(plotter)
+    for kind, shown in (
+        ("parts", recorded.parts),
+        ("labels", recorded.labels),
+        ("outputs", recorded.outputs),
+        ("charts", recorded.charts),
+        ("grips", state["inputs"]),
+    ):
+        if missing := state.get(kind, {}).keys() - shown.keys():
+            raise ValueError(f"{name}: expected all {kind} of the model, without {sorted(missing)}")
 
 
 def explore(scene: Scene) -> "Explorable":

@@ -61,11 +61,11 @@ def mean_by_hand(state: State) -> pyvista.Plotter:
     limit_turning(plotter, 20)
     stack_on_phone(plotter, (0, 66, 303, 332, 0.56), (295, 29, 425, 422, 1))
     add_sphere(plotter)
-    looks: dict[str, Look] = {
-        "R_?": spoon(VECTOR),
-        "R_? in the ball": spoon(VECTOR, opacity=0.18),
-        "tip ?": Ball(VECTOR),
-    }
+    looks: dict[str, Look] = {}
+    for k in (1, 2, 3):
+        looks[f"R_{k}"] = spoon(VECTOR)
+        looks[f"R_{k} in the ball"] = spoon(VECTOR, opacity=0.18)
+        looks[f"tip {k}"] = Ball(VECTOR)
     draw(plotter, state, looks, {"*q_?": Text(VECTOR)})
     read_out(plotter, "apart", "means apart", 1, "°", where="picture")
     for name, ink in INKS.items():

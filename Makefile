@@ -11,7 +11,7 @@ LAB_AS_ROOT := $(if $(filter 0,$(shell id -u)),--allow-root --no-browser)
 VIEWER := rotedu/figures/static/figure.js
 
 # The Python of the pages.
-LIVE := _build/page_python/.made-of
+LIVE := .venv/page_python/runtime/.made-of
 
 # What Python compiles it keeps: compiling all that a kernel imports takes seconds.
 unexport PYTHONDONTWRITEBYTECODE

@@ -29,7 +29,8 @@ WANTED = LIVE / "requirements.txt"
 DOWNLOADED = ROOT / ".venv" / "page_python"
 PYODIDE = LIBRARIES / "pyodide"
 IN_NODE = Path(__file__).with_name("page_python.mjs")
-RUNTIME = ROOT / "_build" / "page_python"
+# It changes with what is set up, but for rotedu.
+RUNTIME = DOWNLOADED / "runtime"
 # What the large files there have been made of; written last.
 MADE_OF = RUNTIME / ".made-of"
 # What the worker of a page fetches after its scripts.

@@ -162,6 +162,7 @@ def test_a_megabyte_is_cut_where_it_is_pasted(form: Any) -> None:
     assert form.get_by_role("status").text_content().startswith("Not yet.")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("form", ["5.1"], indirect=True)
 def test_a_form_wants_every_field(form: Any) -> None:
     form.locator("input").first.fill("0.5")

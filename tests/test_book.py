@@ -257,6 +257,7 @@ def test_pages_can_be_read_from_the_file_system(browser: Any, book: Path) -> Non
     page.close()
 
 
+@pytest.mark.slow
 def test_nothing_moves_when_fonts_come_late(browser: Any, site: str) -> None:
     page = browser.new_page()
     page.route("**/*.woff2", lambda route: (time.sleep(0.3), route.continue_()))

@@ -33,7 +33,7 @@ def test_models_and_panels_follow_the_hand() -> None:
     """In Node, for other inputs in each run."""
     rng = np.random.default_rng(SEED)
     figures = [
-        {"spec": spec(name), "cases": [moved(rng, name) for _ in range(3)]} for name in EXPLORABLES
+        {"spec": spec(name), "cases": [moved(rng, name) for _ in range(2)]} for name in EXPLORABLES
     ]
     run_cases("models", {"seed": SEED, "figures": figures})
 

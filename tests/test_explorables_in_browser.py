@@ -533,6 +533,7 @@ def test_a_mirror_is_grabbed_by_its_sheet(open_figure: Callable[..., Any]) -> No
     assert 90 < after["second"] < 150
 
 
+@pytest.mark.slow
 def test_a_chart_is_dragged_wherever_its_names_stand(open_figure: Callable[..., Any]) -> None:
     figure = live(open_figure("closed_curve_by_hand"))
     chart = figure.locator("svg[data-handle]").first
@@ -626,6 +627,7 @@ def test_a_link_brings_the_state_back(open_figure: Callable[..., Any]) -> None:
     assert found["fraction"] == 0.2
 
 
+@pytest.mark.slow
 def test_reset_brings_figure_numbers_and_camera_back(open_figure: Callable[..., Any]) -> None:
     name = "closed_curve_by_hand"
     figure = live(open_figure(name))

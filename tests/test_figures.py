@@ -325,6 +325,7 @@ class TestFigure:
         # Through both sides of the ball.
         assert abs(alpha / 255 - (1 - 0.7**2)) < 0.01
 
+    @pytest.mark.slow
     def test_the_poster_leaves_the_scene_as_it_was(self) -> None:
         def state(plotter: pyvista.Plotter) -> list[Any]:
             renderer = plotter.renderer

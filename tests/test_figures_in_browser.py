@@ -393,6 +393,7 @@ def test_the_page_shows_through_light_and_dark(site: str, open_page: Open) -> No
     assert papers[1] < 60
 
 
+@pytest.mark.slow
 def test_all_looks_are_those_of_the_poster(strict_site: str, open_page: Open) -> None:
     page = open_page(f"{strict_site}/both.html", device_scale_factor=2)
     for i, scene in enumerate(page.locator(".scene").all()):
@@ -615,6 +616,7 @@ def test_who_saves_data_clicks(one: Open) -> None:
     bring_live(scene)
 
 
+@pytest.mark.slow
 def test_paper_shows_posters(one: Open) -> None:
     scene = one()
     at_rest = scene.evaluate(LABELS)
@@ -626,6 +628,7 @@ def test_paper_shows_posters(one: Open) -> None:
     assert_labels_stay(scene, at_rest)
 
 
+@pytest.mark.slow
 def test_a_lost_context_comes_back(one: Open) -> None:
     scene = bring_live(one(script=CONTEXTS, quiet=False))
     first = live_picture(scene)

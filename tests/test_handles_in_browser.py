@@ -164,6 +164,7 @@ def test_on_a_phone_scene_and_charts_are_seen_together(open_figure: Callable[...
         assert high <= 800.5
 
 
+@pytest.mark.slow
 def test_on_a_phone_no_button_stands_on_a_picture(open_figure: Callable[..., Any]) -> None:
     figure = live(open_figure(CURVE, **PHONE))
     scene, tools = (figure.locator(x).bounding_box() for x in (".scene", ".scene-tools"))

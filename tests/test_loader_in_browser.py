@@ -105,6 +105,7 @@ def test_a_figure_in_sight_is_live_before_a_reader_moves(open_figure: Callable[.
     assert min(heavy) >= 0
 
 
+@pytest.mark.slow
 def test_a_drag_that_begins_on_the_poster_goes_on(open_figure: Callable[..., Any]) -> None:
     """The point under the mouse moves, though it was only a picture when the mouse went down."""
     figure = live(open_figure(CURVE))
@@ -137,6 +138,7 @@ def test_a_drag_that_begins_on_the_poster_goes_on(open_figure: Callable[..., Any
     np.testing.assert_allclose(there, (x + 30, y + 20), atol=1)
 
 
+@pytest.mark.slow
 def test_who_saves_data_follows_a_link_and_clicks(open_figure: Callable[..., Any]) -> None:
     figure = open_figure(CURVE, hash=STATE, script=SAVE_DATA)
     figure.page.wait_for_timeout(500)

@@ -323,6 +323,7 @@ class TestSquad:
     # Complex matrices that multiply as 1, i, j and k do, and tell q from -q.
     UNITS = np.array([[[1, 0], [0, 1]], [[1j, 0], [0, -1j]], [[0, 1], [-1, 0]], [[0, 1j], [1j, 0]]])
 
+    @pytest.mark.slow
     def test_is_that_of_shoemake_with_exponentials_and_logarithms_of_scipy(self) -> None:
         def arc(p: Array, q: Array, t: float) -> Array:
             return np.asarray(p @ expm(t * logm(p.conj().T @ q)))

@@ -179,6 +179,7 @@ def test_nothing_is_fetched_before_a_click(read: Callable[..., Reader], site: st
     assert {reader.state(name) for name in ("code-6", "verdicts")} == {"stored"}
 
 
+@pytest.mark.slow
 def test_a_change_runs_and_goes(at_desk: Reader) -> None:
     reader = at_desk
     assert reader.run("code-6") == stored_output("code-6")

@@ -84,8 +84,8 @@ def no_browser(tmp_path: Path) -> dict[str, str]:
 
 NEEDS_A_BROWSER = [
     pytest.param(["tools/set_up.py", "--browser"], id="set-up"),
-    pytest.param(["tools/print_book.py", "pdf"], id="PDF"),
-    pytest.param(["tools/audit.py"], id="audit"),
+    pytest.param(["tools/print_book.py", "pdf"], id="PDF", marks=pytest.mark.slow),
+    pytest.param(["tools/audit.py"], id="audit", marks=pytest.mark.slow),
     pytest.param(["-m", "pytest", "-m", "", "tests/test_book.py"], id="tests"),
 ]
 

@@ -191,6 +191,7 @@ def test_a_tall_section_scrolls_before_the_next_comes(
     assert press(page, backward) == 2
 
 
+@pytest.mark.slow
 def test_escape_leaves_where_the_reader_was(page: Any) -> None:
     press(page, "ArrowRight")
     page.keyboard.press("Escape")
@@ -270,6 +271,7 @@ def test_a_chip_sets_its_figure_on_the_slide(page: Any) -> None:
     assert page.evaluate(VISIBLE) == ["ordinary-rotation"]
 
 
+@pytest.mark.slow
 def test_the_screen_is_filled_and_given_back(page: Any) -> None:
     filled = "document.fullscreenElement !== null"
     page.keyboard.press("F5")
@@ -291,6 +293,7 @@ def test_slides_begin_where_the_reader_is(browser: Any, site: str) -> None:
     page.close()
 
 
+@pytest.mark.slow
 def test_space_opens_a_folded_answer(page: Any) -> None:
     answer = page.locator(".presented details.sd-dropdown > summary").first
     answer.focus()
@@ -299,6 +302,7 @@ def test_space_opens_a_folded_answer(page: Any) -> None:
     assert press(page, "ArrowRight") == 2
 
 
+@pytest.mark.slow
 def test_a_link_leads_to_another_section(page: Any) -> None:
     press(page, "ArrowRight")
     page.locator(".presented a[href='#figure-1']").first.click()
@@ -336,6 +340,7 @@ ON_SCREEN = (
 )
 
 
+@pytest.mark.slow
 def test_paper_shows_the_whole_page(page: Any) -> None:
     page.emulate_media(media="print")
     assert len(page.evaluate(VISIBLE)) == page.locator("article section").count()
@@ -343,6 +348,7 @@ def test_paper_shows_the_whole_page(page: Any) -> None:
     assert not page.get_by_role("button", name="Slides").is_visible()
 
 
+@pytest.mark.slow
 def test_paper_has_nothing_of_the_screen(page: Any) -> None:
     # As wide as a sheet on its side, where the frame of the page has room
     page.set_viewport_size({"width": 1120, "height": 790})

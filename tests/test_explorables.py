@@ -75,7 +75,8 @@ class TestWithoutNode:
 
     def test_a_figure_is_drawn_as_it_starts(self) -> None:
         plotter = scenes.closed_curve_by_hand()
-        assert plotter.record.labels["P_0"] == pytest.approx(np.array(plotter.record.labels["P_0"]))
+        first = explore(scenes.closed_curve_by_hand).points[0]
+        np.testing.assert_allclose(plotter.record.parts["P_0"]["at"], first, atol=1e-6)
         assert set(plotter.record.outputs) == set(
             explore(scenes.closed_curve_by_hand).state()["outputs"]
         )

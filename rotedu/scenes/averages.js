@@ -37,15 +37,15 @@ export function meanByHand({ poses, flip }, { no_mean }) {
   const [first, another, last] = NAMES;
   const labels = { q_1: first, q_2: another, q_3: flip ? null : last, "-q_3": flip ? last : null };
   given.forEach((turn, i) => {
-    parts[`R_${i + 1}`] = { matrix: spoon(turn, BESIDE[i], SIZE) };
-    parts[`R_${i + 1} in the ball`] = { matrix: spoon(turn, ORIGIN, 1) };
+    parts[`R_${i + 1}`] = { matrix: placing(turn, BESIDE[i], SIZE) };
+    parts[`R_${i + 1} in the ball`] = { matrix: placing(turn, ORIGIN) };
     parts[`tip ${i + 1}`] = { at: tip(turn) };
   });
   const outputs = { singular };
   Object.entries(means).forEach(([name, turn], i) => {
     const hidden = !turn;
     labels[name] = [i ? 0.72 : -0.72, 0, -0.97];
-    parts[name] = hidden ? { hidden } : { matrix: spoon(turn, ORIGIN, 1), hidden };
+    parts[name] = hidden ? { hidden } : { matrix: placing(turn, ORIGIN), hidden };
     parts[`tip by ${name}`] = hidden ? { hidden } : { at: tip(turn), hidden };
     outputs[`by_${name}`] = hidden ? no_mean : given.map((one) => between(one, turn));
   });
@@ -55,9 +55,6 @@ export function meanByHand({ poses, flip }, { no_mean }) {
 }
 
 const tip = (turn) => turn.map(([x]) => x);
-
-/** The sixteen numbers, by columns, that turn and shrink a spoon about its place. */
-const spoon = (turn, place, size) => placing(turn.map((row) => row.map((x) => size * x)), place);
 
 /** The mean of matrices, entry by entry. */
 function entrywise(given) {

@@ -118,8 +118,6 @@ const STEP = 1e-4;
 const SAME = 1e-9;
 
 const pose = (angles) => matrixFromEulerAngles(...angles.map((angle) => angle / DEGREES));
-const larger = (factor, matrix) => matrix.map((row) => scaled(factor, row));
-
 /**
  * A spoon in the rings of its Euler angles, and two ways to its pose: who turns the spoon takes the
  * rings along, who sets them, the spoon.
@@ -140,7 +138,7 @@ export function eulerAnglesByHand({ u, v, w, spoon, t }, { noWay }, changed) {
     if (!ways[k]) return;
     const here = ways[k](t);
     const [body, path, point] = three.map((part) => parts[part]);
-    body.matrix = placing(larger(size, here), ORIGIN);
+    body.matrix = placing(here, ORIGIN, size);
     path.paths = [PIECES.map((x) => column(ways[k](x), 0))];
     point.at = column(here, 0);
   });
@@ -214,7 +212,7 @@ const remainder = (angle) => angle - 360 * Math.round(angle / 360);
 function gimbals([u, v, w]) {
   const moved = (turn, point) => combine(1, PLACE, 1, transform(turn, point));
   const poses = [pose([u, v, w]), pose([0, v, w]), pose([0, 0, w])];
-  const parts = { held: { matrix: placing(larger(SPOON, poses[0]), PLACE) } };
+  const parts = { held: { matrix: placing(poses[0], PLACE, SPOON) } };
   const grips = { spoon: { at: PLACE, size: SPOON } };
   const labels = {};
   RINGS.forEach(([name, radius], k) => {

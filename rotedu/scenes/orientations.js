@@ -118,7 +118,7 @@ export function routesByHand({ poses, u }, { signs }) {
   const apart = turned.route.map((turn, k) => between(turn, shortest[k]));
 
   const middle = (turn) => turn.map((row) => row[2]);
-  const mounted = (turn, size) => ({ matrix: spoon(turn, middle(turn), size * MOUNTED) });
+  const mounted = (turn, size) => ({ matrix: placing(turn, middle(turn), size * MOUNTED) });
   const parts = {};
   const angles = {};
   for (const [name, way] of Object.entries(ways)) {
@@ -138,7 +138,7 @@ export function routesByHand({ poses, u }, { signs }) {
   given.forEach((turn, k) => {
     const [x, y, z] = PLACES[k];
     parts[`mounted ${k}`] = mounted(turn, 1);
-    parts[`R_${k}`] = { matrix: spoon(turn, PLACES[k], 0.5) };
+    parts[`R_${k}`] = { matrix: placing(turn, PLACES[k], 0.5) };
     labels[`R_${k}`] = [1.46 * x, y, 0.7 * z];
   });
   const agree = q.reduce((sign, one, i) => sign * dot(q.at(i - 1), one), 1) > 0;
@@ -204,7 +204,7 @@ export function animate({ poses, t, fraction }, { most, jumpy, middles, radius }
     const tips = film.map((rotation) => rotation.map(([x]) => radius * x));
     const round = [...tips, tips[0]].map((tip) => combine(1, middles[i], 1, tip));
     parts[`${name}, tip`] = { paths: [round] };
-    parts[name] = { matrix: spoon(film[picture], middles[i], radius) };
+    parts[name] = { matrix: placing(film[picture], middles[i], radius) };
     labels[name] = combine(1, middles[i], 1, [0, 0, -0.84]);
   });
   const steps = mapped(films, filmSteps);
@@ -241,21 +241,18 @@ function timeline(q, most) {
   const parts = {
     rail: { paths: [rail] },
     ticks: { paths: every.map((k) => [stop(k, RAIL - TICK), stop(k, RAIL + TICK)]) },
-    again: { matrix: spoon(given[0], stop(n, ROW), size) },
+    again: { matrix: placing(given[0], stop(n, ROW), size) },
   };
   const labels = { again: stop(n, RAIL - 4 * TICK) };
   for (let k = 0; k < most; k++) {
     const used = k < n;
     const i = Math.min(k, n - 1);
-    parts[`R_${k}`] = { matrix: spoon(given[i], stop(i, ROW), size), hidden: !used };
+    parts[`R_${k}`] = { matrix: placing(given[i], stop(i, ROW), size), hidden: !used };
     labels[`R_${k}`] = used ? stop(k, RAIL - 4 * TICK) : null;
   }
   const grips = { t: { path: rail }, poses: { at: given.map((_, k) => stop(k, ROW)), size } };
   return { parts, labels, grips };
 }
-
-/** The sixteen numbers, by columns, that turn and shrink a spoon about its new place. */
-const spoon = (turn, place, size) => placing(turn.map((row) => row.map((x) => size * x)), place);
 
 /** Films of rotation matrices, from quaternions. */
 function filmsThrough(q, fraction) {

@@ -40,7 +40,10 @@ export function turning(point, axis, angle, steps) {
   return spread(steps + 1).map((x) => rotate(point, axis, x * angle));
 }
 
-/** The sixteen numbers, by columns, that turn a part by a 3x3 matrix and put it in a place. */
-export function placing(matrix, place) {
-  return columns(transpose(matrix), place);
+/** The sixteen numbers, by columns, that turn a part by a 3x3 matrix, enlarge it and put it in a place. */
+export function placing(matrix, place, size = 1) {
+  return columns(
+    transpose(matrix).map((column) => column.map((x) => size * x)),
+    place,
+  );
 }

@@ -40,6 +40,7 @@ test: $(READY) $(VIEWER) $(LIVE) .venv/browser ## check code, notebooks and the 
 	$(BIN)/ruff format --check
 	$(BIN)/mypy
 	$(BIN)/lint-imports
+	$(BIN)/npx biome check --error-on-warnings
 	$(MAKE) --no-print-directory --keep-going --jobs=2 test-book test-rest
 
 # Two halves, each with its own core: the second needs no built book.

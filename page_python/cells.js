@@ -52,7 +52,15 @@ function dress(cell) {
     source: pre.textContent.trimEnd(),
     asPrinted: [...pre.childNodes],
     stored: box.querySelectorAll(`.cell_output > :not(${PICTURE}, :has(${PICTURE}))`),
-    run: button("run", "Run", () => void (edit(cell), run(cell)), `Run ${called}`),
+    run: button(
+      "run",
+      "Run",
+      () => {
+        edit(cell);
+        run(cell);
+      },
+      `Run ${called}`,
+    ),
     reset: button("reset", "Reset", () => reset(cell), `Reset ${called}`),
     message: make("span", { className: "live-message" }),
     output: make("div", { className: "live-output" }),
@@ -235,7 +243,10 @@ function load(cell, fetched, total) {
   if (bar.hidden) say(`Python is being fetched: ${size}, once.`);
   Object.assign(bar, { hidden: fetched === total, max: total, value: fetched });
   const far = (fetched / 1e6).toFixed(1);
-  tell(cell, fetched < total ? `Python is being fetched, once: ${far} of ${size}` : "Python starts");
+  tell(
+    cell,
+    fetched < total ? `Python is being fetched, once: ${far} of ${size}` : "Python starts",
+  );
 }
 
 /** Put what a cell prints in the place of what is stored. */

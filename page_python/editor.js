@@ -13,8 +13,14 @@ const likeListings = tagHighlighter([
   { tag: tags.number, class: "mi" },
   { tag: [tags.bool, tags.null], class: "kc" },
   { tag: tags.operatorKeyword, class: "ow" },
-  { tag: [tags.keyword, tags.controlKeyword, tags.definitionKeyword, tags.moduleKeyword], class: "k" },
-  { tag: [tags.definition(tags.className), tags.function(tags.definition(tags.variableName))], class: "nf" },
+  {
+    tag: [tags.keyword, tags.controlKeyword, tags.definitionKeyword, tags.moduleKeyword],
+    class: "k",
+  },
+  {
+    tag: [tags.definition(tags.className), tags.function(tags.definition(tags.variableName))],
+    class: "nf",
+  },
   { tag: [tags.operator, tags.definitionOperator], class: "o" },
   { tag: [tags.variableName, tags.propertyName], class: "n" },
 ]);
@@ -45,7 +51,9 @@ export function open(parent, doc, attributes, { run, change }) {
       EditorView.contentAttributes.of(attributes),
       // The theme has keys of its own: a slash would go to the search.
       EditorView.domEventHandlers({ keydown: (event) => void event.stopPropagation() }),
-      EditorView.updateListener.of((update) => update.docChanged && change(asTyped(update.state.doc.toString()))),
+      EditorView.updateListener.of(
+        (update) => update.docChanged && change(asTyped(update.state.doc.toString())),
+      ),
     ],
   });
 }

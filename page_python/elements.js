@@ -47,4 +47,8 @@ function table(markdown) {
 }
 
 /** Leave out the signs for links, code and bold letters. */
-const words = (text) => text.trim().replace(/\[(.+?)\]\(.+?\)/g, "$1").replace(/[`*]/g, "");
+const words = (text) =>
+  text
+    .trim()
+    .replace(/\[(.+?)\]\(.+?\)/g, "$1")
+    .replace(/[`*]/g, "");

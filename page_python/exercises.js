@@ -99,7 +99,8 @@ async function judge(exercise, { verdict, error }) {
   if (verdict.right === false) {
     exercise.hinted = text;
     const code = `check("${number}", answer, hint=2)`;
-    const more = hinted === text && (await runtime.run({ code, name: cell.name, figures: values() }));
+    const more =
+      hinted === text && (await runtime.run({ code, name: cell.name, figures: values() }));
     text = more?.verdict?.text ?? `${text} For a hint, press Check again.`;
   }
   // Nobody has answered by a cell that only computes what goes into a form.

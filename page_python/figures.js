@@ -4,7 +4,9 @@ import { make } from "./elements.js";
 /** The values of all figures of the page, by name; none for one that is not live yet. */
 export function values() {
   const figures = [...document.querySelectorAll(".explorable")];
-  return Object.fromEntries(figures.map(({ dataset }) => [dataset.name, JSON.parse(dataset.values ?? "{}")]));
+  return Object.fromEntries(
+    figures.map(({ dataset }) => [dataset.name, JSON.parse(dataset.values ?? "{}")]),
+  );
 }
 
 /** Let figures show what Python has set; return links to them. */

@@ -9,7 +9,8 @@ export function fill(notebook, cells) {
   const changes = new Map(cells.filter(isChanged).map(({ id, code }) => [id, code]));
   for (const cell of notebook.cells) {
     const code = changes.get(cell.id) ?? numbersIn(cell);
-    if (code !== undefined) Object.assign(cell, { source: code, outputs: [], execution_count: null });
+    if (code !== undefined)
+      Object.assign(cell, { source: code, outputs: [], execution_count: null });
   }
   notebook.cells.push(...homeless(notebook));
   return notebook;

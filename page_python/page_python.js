@@ -8,7 +8,10 @@ import * as exercises from "./exercises.js";
 import { fill } from "./notebook.js";
 import * as store from "./store.js";
 
-const name = decodeURIComponent(location.pathname).split("/").at(-1).replace(/\.html$/, "");
+const name = decodeURIComponent(location.pathname)
+  .split("/")
+  .at(-1)
+  .replace(/\.html$/, "");
 const UNKEPT = "This browser keeps nothing: save your work before you leave.";
 const FORGOTTEN = "Your code and answers on this page are forgotten.";
 const AS_IN_BOOK = "All cells are as in the book; your score is kept.";
@@ -31,7 +34,9 @@ async function sources() {
   // To be saved later, perhaps without a network.
   fetchNotebook(STUDENT).catch(() => {});
   const notebook = await fetchNotebook(SOURCE).catch(({ message }) => {
-    throw new Error(`The notebook of this page could not be fetched (${message}). Run tries again.`);
+    throw new Error(
+      `The notebook of this page could not be fetched (${message}). Run tries again.`,
+    );
   });
   return new Map(notebook.cells.map(({ id, source }) => [id, [source].flat().join("")]));
 }

@@ -49,6 +49,7 @@ function compile(bytes) {
 /** Give Pyodide what is here already, and bound its memory: beyond, Python raises a MemoryError. */
 function prepare(compiled, files) {
   const { Memory } = WebAssembly;
+  // biome-ignore lint/complexity/useArrowFunction: what is called with new is no arrow function.
   WebAssembly.Memory = function (limits) {
     return new Memory({ ...limits, maximum: MOST_MEMORY });
   };
@@ -84,7 +85,7 @@ async function load({ compiled, files }) {
 let loading;
 async function answer({ id, code, name, figures, ...kept }) {
   loading ??= load(kept);
-  const { python, page } = await loading;
+  const { page } = await loading;
   if (id === undefined) return;
   try {
     const done = page.run(code, name, JSON.stringify(figures), (text) => postMessage({ id, text }));
@@ -94,4 +95,5 @@ async function answer({ id, code, name, figures, ...kept }) {
     postMessage({ id, dead: String(error).trim().split("\n").at(-1).slice(0, 200) });
   }
 }
-onmessage = ({ data }) => answer(data).catch((error) => postMessage({ failed: String(error) }));
+self.onmessage = ({ data }) =>
+  answer(data).catch((error) => postMessage({ failed: String(error) }));

@@ -1,10 +1,10 @@
 /* After a change of inputs the panel of a figure is the one that is written for these inputs. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { figure, liveScene, tell } from "../viewer/test/dom.js";
 import * as models from "../rotedu/scenes/models.js";
 import { explore } from "../viewer/src/explore.js";
 import { panelHtml } from "../viewer/src/panel-html.js";
+import { figure, liveScene, tell } from "../viewer/test/dom.js";
 import { answer, read } from "./cases.mjs";
 
 const { seed, figures } = await read("models");
@@ -35,7 +35,11 @@ for (const { spec, cases } of figures) {
       if (!panel) continue;
       const other = document.createElement("div");
       other.innerHTML = panel;
-      assert.deepEqual(shown(element), shown(other), `EXPLORE_SEED=${seed}: ${JSON.stringify(inputs)}`);
+      assert.deepEqual(
+        shown(element),
+        shown(other),
+        `EXPLORE_SEED=${seed}: ${JSON.stringify(inputs)}`,
+      );
       for (const { name, value } of element.querySelectorAll("[type=range], [type=number]")) {
         const key = name.replace("-number", "");
         // A model may have corrected it.

@@ -21,7 +21,11 @@ test("every model belongs to a figure", () => {
 
 test("a ring stays on the point that it holds", () => {
   const spec = specOf("controlPointsByHand");
-  const points = [[1, 0, 0], [0, 1, 0], [0.2, -0.5, 0.8]];
+  const points = [
+    [1, 0, 0],
+    [0, 1, 0],
+    [0.2, -0.5, 0.8],
+  ];
   const corrected = (one_circle) =>
     models.controlPointsByHand({ ...spec.start, points, one_circle }, spec.constants, []).inputs;
   const length = Math.hypot(0.2, 0.5);
@@ -46,19 +50,28 @@ test("while one number of Figure 1 moves, what it leaves alone shines", () => {
 
 test("who turns the spoon of Picture 4-e takes its rings along, by the nearest angles", () => {
   const spec = specOf("eulerAnglesByHand");
-  const led = (inputs) => models.eulerAnglesByHand({ ...spec.start, ...inputs }, spec.constants, ["spoon"]);
+  const led = (inputs) =>
+    models.eulerAnglesByHand({ ...spec.start, ...inputs }, spec.constants, ["spoon"]);
   const radians = (angles) => angles.map((angle) => (angle * Math.PI) / 180);
   const about = (angles, axis, degrees) => {
     const turn = rotationMatrix(axis, (degrees * Math.PI) / 180);
     return quaternionFromMatrix(product(turn, matrixFromEulerAngles(...radians(angles))));
   };
   const set = ([u, v, w]) => ({ u, v, w });
-  for (const from of [[10, 20, 30], [10, 160, 30], [179, -40, -179], [-100, -130, 50]]) {
+  for (const from of [
+    [10, 20, 30],
+    [10, 160, 30],
+    [179, -40, -179],
+    [-100, -130, 50],
+  ]) {
     const spoon = about(from, [1, -2, 2], 2);
     const { inputs, outputs } = led({ ...set(from), spoon });
     const { u, v, w } = inputs;
     const there = matrixFromEulerAngles(...radians([u, v, w]));
-    assert.equal(difference(there, quaternionMatrix(spoon), () => 1e-12), "");
+    assert.equal(
+      difference(there, quaternionMatrix(spoon), () => 1e-12),
+      "",
+    );
     assert.deepEqual(outputs.rings, [u, v, w]);
     [u, v, w].forEach((angle, i) => {
       assert.ok(Math.abs(angle) <= 180);
@@ -72,7 +85,10 @@ test("who turns the spoon of Picture 4-e takes its rings along, by the nearest a
   const rings = models.eulerAnglesByHand({ ...spec.start, u: 20 }, spec.constants, ["u"]).inputs;
   assert.deepEqual(Object.keys(rings), ["spoon"]);
   const wanted = quaternionFromMatrix(matrixFromEulerAngles(...radians([20, 90, 90])));
-  assert.equal(difference(rings.spoon, wanted, () => 1e-12), "");
+  assert.equal(
+    difference(rings.spoon, wanted, () => 1e-12),
+    "",
+  );
 });
 
 test("a spoon follows what the hand has set last", () => {
@@ -100,5 +116,8 @@ test("a trail is drawn by hand alone, and the ways of opposites differ by the ax
   const frame = (inputs) => models.grabTheSpoon({ ...spec.start, ...inputs }, spec.constants, []);
   assert.equal(frame({}).trails, undefined);
   const { trails } = frame({ way: "by hand", spoon: [0, 0.6, 0, 0.8] });
-  assert.equal(difference(trails, { trail: [0.3, 0, 0.4], "opposite trail": [-0.3, 0, -0.4] }, allowed), "");
+  assert.equal(
+    difference(trails, { trail: [0.3, 0, 0.4], "opposite trail": [-0.3, 0, -0.4] }, allowed),
+    "",
+  );
 });

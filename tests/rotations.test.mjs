@@ -24,6 +24,9 @@ test("each call gives what Python gives, or is refused as Python refuses it", ()
     if (python.message) assert.equal(node.message, python.message, where);
     if (node.error) continue;
     const { value, seen, allowed } = python;
-    assert.equal(difference(SEEN[seen](node.value), value, () => allowed, where), "");
+    assert.equal(
+      difference(SEEN[seen](node.value), value, () => allowed, where),
+      "",
+    );
   }
 });

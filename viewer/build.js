@@ -67,7 +67,9 @@ async function forNotebooks(folder) {
     });
   const figure = join(folder, "figure.js");
   await module("notebook.js", figure, { STYLES: JSON.stringify(styles.outputFiles[0].text) });
-  const digest = createHash("sha256").update(await readFile(figure)).digest("hex");
+  const digest = createHash("sha256")
+    .update(await readFile(figure))
+    .digest("hex");
   await module("src/widget-loader.js", join(folder, "figure-loader.js"), {
     DIGEST: JSON.stringify(digest.slice(0, 16)),
   });

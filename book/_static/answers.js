@@ -59,7 +59,10 @@ const addForm = (place) => {
     const [first, second] = hint;
     const again = hinted === first;
     hinted = first;
-    return [false, again ? `Not yet. ${second}` : `Not yet. ${first} For a hint, press Check again.`];
+    return [
+      false,
+      again ? `Not yet. ${second}` : `Not yet. ${first} For a hint, press Check again.`,
+    ];
   };
 
   form.addEventListener("submit", (event) => {

@@ -12,7 +12,8 @@ for (const event of ["load", "resize"]) addEventListener(event, letReach);
 document.addEventListener("toggle", letReach, true);
 
 // MyST-NB gives the buttons of hidden cells a label that differs from their text.
-for (const button of document.querySelectorAll(".cell summary")) button.removeAttribute("aria-label");
+for (const button of document.querySelectorAll(".cell summary"))
+  button.removeAttribute("aria-label");
 
 // Who reports a mistake need not say in which section.
 document.addEventListener("click", ({ target }) => {
@@ -45,7 +46,8 @@ squares.forEach((square, i) => {
 // What the search quotes is text: no labels and buttons of figures, and each formula once.
 if (typeof Search !== "undefined") {
   const { htmlToText } = Search;
-  const unsaid = ".scene, .explorable, .chart, .cell:has(figure) > .cell_input, .page-head, form, noscript, .katex-mathml";
+  const unsaid =
+    ".scene, .explorable, .chart, .cell:has(figure) > .cell_input, .page-head, form, noscript, .katex-mathml";
   Search.htmlToText = (html, anchor) => {
     const page = new DOMParser().parseFromString(html, "text/html");
     for (const part of page.querySelectorAll(unsaid)) part.remove();
@@ -56,7 +58,10 @@ if (typeof Search !== "undefined") {
 // A page opened from a file cannot preload its fonts, so there they may load late.
 if (location.protocol === "file:") {
   for (const style of ["normal", "italic"]) {
-    const url = new URL(`fonts/source-serif-4-latin-wght-${style}.woff2`, document.currentScript.src);
+    const url = new URL(
+      `fonts/source-serif-4-latin-wght-${style}.woff2`,
+      document.currentScript.src,
+    );
     const font = new FontFace("Source Serif 4", `url(${url})`, { style, weight: "200 900" });
     font.load().then(() => document.fonts.add(font));
   }

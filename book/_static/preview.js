@@ -2,14 +2,19 @@
 // shows beside it when a mouse rests on it or the keyboard reaches it. It is read from its own page.
 {
   const KINDS = ["equation", "figure", "picture", "erratum", "claim", "term"];
-  const LINKS = KINDS.map((kind) => `article a[href*="#${kind}-"]:not(.headerlink, .look *)`).join();
+  const LINKS = KINDS.map(
+    (kind) => `article a[href*="#${kind}-"]:not(.headerlink, .look *)`,
+  ).join();
   const FOCUSED = `:is(${LINKS}):focus-visible`;
   const UNWANTED = ".headerlink, .explorable > :not(.scene), noscript, script";
   // Milliseconds that the mouse rests, and pixels between link, box and the edges of the window
   const REST = 250;
   const ROOM = 6;
   const pages = new Map();
-  const box = Object.assign(document.createElement("div"), { className: "look", popover: "manual" });
+  const box = Object.assign(document.createElement("div"), {
+    className: "look",
+    popover: "manual",
+  });
   let timer;
   let shown = null;
   document.querySelector("article").append(box);

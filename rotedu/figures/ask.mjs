@@ -7,7 +7,8 @@ import { pathToFileURL } from "node:url";
 
 const models = await import(pathToFileURL(process.argv[2]));
 const [name, questions] = JSON.parse(readFileSync(0, "utf8"));
-if (!models[name]) throw new ReferenceError(`expected an export ${name}, got ${Object.keys(models)}`);
+if (!models[name])
+  throw new ReferenceError(`expected an export ${name}, got ${Object.keys(models)}`);
 
 function answer(question) {
   try {

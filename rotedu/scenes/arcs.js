@@ -1,11 +1,11 @@
 /* Model of page 5 I. */
-import { DEGREES, ORIGIN, columns, spread, turning } from "./parts.js";
+import { columns, DEGREES, ORIGIN, spread, turning } from "./parts.js";
 import {
-  DegenerateError,
   angleBetween,
   arcAxis,
   combine,
   cross,
+  DegenerateError,
   dot,
   length,
   nlerp,
@@ -37,7 +37,9 @@ export function slerpByHand({ p, q, t, flip }, { antipodal }) {
   const times = spread(SAMPLES);
   const arc = times.map((x) => slerp(p, end, x));
   const [here, there] = [slerp(p, end, t), nlerp(p, end, t)];
-  const tenths = spread(11).slice(1, -1).map((x) => nlerp(p, end, x));
+  const tenths = spread(11)
+    .slice(1, -1)
+    .map((x) => nlerp(p, end, x));
 
   /** Where the quaternion of a point v, which is v p*, takes the spoon: tip, side and bowl. */
   const turned = (point) => {
@@ -103,7 +105,10 @@ function axisAcross(p, q) {
   if (length(cross(p, q)) > SAME) return arcAxis(p, q);
   const sizes = p.map(Math.abs);
   const least = sizes.indexOf(Math.min(...sizes));
-  return arcAxis(p, sizes.map((_, i) => (i === least ? 1 : 0)));
+  return arcAxis(
+    p,
+    sizes.map((_, i) => (i === least ? 1 : 0)),
+  );
 }
 
 /** The factors of both ends in (5-2); where the ends coincide, their limits. */

@@ -13,7 +13,11 @@ import {
 } from "./rotations.js";
 
 // Where the given orientations are turned, quite beside the ball, and where their names are.
-const BESIDE = [[-2.13, 0, 0.36], [-1.42, 0, 0.36], [-1.77, 0, -0.28]];
+const BESIDE = [
+  [-2.13, 0, 0.36],
+  [-1.42, 0, 0.36],
+  [-1.77, 0, -0.28],
+];
 const NAMES = BESIDE.map((place, i) => combine(1, place, 1, [0, 0, i === 2 ? -0.43 : 0.43]));
 const SIZE = 0.36;
 // A sum of quaternions that is shorter has no direction.

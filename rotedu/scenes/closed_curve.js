@@ -1,5 +1,5 @@
 /* Models of page 5 III. */
-import { DEGREES, ORIGIN, arcs, columns, spread } from "./parts.js";
+import { arcs, columns, DEGREES, ORIGIN, spread } from "./parts.js";
 import {
   angleBetween,
   arcAxis,
@@ -47,7 +47,12 @@ export function closedCurveByHand({ points, u, fraction }, { most }) {
   const parts = {
     curve: { paths: [curve] },
     handles: { paths: arcs([...b, ...p], [...p, ...a]) },
-    polygon: { paths: arcs(a, control.map((four) => four[2])) },
+    polygon: {
+      paths: arcs(
+        a,
+        control.map((four) => four[2]),
+      ),
+    },
     levels: { paths: arcs([first[0], first[1], second[0]], [first[1], first[2], second[1]]) },
     ...pointsOf(first, 1),
     ...pointsOf(second, 2),
@@ -239,10 +244,7 @@ function motions(legs, path) {
   );
   return {
     bends: driven[path].map((row, i) => angle(driven[path].at(i - 1).at(-1), row[0])),
-    charts: {
-      speeds: { arcs: speeds(driven.arcs), curve: speeds(driven.curve) },
-      spins: { spin },
-    },
+    charts: { speeds: { arcs: speeds(driven.arcs), curve: speeds(driven.curve) }, spins: { spin } },
   };
 }
 
@@ -267,10 +269,13 @@ function carried(up, way) {
 /** The corners of what a camera at the origin sees, where it meets the unit sphere. */
 function picture(ahead, up) {
   const left = cross(up, ahead);
-  const signs = [[1, 1], [1, -1], [-1, -1], [-1, 1]];
-  return signs.map(([x, y]) =>
-    combine(1, ahead, 1, combine(x * WIDTH, left, y * HEIGHT, up)),
-  );
+  const signs = [
+    [1, 1],
+    [1, -1],
+    [-1, -1],
+    [-1, 1],
+  ];
+  return signs.map(([x, y]) => combine(1, ahead, 1, combine(x * WIDTH, left, y * HEIGHT, up)));
 }
 
 /** The angle between two velocities; one that is zero makes none. */

@@ -19,7 +19,11 @@ const EVERY = 10;
 const FLOOR = 1e-8;
 const ACROSS = [0.93, 0.36, 0].map((x) => 0.88 * x);
 const BELOW = [0, 0, -0.95];
-const IDENTITY = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
+const IDENTITY = [
+  [1, 0, 0],
+  [0, 1, 0],
+  [0, 0, 1],
+];
 // What is left of a number after every turn.
 const ROUNDED = {
   // Ties, which could go either way, do not occur.
@@ -105,7 +109,10 @@ export function wornSpoonsByHand({ turns, precision, size, repair }, constants) 
   ["matrix", "quaternion"].forEach((name, i) => {
     const rotation = rotations[i];
     const place = ACROSS.map((x) => (i ? x : -x));
-    for (const [part, matrix] of [[`${name} at the start`, IDENTITY], [name, rotation]]) {
+    for (const [part, matrix] of [
+      [`${name} at the start`, IDENTITY],
+      [name, rotation],
+    ]) {
       const moved = (point) => combine(1, place, 1, transform(matrix, point));
       state.parts[`box, ${part}`] = { paths: CUBE.map((edge) => edge.map(moved)) };
       state.parts[part] = { matrix: placing(matrix, place) };

@@ -1,5 +1,5 @@
 /* Model of page 5 II. */
-import { DEGREES, ORIGIN, arcs, lamp, spread, turning } from "./parts.js";
+import { arcs, DEGREES, lamp, ORIGIN, spread, turning } from "./parts.js";
 import { angleBetween, arcAxis, combine, cross, dot, slerp, unit } from "./rotations.js";
 
 // Lengths of vectors and angles in radians that look equal.
@@ -39,7 +39,7 @@ export function controlPointsByHand(
       : { hidden: true },
     given: { paths: arcs([before, here], [here, after]) },
     "$P_{i-1}$": { at: before },
-    "$P_i$": { at: here },
+    $P_i$: { at: here },
     "$P_{i+1}$": { at: after },
     halved: { paths: arcs([reflected], [after]), hidden: step <= 1 },
     opposite: { at: opposite, hidden: step < 1 },

@@ -1,10 +1,10 @@
 /* Models of Chapter 4. */
 import { DEGREES, ORIGIN, placing, spread, turning } from "./parts.js";
 import {
-  DegenerateError,
   axisAngle,
   combine,
   cross,
+  DegenerateError,
   dot,
   eulerAngles,
   length,
@@ -20,7 +20,11 @@ import {
   unit,
 } from "./rotations.js";
 
-const IDENTITY = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
+const IDENTITY = [
+  [1, 0, 0],
+  [0, 1, 0],
+  [0, 0, 1],
+];
 // A shorter direction has no length of 1.
 const SHORT = 0.05;
 
@@ -99,11 +103,19 @@ function dial(center, n, angle) {
 }
 
 // Each ring turns with its angle within the next.
-const RINGS = [["u", 0.67], ["v", 0.885], ["w", 1.1]];
+const RINGS = [
+  ["u", 0.67],
+  ["v", 0.885],
+  ["w", 1.1],
+];
 // Each ring in its own pose, and the place on it that can be seen to be grabbed.
 const FLAT = [([c, s]) => [c, s, 0], ([c, s]) => [c, s, 0], ([c, s]) => [0, c, s]];
 // Far from each other in most poses.
-const GRABBED = [[1, 1, 0], [-1, 1, 0], [0, -1, -1]];
+const GRABBED = [
+  [1, 1, 0],
+  [-1, 1, 0],
+  [0, -1, -1],
+];
 const ROUND = spread(49).map((x) => [Math.cos(2 * Math.PI * x), Math.sin(2 * Math.PI * x)]);
 const WHOLE = spread(73).map((x) => 360 * x - 180);
 const BACK = [0.48, -0.74, 0.47];
@@ -112,7 +124,10 @@ const UP = cross(BACK, RIGHT);
 const PLACE = RIGHT.map((x) => 2.6 * x);
 const SPOON = 0.58;
 // The spoons on their way have two sizes: where they lie alike, one is seen.
-const WAYS = [["angles", "three angles", 0.9, -0.5], ["slerp", "one turn", 0.97, 0.6]];
+const WAYS = [
+  ["angles", "three angles", 0.9, -0.5],
+  ["slerp", "one turn", 0.97, 0.6],
+];
 const PIECES = spread(33);
 const STEP = 1e-4;
 const SAME = 1e-9;
@@ -143,9 +158,11 @@ export function eulerAnglesByHand({ u, v, w, spoon, t }, { noWay }, changed) {
     point.at = column(here, 0);
   });
 
-  const [moreU, lessU, moreW] = [[1, 0, 0], [-1, 0, 0], [0, 0, 1]].map((change) =>
-    pose(combine(1, angles, 1, change)),
-  );
+  const [moreU, lessU, moreW] = [
+    [1, 0, 0],
+    [-1, 0, 0],
+    [0, 0, 1],
+  ].map((change) => pose(combine(1, angles, 1, change)));
   const path = PIECES.map(ways[0]);
   const steps = path.slice(1).map((turn, i) => degreesBetween(path[i], turn));
   const [byAngles, slerp = null] = ways.map((way) =>
@@ -196,9 +213,10 @@ function nearestAngles(matrix, angles) {
   const off = pose(angles).flatMap((row, i) => combine(1, row, -1, matrix[i]));
   if (largest(off) < SAME) return angles;
   const [u, v, w] = eulerAngles(matrix).map((angle) => DEGREES * angle);
-  const [one, other] = [[u, v, w], [u + 180, 180 - v, w + 180]].map((triple) =>
-    triple.map(remainder),
-  );
+  const [one, other] = [
+    [u, v, w],
+    [u + 180, 180 - v, w + 180],
+  ].map((triple) => triple.map(remainder));
   const change = (triple) => largest(triple.map((angle, i) => remainder(angle - angles[i])));
   return change(one) <= change(other) ? one : other;
 }

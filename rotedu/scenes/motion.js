@@ -26,10 +26,17 @@ const PLACES = [0, 2.72, 5.07].map((x) => ACROSS.map((y) => x * y));
 const BELOW = [0, 0, -1.5];
 const PIECE = 0.025;
 const ROUNDING = 1e-6;
-const IDENTITY = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
+const IDENTITY = [
+  [1, 0, 0],
+  [0, 1, 0],
+  [0, 0, 1],
+];
 
 /** A spoon that turns by two velocities, as three integrators see it: `spinning_by_hand`. */
-export function spinningByHand({ space, body, h, t, repair }, { seconds, edge: size, longest: edges, aside }) {
+export function spinningByHand(
+  { space, body, h, t, repair },
+  { seconds, edge: size, longest: edges, aside },
+) {
   const times = spread(61).map((x) => seconds * x);
   const tip = [size / 2, 0, 0];
   const [omega, own] = [space, body].map((axis) => unit(axis).map((x) => SPEED * x));
@@ -40,7 +47,10 @@ export function spinningByHand({ space, body, h, t, repair }, { seconds, edge: s
 
   const parts = {};
   const labels = {};
-  for (const [name, axis, side] of [["space", first, 1], ["body", transform(turn, second), -1]]) {
+  for (const [name, axis, side] of [
+    ["space", first, 1],
+    ["body", transform(turn, second), -1],
+  ]) {
     const end = axis.map((x) => ARROW * x);
     parts[name] = { from: ORIGIN, to: end };
     labels[name] = beside(end, side);
@@ -51,7 +61,9 @@ export function spinningByHand({ space, body, h, t, repair }, { seconds, edge: s
   Object.entries(ways).forEach(([name, way], i) => {
     const now = way(t);
     const put = (matrix) => (point) => combine(1, PLACES[i], 1, transform(matrix, point));
-    const box = (matrix) => ({ paths: CUBE.map((edge) => edge.map((p) => put(matrix)(p.map((x) => size * x)))) });
+    const box = (matrix) => ({
+      paths: CUBE.map((edge) => edge.map((p) => put(matrix)(p.map((x) => size * x)))),
+    });
     labels[name] = combine(1, PLACES[i], 1, BELOW);
     parts[`exact, ${name}`] = box(right);
     parts[`box, ${name}`] = box(now);
@@ -59,8 +71,11 @@ export function spinningByHand({ space, body, h, t, repair }, { seconds, edge: s
     parts[`way, ${name}`] = { paths: [moments(h, t).map((moment) => put(way(moment))(tip))] };
     // All but one matrix are a rotation times a number.
     const turnOf = (matrix) =>
-      name === "Euler, matrix" && !repair ? nearestRotation(matrix) : scaled(1 / longest(matrix), matrix);
-    const off = (matrix, rotation) => DEGREES * axisAngle(product(transpose(turnOf(matrix)), rotation)).angle;
+      name === "Euler, matrix" && !repair
+        ? nearestRotation(matrix)
+        : scaled(1 / longest(matrix), matrix);
+    const off = (matrix, rotation) =>
+      DEGREES * axisAngle(product(transpose(turnOf(matrix)), rotation)).angle;
     const drawn = times.map(way);
     charts.longest[name] = drawn.map(longest);
     charts.off[name] = drawn.map((matrix, k) => off(matrix, exact(times[k])));
@@ -72,7 +87,12 @@ export function spinningByHand({ space, body, h, t, repair }, { seconds, edge: s
 /** Where the name of an arrow is, clear of the ring around its tip. */
 function beside(tip, side) {
   const angle = Math.atan2(dot(tip, UPWARDS), dot(tip, ACROSS)) + side * ASLANT;
-  return combine(1, tip, 1, combine(0.42 * Math.cos(angle), ACROSS, 0.3 * Math.sin(angle), UPWARDS));
+  return combine(
+    1,
+    tip,
+    1,
+    combine(0.42 * Math.cos(angle), ACROSS, 0.3 * Math.sin(angle), UPWARDS),
+  );
 }
 
 const scaled = (factor, matrix) => matrix.map((row) => row.map((x) => factor * x));
@@ -93,14 +113,19 @@ function integrators(omega, own, h, repair, seconds) {
     return repair ? nearestRotation(moved) : moved;
   };
   const quaternion = (q, h) => {
-    const [left, fromRight] = [quaternionProduct([0, ...omega], q), quaternionProduct(q, [0, ...own])];
+    const [left, fromRight] = [
+      quaternionProduct([0, ...omega], q),
+      quaternionProduct(q, [0, ...own]),
+    ];
     const moved = combine(1, q, h / 2, combine(1, left, 1, fromRight));
     return repair ? unit(moved) : moved;
   };
   return {
     exponential: steps(exponential, IDENTITY, (r) => r),
     "Euler, matrix": steps(matrix, IDENTITY, (m) => m),
-    "Euler, quaternion": steps(quaternion, [1, 0, 0, 0], (q) => scaled(dot(q, q), quaternionMatrix(q))),
+    "Euler, quaternion": steps(quaternion, [1, 0, 0, 0], (q) =>
+      scaled(dot(q, q), quaternionMatrix(q)),
+    ),
   };
 }
 

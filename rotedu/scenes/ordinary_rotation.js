@@ -19,7 +19,12 @@ export function figure1ByHand({ vector: r, axis, theta, around }, _, changed) {
   const other = rotate(r, n, around / DEGREES);
   const here = terms(r, n, angle);
   const there = terms(other, n, angle);
-  const rim = turning(spoke.map((x) => 0.42 * x), n, angle, 48);
+  const rim = turning(
+    spoke.map((x) => 0.42 * x),
+    n,
+    angle,
+    48,
+  );
   const otherEnd = rotate(other, n, angle);
   const beside = (tip, up) => combine(1, combine(1.17, tip, -0.17, center), up, n);
   const circle = turning(r, n, 2 * Math.PI, 80);
@@ -28,7 +33,12 @@ export function figure1ByHand({ vector: r, axis, theta, around }, _, changed) {
     parts: {
       circle: { paths: [circle] },
       sector: { points: [center, ...rim.map((x) => combine(1, center, 1, x))] },
-      spokes: { paths: [[center, r], [center, turned]] },
+      spokes: {
+        paths: [
+          [center, r],
+          [center, turned],
+        ],
+      },
       centre: { at: center },
       height: { paths: [[ORIGIN, center]] },
       n: { from: ORIGIN, to: n.map((x) => 1.1 * x) },

@@ -58,7 +58,12 @@ export function carriedAroundByHand({ corners, t }, { just_inside }) {
   const roundOnce = spread(STEPS + 1);
   const soFar = roundOnce.map((x) => carried(Math.max(t, LEAST) * x));
   const tails = soFar.map(([at]) => at);
-  const rim = turning(ahead.map((x) => 0.7 * SIZE * x), start, twist, 48);
+  const rim = turning(
+    ahead.map((x) => 0.7 * SIZE * x),
+    start,
+    twist,
+    48,
+  );
   const parts = {
     inside: { points: triangle(p).map((point) => point.map((x) => just_inside * x)) },
     sides: { paths: p.map((point, i) => side.map((s) => slerp(point, after[i], s))) },
@@ -84,11 +89,7 @@ export function carriedAroundByHand({ corners, t }, { just_inside }) {
     labels,
     // The arrow is grabbed by its tip, away from the rings of the corners.
     grips: { t: { path: roundOnce.map((x) => head(carried(x))) } },
-    outputs: {
-      twist: DEGREES * twist,
-      area: DEGREES * area,
-      difference: DEGREES * (area - twist),
-    },
+    outputs: { twist: DEGREES * twist, area: DEGREES * area, difference: DEGREES * (area - twist) },
   };
 }
 
@@ -100,7 +101,12 @@ function triangle([p, q, r]) {
 
 const SAMPLES = 20;
 // Where the given poses are turned, round the ball.
-const PLACES = [[-0.8, 0, 1.42], [0.8, 0, 1.42], [0.8, 0, -1.42], [-0.8, 0, -1.42]];
+const PLACES = [
+  [-0.8, 0, 1.42],
+  [0.8, 0, 1.42],
+  [0.8, 0, -1.42],
+  [-0.8, 0, -1.42],
+];
 const MOUNTED = 0.28;
 const SAME = 1e-6;
 
@@ -261,7 +267,10 @@ function filmsThrough(q, fraction) {
     const next = q[(i + 1) % q.length];
     return Array.from({ length: PICTURES }, (_, k) => slerp(p, next, k / PICTURES));
   });
-  const entries = periodicSpline(given.map((matrix) => matrix.flat()), PICTURES);
+  const entries = periodicSpline(
+    given.map((matrix) => matrix.flat()),
+    PICTURES,
+  );
   return {
     slerp: arcs.map(quaternionMatrix),
     squad: squad(q, PICTURES).map(quaternionMatrix),

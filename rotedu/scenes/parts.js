@@ -7,7 +7,9 @@ export const ORIGIN = [0, 0, 0];
 export const CUBE = cube();
 
 function cube() {
-  const corners = Array.from({ length: 8 }, (_, i) => [4, 2, 1].map((bit) => (i & bit ? 0.5 : -0.5)));
+  const corners = Array.from({ length: 8 }, (_, i) =>
+    [4, 2, 1].map((bit) => (i & bit ? 0.5 : -0.5)),
+  );
   const way = (p, q) => combine(1, q, -1, p);
   return corners.flatMap((p) =>
     corners

@@ -1,5 +1,5 @@
 /* Models of Chapter 2. */
-import { DEGREES, ORIGIN, columns, lamp, placing, spread, turning } from "./parts.js";
+import { columns, DEGREES, lamp, ORIGIN, placing, spread, turning } from "./parts.js";
 import {
   combine,
   dot,
@@ -141,7 +141,7 @@ export function grabTheSpoon(inputs, { inks, length }, changed) {
   const decided = following(inputs, changed);
   const { spoon, way, along, left } = { ...inputs, ...decided };
   const going = way !== BY_HAND;
-  const times = spread(STEPS_OF_WAY + 1).filter((t, i) => i < along * STEPS_OF_WAY - TINY);
+  const times = spread(STEPS_OF_WAY + 1).filter((_, i) => i < along * STEPS_OF_WAY - TINY);
   const gone = going ? [...times, along].map(onWay(way, left)) : [spoon];
   const { axes, shares } = turnsOf(gone);
   const axis = axes.at(-1);
@@ -185,11 +185,7 @@ export function grabTheSpoon(inputs, { inks, length }, changed) {
     parts,
     labels,
     grips: { spoon: { at: TABLE, size: 0.85 } },
-    outputs: {
-      q: gone.at(-1),
-      angle: 360 * share,
-      home: lamp(farther > 1 - BACK / 360),
-    },
+    outputs: { q: gone.at(-1), angle: 360 * share, home: lamp(farther > 1 - BACK / 360) },
   };
 }
 
@@ -235,7 +231,11 @@ function onWay(way, left) {
 
 /** Turns about U, V, W: `rotedu.general_rotation.quaternion_from_euler_angles`. */
 function quaternionFromEulerAngles([u, v, w]) {
-  const [qu, qv, qw] = [[U, u], [V, v], [W, w]].map((turn) => quaternionFromAxisAngle(...turn));
+  const [qu, qv, qw] = [
+    [U, u],
+    [V, v],
+    [W, w],
+  ].map((turn) => quaternionFromAxisAngle(...turn));
   return quaternionProduct(qw, quaternionProduct(qv, qu));
 }
 
@@ -397,7 +397,7 @@ function turnsOf(path) {
   const sizes = path.map(([, ...v]) => Math.hypot(...v));
   const known = (i) => sizes[i] > NO_AXIS;
   let last = path.findIndex((_, i) => known(i));
-  const axes = path.map(([, ...v], i) => {
+  const axes = path.map((_, i) => {
     if (last < 0) return W;
     if (known(i)) last = i;
     return path[last].slice(1).map((x) => x / sizes[last]);

@@ -144,8 +144,11 @@ export function periodicSpline(values, samples = 100) {
 // Three dimensions.
 
 /** Cross product. */
-export const cross = ([au, av, aw], [bu, bv, bw]) =>
-  [av * bw - aw * bv, aw * bu - au * bw, au * bv - av * bu];
+export const cross = ([au, av, aw], [bu, bv, bw]) => [
+  av * bw - aw * bv,
+  aw * bu - au * bw,
+  au * bv - av * bu,
+];
 
 /** The axis of the arc from p to q (5-1): `rotedu.arcs.arc_axis`. */
 export function arcAxis(p, q) {
@@ -231,7 +234,9 @@ export function closedRotationCurve(rotations, samples = 100, fraction = 1 / 2) 
   const halves = fromDouble.map((turn) => length(turn) / 2);
   const pair = "Double({h}, {i}) and {j}";
   refuseTwoWays(halves, ANTIPODAL, pair, "rotations", "a whole turn apart");
-  const toA = toHere.map((turn, i) => scaled(fraction, oneTurn(turn, scaled(1 / 2, fromDouble[i]))));
+  const toA = toHere.map((turn, i) =>
+    scaled(fraction, oneTurn(turn, scaled(1 / 2, fromDouble[i]))),
+  );
   const fromNextB = rolled(toA, 1);
   const between = toA.map((turn, i) =>
     oneTurn(oneTurn(scaled(-1, turn), toNext[i]), scaled(-1, fromNextB[i])),
@@ -242,7 +247,12 @@ export function closedRotationCurve(rotations, samples = 100, fraction = 1 / 2) 
 /** The rotation that differs least from a matrix: `rotedu.orientations.nearest_rotation`. */
 export function nearestRotation(matrix) {
   // Its quaternion makes the sum of products with the entries, q^T K q, as large as it can be.
-  const { values, vectors } = eigen(sixteenProducts(matrix.map((row) => row.map(finite)), 0));
+  const { values, vectors } = eigen(
+    sixteenProducts(
+      matrix.map((row) => row.map(finite)),
+      0,
+    ),
+  );
   const [, , second, largest] = [...values].sort((a, b) => a - b);
   // Twice the sum of the smaller singular values, and twice the largest.
   if (largest - second <= ANTIPODAL * (largest + second)) {
@@ -256,7 +266,12 @@ export function nearestRotation(matrix) {
  * nearest rotation is unique if the two smaller ones do not add up to zero.
  */
 export function singularValues(matrix) {
-  const { values } = eigen(sixteenProducts(matrix.map((row) => row.map(finite)), 0));
+  const { values } = eigen(
+    sixteenProducts(
+      matrix.map((row) => row.map(finite)),
+      0,
+    ),
+  );
   // a + b + c, a - b - c, -a + b - c, -a - b + c
   const [first, second, third] = values.sort((x, y) => y - x);
   return [(first + second) / 2, (first + third) / 2, -(second + third) / 2];
@@ -505,8 +520,8 @@ function units(points) {
 function rotation(matrix) {
   const off = Math.max(
     ...product(transpose(matrix), matrix).flatMap((row, i) =>
-      row.map((x, j) => Math.abs(x - (i === j)))
-    )
+      row.map((x, j) => Math.abs(x - (i === j))),
+    ),
   );
   const [u, v, w] = matrix;
   if (!(off <= ASKEW && dot(cross(u, v), w) > 0)) {
@@ -519,7 +534,11 @@ function rotation(matrix) {
 
 /** Take a step of Newton's method for the polar decomposition: right digits double. */
 function straightened(matrix) {
-  const identity = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
+  const identity = [
+    [1, 0, 0],
+    [0, 1, 0],
+    [0, 0, 1],
+  ];
   const squares = product(transpose(matrix), matrix);
   const step = squares.map((row, i) => combine(3 / 2, identity[i], -1 / 2, row));
   return product(matrix, step);

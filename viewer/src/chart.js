@@ -19,7 +19,9 @@ const LINE = 0.13;
  */
 export function bindChart(chart, specs, now, scrub) {
   const { over } = chart.dataset;
-  const [[first, last], y] = [chart.dataset.x, chart.dataset.y].map((range) => range.split(" ").map(Number));
+  const [[first, last], y] = [chart.dataset.x, chart.dataset.y].map((range) =>
+    range.split(" ").map(Number),
+  );
   const lines = new Map(
     [...chart.querySelectorAll("[data-curve]")].map((line) => [line.dataset.curve, line]),
   );
@@ -50,7 +52,8 @@ export function bindChart(chart, specs, now, scrub) {
       const at = ((value - first) / (last - first)) * WIDTH;
       for (const line of here) for (const x of ["x1", "x2"]) line.setAttribute(x, at);
       plot.setAttribute("aria-valuenow", value);
-      if (specs[over]) plot.setAttribute("aria-valuetext", statement(specs, [over], { [over]: value }));
+      if (specs[over])
+        plot.setAttribute("aria-valuetext", statement(specs, [over], { [over]: value }));
     },
   };
 }

@@ -35,7 +35,11 @@ export function alongSphere(eye, direction, radius, far) {
   const across = along(foot, -dot(foot, towards), towards);
   const cosine = radius / distance;
   const out = (radius * Math.sqrt(1 - cosine * cosine)) / Math.hypot(...across);
-  return along(towards.map((x) => radius * cosine * x), out, across);
+  return along(
+    towards.map((x) => radius * cosine * x),
+    out,
+    across,
+  );
 }
 
 /** Whether a path ends where it begins. */

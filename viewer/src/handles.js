@@ -11,7 +11,8 @@ import { numberText, titleOf } from "./speak.js";
 const HINTS = {
   points: () => "Drag a ring to move what it holds",
   number: () => "Drag a ring along its path",
-  poses: ({ names }) => `Drag ${Array.isArray(names) ? `a ${names[0].replace(/ \d+$/, "")}` : names} to turn it`,
+  poses: ({ names }) =>
+    `Drag ${Array.isArray(names) ? `a ${names[0].replace(/ \d+$/, "")}` : names} to turn it`,
 };
 const STEP = Math.PI / 90;
 const STEPS = { Shift: 5, Alt: 0.1 };
@@ -33,7 +34,11 @@ const RIM = -1e-3;
 const REACH = 0.2;
 // Share of the picture from its border to a handle.
 const BORDER = 0.02;
-const IDENTITY = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
+const IDENTITY = [
+  [1, 0, 0],
+  [0, 1, 0],
+  [0, 0, 1],
+];
 const SVG = "http://www.w3.org/2000/svg";
 
 /**
@@ -59,7 +64,9 @@ export function addHandles(scene, live, specs, now, change) {
     if (spec.kind === "points") return listed(now()[name]).length;
     if (spec.kind === "poses") {
       // What is refused may have more bodies than the picture that stays.
-      return grips[name] ? Math.min(...[now()[name], grips[name].at].map((all) => listed(all).length)) : 0;
+      return grips[name]
+        ? Math.min(...[now()[name], grips[name].at].map((all) => listed(all).length))
+        : 0;
     }
     return spec.kind === "number" && grips[name] ? 1 : 0;
   };
@@ -151,7 +158,10 @@ function addBody({ layer, live, now, change, grips }, { name, spec }, i) {
     const middle = listed(at)[i];
     const [right] = live.axes();
     const { left, top } = live.project(middle);
-    const rim = live.project(middle.map((x, k) => x + size * right[k]), middle);
+    const rim = live.project(
+      middle.map((x, k) => x + size * right[k]),
+      middle,
+    );
     return { left, top, width: Math.abs(rim.left - left) };
   };
   /** A place in radii from the middle of the body. */
@@ -169,7 +179,12 @@ function addBody({ layer, live, now, change, grips }, { name, spec }, i) {
     },
     drop: () => turn([0, 0, 0], true),
   });
-  keys(handle, TURNS, (axis, size) => turn(axis.map((x) => x * TURN * size), true));
+  keys(handle, TURNS, (axis, size) =>
+    turn(
+      axis.map((x) => x * TURN * size),
+      true,
+    ),
+  );
   return {
     name: () => handle.setAttribute("aria-label", said()),
     cover() {
@@ -203,7 +218,8 @@ function addPath({ layer, live, now, change, grips }, { name, spec }) {
   const put = (number) => {
     const beyond = number < low || number > high;
     const lap = high - low;
-    const within = beyond && isClosed(path()) ? number - lap * Math.floor((number - low) / lap) : number;
+    const within =
+      beyond && isClosed(path()) ? number - lap * Math.floor((number - low) / lap) : number;
     change({ [name]: stepped(spec, within) });
   };
   /** A path in the picture, in units of its width. */
@@ -216,7 +232,8 @@ function addPath({ layer, live, now, change, grips }, { name, spec }) {
   const hands = {
     grab(place) {
       const { body } = grips()[name];
-      const find = (points, ...near) => nearest(flat(points, place.aspect), spot(place), ...near).share;
+      const find = (points, ...near) =>
+        nearest(flat(points, place.aspect), spot(place), ...near).share;
       const way = body && carried(path(), pointOf(body, find(body)), share());
       const found = way ? find(way, share(), REACH, true) : find(path());
       // The value keeps its distance from the finger along the path.
@@ -251,7 +268,10 @@ function addPath({ layer, live, now, change, grips }, { name, spec }) {
       const { left, top } = live.project(pointOf(there, share()));
       put2d(handle, left, top);
       const places = (grips()[name].body ?? there).map((point) => live.project(point));
-      line.setAttribute("d", `M${places.map((p) => `${round(100 * p.left)} ${round(100 * p.top)}`).join(" ")}`);
+      line.setAttribute(
+        "d",
+        `M${places.map((p) => `${round(100 * p.left)} ${round(100 * p.top)}`).join(" ")}`,
+      );
     },
     remove() {
       handle.remove();
@@ -278,7 +298,8 @@ function label({ names }, i, point) {
   return `${name} at ${point.map((x) => x.toFixed(2).replace("-", "\u2212")).join(", ")}`;
 }
 
-const transformed = (matrix, point) => matrix.map((row) => row.reduce((sum, x, k) => sum + x * point[k], 0));
+const transformed = (matrix, point) =>
+  matrix.map((row) => row.reduce((sum, x, k) => sum + x * point[k], 0));
 
 const transposed = (matrix) => matrix.map((_, i) => matrix.map((row) => row[i]));
 

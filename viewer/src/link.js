@@ -58,7 +58,9 @@ function read(text, { kind, low, high, options, names, least, most, length = 1 }
   if (kind === "choice") return options.includes(text) ? text : undefined;
   const size = kind === "poses" ? 4 : 3;
   const points = text.split(" ").map((point) => point.split(",").map(Number));
-  const sound = points.every((p) => p.length === size && p.every(Number.isFinite) && Math.hypot(...p) > 0);
+  const sound = points.every(
+    (p) => p.length === size && p.every(Number.isFinite) && Math.hypot(...p) > 0,
+  );
   if (!sound) return undefined;
   // The digits of an address do not give points quite the length that they must have.
   const right = points.map((p) => p.map((x) => (length ? (x * length) / Math.hypot(...p) : x)));

@@ -5,7 +5,7 @@
  */
 /* global VIEWER, EXPLORABLES */
 import { goTo, isInSight, isNew, keepDrags, spokenOf } from "./arrival.js";
-import { SERVE, fail, loading, onClickOnly, openWebGL, reason } from "./startup.js";
+import { fail, loading, onClickOnly, openWebGL, reason, SERVE } from "./startup.js";
 
 const home = document.currentScript.src;
 const scenes = [...document.querySelectorAll(".scene[data-scene]")];

@@ -159,7 +159,10 @@ function surface(part, lights) {
 /** Draw lines, which have no sides, so no light falls on them. */
 function lines({ material, geometry }) {
   const { ambient, diffuse, lineWidth } = material.userData;
-  const color = material.color.clone().convertLinearToSRGB().multiplyScalar(ambient + diffuse);
+  const color = material.color
+    .clone()
+    .convertLinearToSRGB()
+    .multiplyScalar(ambient + diffuse);
   const looks = new LineMaterial({
     color,
     opacity: material.opacity,
@@ -196,7 +199,9 @@ export function dress(part, lights) {
 /** Scale widths, which are in pixels of the poster, to the size of the picture. */
 export function scaleWidths(objects, factor) {
   for (const { material, userData } of objects) {
-    const width = material.isLineMaterial ? material.uniforms.linewidth : material.uniforms.pointSize;
+    const width = material.isLineMaterial
+      ? material.uniforms.linewidth
+      : material.uniforms.pointSize;
     userData.width ??= width.value;
     width.value = userData.width * factor;
   }

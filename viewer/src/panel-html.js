@@ -3,9 +3,9 @@
  * which they are read and reached by Tab. The build of a page and a notebook write the same, switched
  * off until the figure is live; `panel.js` finds everything in it by name.
  */
-import { HEIGHT, WIDTH, nameTops, path } from "./chart.js";
-import { numberText, outputText } from "./speak.js";
+import { HEIGHT, nameTops, path, WIDTH } from "./chart.js";
 import { toText } from "./link.js";
+import { outputText } from "./speak.js";
 
 // So many curves have their names beside their ends; more have them above.
 const NAMED = 3;
@@ -19,7 +19,7 @@ const SYMBOL = new RegExp(
 );
 const INDEX = new RegExp(`${INDICES}+(?:,${INDICES}+)*`, "gu");
 const LOWERED = { ᵢ: "<i>i</i>", "₊": "+", "₋": "\u2212", ",": "," };
-const MORE = "<details class=\"explorable-more\"><summary>More numbers</summary>";
+const MORE = '<details class="explorable-more"><summary>More numbers</summary>';
 
 /**
  * Write the panel of a figure.
@@ -135,9 +135,11 @@ function chartHtml(chart, curves, values, inputs) {
   const look = (curve) =>
     `style="color: ${colors[curve] ?? "inherit"}"${dashed.includes(curve) ? " data-dashed" : ""}`;
   const lines = entries.map(
-    ([curve, heights]) => `<path data-curve="${quoted(curve)}" d="${path(heights, y)}" ${look(curve)}/>`,
+    ([curve, heights]) =>
+      `<path data-curve="${quoted(curve)}" d="${path(heights, y)}" ${look(curve)}/>`,
   );
-  const keys = entries.length > NAMED ? entries.map(([curve]) => `<span ${look(curve)}>${curve}</span>`) : [];
+  const keys =
+    entries.length > NAMED ? entries.map(([curve]) => `<span ${look(curve)}>${curve}</span>`) : [];
   const named = entries.length > 1 && entries.length <= NAMED ? entries : [];
   const tops = nameTops(curves, y);
   const names = named.map(([curve]) => {
@@ -154,8 +156,12 @@ function chartHtml(chart, curves, values, inputs) {
   const numbers = ticks.map(([h, text]) => {
     return `<span style="top: ${(100 * down(h)).toFixed(1)}%">${text}</span>`;
   });
-  const pieces = Math.max(...entries.map(([, heights]) => (Array.isArray(heights?.[0]) ? heights.length : 1)));
-  const begins = marks.map((text, i) => `<span${i < pieces ? "" : " hidden"}>${written(text)}</span>`);
+  const pieces = Math.max(
+    ...entries.map(([, heights]) => (Array.isArray(heights?.[0]) ? heights.length : 1)),
+  );
+  const begins = marks.map(
+    (text, i) => `<span${i < pieces ? "" : " hidden"}>${written(text)}</span>`,
+  );
   const at = (((values[over] - x[0]) / (x[1] - x[0])) * WIDTH).toFixed(1);
   const mark = (from) => `<line data-mark="" x1="${at}" x2="${at}" y1="${from}" y2="${HEIGHT}"/>`;
   const widest = (texts) => Math.max(0, ...texts.map((text) => [...text].length));

@@ -80,7 +80,10 @@ export function bindPanel(element, specs, now, { change, reset, link, follow }) 
   for (const button of plays) button.hidden = calm.matches;
   // What the hand takes is not moved by anything else.
   for (const kind of ["pointerdown", "keydown"]) {
-    element.addEventListener(kind, ({ target }) => target.closest("[data-handle]") && player.stop());
+    element.addEventListener(
+      kind,
+      ({ target }) => target.closest("[data-handle]") && player.stop(),
+    );
   }
 
   return {
@@ -109,7 +112,8 @@ export function bindPanel(element, specs, now, { change, reset, link, follow }) 
       for (const [name, chart] of charts) chart.draw(drawn[name] ?? {}, values[chart.over]);
     },
     withhold() {
-      for (const output of all("output")) output.textContent = output.textContent.replace(/\S+/g, "–");
+      for (const output of all("output"))
+        output.textContent = output.textContent.replace(/\S+/g, "–");
     },
     outcome() {
       const large = all(".explorable-numbers output");

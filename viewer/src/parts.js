@@ -75,7 +75,8 @@ function bend(part, points) {
 function ownPoints(geometry) {
   const own = geometry.clone();
   const { position, normal } = own.attributes;
-  if (normal) own.setAttribute("normal", new BufferAttribute(new Float32Array(3 * position.count), 3));
+  if (normal)
+    own.setAttribute("normal", new BufferAttribute(new Float32Array(3 * position.count), 3));
   return own;
 }
 

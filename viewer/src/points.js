@@ -12,7 +12,11 @@ export function added(points) {
   const sum = points[widest].map((x, k) => x + after(widest)[k]);
   const between = Math.hypot(...sum) > OPPOSITE * size ? sum : away(points, widest);
   const scale = size / Math.hypot(...between);
-  return points.toSpliced(widest + 1, 0, between.map((x) => x * scale));
+  return points.toSpliced(
+    widest + 1,
+    0,
+    between.map((x) => x * scale),
+  );
 }
 
 /** A direction at right angles to a point: away from all points or, where these balance, any. */

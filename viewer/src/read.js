@@ -21,7 +21,9 @@ export async function read(file) {
     if (!part.geometry) return;
     part.geometry.computeBoundingSphere();
     around.union(part.geometry.boundingSphere.clone().applyMatrix4(part.matrixWorld));
-    const positions = part.geometry.attributes.position.clone().applyMatrix4(part.matrixWorld).array;
+    const positions = part.geometry.attributes.position
+      .clone()
+      .applyMatrix4(part.matrixWorld).array;
     clouds.push(positions);
     // A node with several primitives becomes a group.
     const node = "pickable" in part.userData ? part : part.parent;

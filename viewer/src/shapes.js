@@ -121,7 +121,8 @@ export function arrow(from, to, radius) {
         normals[at + i] = up * t[i] + out * outwards;
       }
       const [here, next] = [ring * AROUND + k, ring * AROUND + ((k + 1) % AROUND)];
-      if (ring % 2 === 0) corners.push(here, next, here + AROUND, next, next + AROUND, here + AROUND);
+      if (ring % 2 === 0)
+        corners.push(here, next, here + AROUND, next, next + AROUND, here + AROUND);
     }
   });
   return { positions, normals, corners: new Uint32Array(corners) };

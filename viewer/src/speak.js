@@ -9,7 +9,9 @@ export function titleOf({ label, names }, name) {
 
 /** The value of a slider with its unit. */
 export function numberText({ label = "" }, value) {
-  return Number(value.toFixed(5)).toString().replace("-", "\u2212") + (label.match(UNIT)?.[1] ?? "");
+  return (
+    Number(value.toFixed(5)).toString().replace("-", "\u2212") + (label.match(UNIT)?.[1] ?? "")
+  );
 }
 
 /** Say what some inputs are. */
@@ -40,6 +42,7 @@ export function outputText(value, { digits, unit }) {
   };
   const rows = (Array.isArray(value[0]) ? value : [value]).map((row) => [row].flat().map(number));
   // The columns of a matrix are of one width; other numbers are a list.
-  const [width, between] = rows.length > 1 ? [Math.max(...rows.flat().map((x) => x.length)), " "] : [0, ", "];
+  const [width, between] =
+    rows.length > 1 ? [Math.max(...rows.flat().map((x) => x.length)), " "] : [0, ", "];
   return rows.map((row) => row.map((x) => x.padStart(width)).join(between)).join("\n") + unit;
 }

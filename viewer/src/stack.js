@@ -14,12 +14,20 @@ export const WHOLE = [{ from: [0, 0, 1, 1], to: [0, 0, 1, 1] }];
 export function stacked(rows, aspect, { width, height }) {
   if (!rows || height <= width) return WHOLE;
   const size = [Math.min(1, (aspect * height) / width), Math.min(1, width / aspect / height)];
-  return rows.map(({ from, to }) => wide(from, to.map((x, i) => x * size[i % 2] + (i < 2 ? (1 - size[i]) / 2 : 0))));
+  return rows.map(({ from, to }) =>
+    wide(
+      from,
+      to.map((x, i) => x * size[i % 2] + (i < 2 ? (1 - size[i]) / 2 : 0)),
+    ),
+  );
 }
 
 /** A row from side to side of its box, so that what turns is not cut off where there is room. */
 function wide([left, above, across, down], [x, y, width, height]) {
-  return { from: [left - (x * across) / width, above, across / width, down], to: [0, y, 1, height] };
+  return {
+    from: [left - (x * across) / width, above, across / width, down],
+    to: [0, y, 1, height],
+  };
 }
 
 /** Which row shows what is at a place of the picture at rest: that in which it is, or the next one to its side. */

@@ -25,7 +25,12 @@ export function secondPicture(box, parts) {
     camera.position.set(...seen.eye);
     camera.up.set(...seen.up);
     camera.lookAt(...seen.target);
-    Object.assign(camera, { near: NEAR, far: FAR, fov: seen.angle, aspect: canvas.width / canvas.height });
+    Object.assign(camera, {
+      near: NEAR,
+      far: FAR,
+      fov: seen.angle,
+      aspect: canvas.width / canvas.height,
+    });
     camera.updateMatrixWorld();
     camera.updateProjectionMatrix();
     const hidden = unseen.filter(({ visible }) => visible);

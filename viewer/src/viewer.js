@@ -1,16 +1,16 @@
 /* Makes a scene of the page live. */
 import { PerspectiveCamera, Scene, Vector3 } from "three";
 import { clipping, fieldOfView, outermost, reach, spun, turned, widened } from "./camera.js";
-import { orbit } from "./orbit.js";
+import { createCanvas, createTools } from "./elements.js";
 import { apart, isHidden, project } from "./labels.js";
 import { scaleWidths, sortSeeThrough } from "./materials.js";
-import { pixels } from "./startup.js";
+import { orbit } from "./orbit.js";
 import { move } from "./parts.js";
 import { read } from "./read.js";
-import { rowOf, stacked, toBox, toPicture, WHOLE } from "./stack.js";
-import { secondPicture } from "./view.js";
 import { draw, onRestored, prepare } from "./screen.js";
-import { createCanvas, createTools } from "./elements.js";
+import { rowOf, stacked, toBox, toPicture, WHOLE } from "./stack.js";
+import { pixels } from "./startup.js";
+import { secondPicture } from "./view.js";
 
 // How much larger a scene may become than it was at the start.
 const MOVING = 1.5;
@@ -95,7 +95,12 @@ export async function show(element, file, context, { width, height, alt }) {
     if (resting) return;
     for (const [eye, take, named, rowFor] of [
       ...[...views.values()].map((view) => [view.camera, view.draw, view.labels, () => WHOLE[0]]),
-      [camera, (scene) => draw(scene, camera, canvas, rows, only), labels, (point) => rows[rowAt(point)]],
+      [
+        camera,
+        (scene) => draw(scene, camera, canvas, rows, only),
+        labels,
+        (point) => rows[rowAt(point)],
+      ],
     ]) {
       sortSeeThrough(objects, eye);
       take(scene);
@@ -103,6 +108,7 @@ export async function show(element, file, context, { width, height, alt }) {
     }
     for (const watch of watchers) watch();
   };
+  // biome-ignore lint/correctness/noUnusedVariables: ??= and its like read it, too.
   let asked = 0;
   const redraw = () => {
     asked ||= requestAnimationFrame(() => {
@@ -122,7 +128,9 @@ export async function show(element, file, context, { width, height, alt }) {
     for (const box of boxes) measure(box, views.get(box.dataset.view).labels);
     fixed = stacked(stack.rows, stack.aspect, canvas);
     const [{ from, to }] = fixed;
-    const scales = [canvas.width / width, canvas.height / height].map((x, i) => (x * to[i + 2]) / from[i + 2]);
+    const scales = [canvas.width / width, canvas.height / height].map(
+      (x, i) => (x * to[i + 2]) / from[i + 2],
+    );
     scaleWidths(objects, Math.min(...scales));
     aim();
     drawNow();
@@ -224,7 +232,12 @@ function labelsIn(box) {
 }
 
 /** The point in the middle of a part of the picture, as far away as what the camera looks at. */
-function middleOf([left, top, width, height], { viewAngle, aspect, target }, distance, [right, up]) {
+function middleOf(
+  [left, top, width, height],
+  { viewAngle, aspect, target },
+  distance,
+  [right, up],
+) {
   const half = distance * Math.tan((viewAngle * Math.PI) / 360);
   const [x, y] = [(2 * left + width - 1) * half * aspect, (1 - 2 * top - height) * half];
   return target.map((value, i) => value + x * right[i] + y * up[i]);
@@ -240,7 +253,10 @@ function atPoster(camera, { viewAngle, aspect }) {
 /** The first point of an object, where it is now. */
 function firstPoint({ geometry, matrix }) {
   const { instanceStart, position } = geometry.attributes;
-  return new Vector3().fromBufferAttribute(instanceStart ?? position, 0).applyMatrix4(matrix).toArray();
+  return new Vector3()
+    .fromBufferAttribute(instanceStart ?? position, 0)
+    .applyMatrix4(matrix)
+    .toArray();
 }
 
 /** The matrix from the scene to the picture. */
@@ -268,7 +284,9 @@ function placeLabels(labels, camera, surfaces, rowFor) {
   const eye = camera.position.toArray();
   const seen = [];
   for (const { label, position, width, height, across, down } of labels) {
-    const { left, top, inside } = position ? toBox(rowFor(position), project(matrix, position)) : {};
+    const { left, top, inside } = position
+      ? toBox(rowFor(position), project(matrix, position))
+      : {};
     const hidden = !inside || isHidden(surfaces, eye, position);
     label.toggleAttribute("data-behind", hidden);
     if (position) {

@@ -26,7 +26,9 @@ function receive(buffer) {
 
 async function load(buffer) {
   const text = new Blob([buffer]).stream().pipeThrough(new DecompressionStream("gzip"));
-  const module = await new Response(text, { headers: { "Content-Type": "text/javascript" } }).blob();
+  const module = await new Response(text, {
+    headers: { "Content-Type": "text/javascript" },
+  }).blob();
   return import(URL.createObjectURL(module));
 }
 

@@ -1,11 +1,11 @@
 /* A figure in a notebook: the scene of a widget, drawn by the viewer of the pages. */
 /* global STYLES */
 import katex from "katex";
+import { element } from "./elements.js";
 import { explore } from "./explore.js";
 import { panelHtml } from "./panel-html.js";
-import { openWebGL, status } from "./startup.js";
 import { takePicture } from "./picture.js";
-import { element } from "./elements.js";
+import { openWebGL, status } from "./startup.js";
 import { show } from "./viewer.js";
 
 const NEAR = "50% 0%";
@@ -51,7 +51,9 @@ export function render({ model, el }, models) {
   );
   el.classList.add("scene-in-notebook");
   const data = model.get("spec");
-  const figure = data.name ? createExplorable([scene, ...views.map(createView)], data, models) : scene;
+  const figure = data.name
+    ? createExplorable([scene, ...views.map(createView)], data, models)
+    : scene;
   el.replaceChildren(figure);
 
   const goLive = async () => {

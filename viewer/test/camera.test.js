@@ -56,7 +56,18 @@ test("what is at the border of the picture reaches 1", () => {
   close(reach([[10, 0, 0]], AXES, 5, [2, 1]), 1);
   close(reach([[0, -5, 0]], AXES, 5, [2, 1]), 1);
   close(reach([[0, 2, 3]], AXES, 5, [2, 1]), 1);
-  close(reach([[0, 2, 3], [1, 1, 0]], AXES, 5, [2, 1]), 1);
+  close(
+    reach(
+      [
+        [0, 2, 3],
+        [1, 1, 0],
+      ],
+      AXES,
+      5,
+      [2, 1],
+    ),
+    1,
+  );
 });
 
 test("the view stays as it is while the scene fits, and widens by as much as it would be cut", () => {
@@ -68,7 +79,11 @@ test("the view stays as it is while the scene fits, and widens by as much as it 
 });
 
 test("an arrow key moves a point to where it says", () => {
-  const axes = [[0, 1, 0], [0, 0, 1], [1, 0, 0]];
+  const axes = [
+    [0, 1, 0],
+    [0, 0, 1],
+    [1, 0, 0],
+  ];
   const near = (mine, wanted) => mine.forEach((x, i) => close(x, wanted[i]));
   near(turned([1, 0, 0], axes, [1, 0], 0.1), [Math.cos(0.1), Math.sin(0.1), 0]);
   near(turned([1, 0, 0], axes, [0, 1], 0.1), [Math.cos(0.1), 0, Math.sin(0.1)]);

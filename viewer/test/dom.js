@@ -34,7 +34,10 @@ export function tick(time) {
 
 /** Tell an element of an event, with some properties. */
 export function tell(element, type, properties = {}) {
-  const event = Object.assign(new window.Event(type, { bubbles: true, cancelable: true }), properties);
+  const event = Object.assign(
+    new window.Event(type, { bubbles: true, cancelable: true }),
+    properties,
+  );
   element.dispatchEvent(event);
   return event;
 }
@@ -43,8 +46,7 @@ export function tell(element, type, properties = {}) {
 export function figure(panel) {
   for (const listener of listening) window.removeEventListener(...listener);
   listening = [];
-  document.body.innerHTML =
-    `<div class="explorable"><div class="scene"><p class="scene-hint"></p></div>${panel}</div>`;
+  document.body.innerHTML = `<div class="explorable"><div class="scene"><p class="scene-hint"></p></div>${panel}</div>`;
   return document.querySelector(".explorable");
 }
 
@@ -69,9 +71,22 @@ export function liveScene(scene) {
     project: ([x, , z]) => ({ left: 0.5 + x / 4, top: 0.5 - z / 4 }),
     sight: (left, top) => ({ eye: [4 * left - 2, -1e6, 2 - 4 * top], direction: [0, 1, 0] }),
     eye: () => [0, -1e6, 0],
-    axes: () => [[1, 0, 0], [0, 0, 1], [0, -1, 0]],
+    axes: () => [
+      [1, 0, 0],
+      [0, 0, 1],
+      [0, -1, 0],
+    ],
     spun: (pose, turn) => spun(pose, live.axes(), turn),
-    turned: (point, arrow, angle) => turned(point, [[1, 0, 0], [0, 0, 1]], arrow, angle),
+    turned: (point, arrow, angle) =>
+      turned(
+        point,
+        [
+          [1, 0, 0],
+          [0, 0, 1],
+        ],
+        arrow,
+        angle,
+      ),
     reset: () => (live.resets += 1),
   };
   return live;

@@ -32,14 +32,32 @@ test("beside the sphere a point slides along the rim", () => {
   }
 });
 
-const SQUARE = [[0, 0], [4, 0], [4, 4], [0, 4], [0, 0]];
+const SQUARE = [
+  [0, 0],
+  [4, 0],
+  [4, 4],
+  [0, 4],
+  [0, 0],
+];
 
 test("a path gives the point of a share, and the share of what is nearest to a place", () => {
   near(pointOf(SQUARE, 0.375), [4, 2]);
   near(pointOf(SQUARE, 1), [0, 0]);
   near([nearest(SQUARE, [5, 2]).share], [0.375]);
   near([nearest(SQUARE, [1, 5]).share], [0.6875]);
-  near([nearest([[0, 0], [0, 0], [2, 0]], [1, 3]).share], [0.75]);
+  near(
+    [
+      nearest(
+        [
+          [0, 0],
+          [0, 0],
+          [2, 0],
+        ],
+        [1, 3],
+      ).share,
+    ],
+    [0.75],
+  );
 });
 
 test("an open path ends; a closed one goes on", () => {
@@ -50,7 +68,11 @@ test("an open path ends; a closed one goes on", () => {
 });
 
 test("where a path runs twice along one way, the finger stays on its own", () => {
-  const there_and_back = [[0, 0], [4, 0], [0, 0]];
+  const there_and_back = [
+    [0, 0],
+    [4, 0],
+    [0, 0],
+  ];
   near([nearest(there_and_back, [1, 1], 0.2, 0.2).share], [0.125]);
   near([nearest(there_and_back, [1, 1], 0.8, 0.2).share], [0.875]);
 });

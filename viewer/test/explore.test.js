@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { drag, figure, liveScene, tell, tick } from "./dom.js";
 import { explore } from "../src/explore.js";
+import { drag, figure, liveScene, tell, tick } from "./dom.js";
 
 const PANEL = `<p class="explorable-status" role="status"></p>
   <form class="explorable-panel"><fieldset disabled>
@@ -13,15 +13,23 @@ const PANEL = `<p class="explorable-status" role="status"></p>
   <button type="button" data-action="reset">Reset</button>
   <button type="button" data-action="link">Link</button></fieldset></form>`;
 const NUMBER = { kind: "number", step: 0.01, stride: 0.1, plays: 0 };
-const INPUTS = {
-  u: { ...NUMBER, low: 0, high: 1 },
-  v: { ...NUMBER, low: 0, high: 2 },
-};
-const stateOf = (u, v) => ({ parts: { ball: { at: [u, v, 0] } }, labels: {}, outputs: { sum: u + v }, charts: {} });
+const INPUTS = { u: { ...NUMBER, low: 0, high: 1 }, v: { ...NUMBER, low: 0, high: 2 } };
+const stateOf = (u, v) => ({
+  parts: { ball: { at: [u, v, 0] } },
+  labels: {},
+  outputs: { sum: u + v },
+  charts: {},
+});
 const START = { u: 0.25, v: 1 };
 
 /** A figure with a model, or with what is given instead. */
-function shown({ data = {}, models = { add: ({ u, v }) => stateOf(u, v) }, python, past = null, around = "" } = {}) {
+function shown({
+  data = {},
+  models = { add: ({ u, v }) => stateOf(u, v) },
+  python,
+  past = null,
+  around = "",
+} = {}) {
   history.replaceState(past, "");
   const element = figure(PANEL);
   element.parentElement.className = around;
@@ -143,7 +151,10 @@ test("a link is copied, or else shown to be copied by hand", async () => {
     [clipboard, "Link copied. It opens the figure as it is set.", undefined],
     [undefined, "Copy this link to the figure as it is set: ", location.href],
   ]) {
-    Object.defineProperty(globalThis, "navigator", { value: { clipboard: granted }, configurable: true });
+    Object.defineProperty(globalThis, "navigator", {
+      value: { clipboard: granted },
+      configurable: true,
+    });
     find("[data-action=link]").click();
     await Promise.resolve();
     assert.equal(status(), words);
@@ -221,7 +232,9 @@ test("Back brings an earlier state back, also if the address stays", () => {
   assert.deepEqual(history.state, past);
 });
 
-test("a change is told in a sentence, and the picture's name with it, once the hand rests", ({ mock }) => {
+test("a change is told in a sentence, and the picture's name with it, once the hand rests", ({
+  mock,
+}) => {
   mock.timers.enable({ apis: ["setTimeout"] });
   const inputs = { u: { ...INPUTS.u, label: "turn, °" }, v: INPUTS.v };
   const { write, status, live, find } = shown({ data: { inputs } });
@@ -245,14 +258,17 @@ test("a change is told in a sentence, and the picture's name with it, once the h
 
 test("what a model shows only while the hand moves goes once it rests", ({ mock }) => {
   mock.timers.enable({ apis: ["setTimeout"] });
-  const model = ({ u, v }, constants, changed) => ({ ...stateOf(u, v), labels: { P: changed } });
+  const model = ({ u, v }, _, changed) => ({ ...stateOf(u, v), labels: { P: changed } });
   const { live, write, hand } = shown({ models: { add: model } });
   hand.set({ v: 2 });
   mock.timers.tick(500);
   write("v", "1.5");
   mock.timers.tick(500);
   mock.timers.tick(500);
-  assert.deepEqual(live.applied.map(({ labels }) => labels.P), [["v"], ["v"], []]);
+  assert.deepEqual(
+    live.applied.map(({ labels }) => labels.P),
+    [["v"], ["v"], []],
+  );
 });
 
 test("what Python sets is not announced, but the picture's name follows", ({ mock }) => {
@@ -266,7 +282,12 @@ test("what Python sets is not announced, but the picture's name follows", ({ moc
 
 const POINTS = {
   inputs: { p: { kind: "points", names: ["P", "Q"], length: 2, reach: 1 } },
-  start: { p: [[0, -2, 0], [0, 0, 2]] },
+  start: {
+    p: [
+      [0, -2, 0],
+      [0, 0, 2],
+    ],
+  },
 };
 const pointed = ({ p }) => ({ parts: {}, labels: {}, outputs: { sum: p[0][0] }, charts: {} });
 

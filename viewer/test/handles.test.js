@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { drag, figure, liveScene, tell } from "./dom.js";
 import { addHandles } from "../src/handles.js";
+import { drag, figure, liveScene, tell } from "./dom.js";
 
 const SPECS = {
   u: { kind: "number" },
@@ -15,7 +15,16 @@ const ROUND = Array.from({ length: 73 }, (_, i) => {
   return [1.2 * Math.cos(angle), 0, 1.2 * Math.sin(angle)];
 });
 const GRIPS = { angle: { path: ROUND }, spoon: { at: [1, 0, 0], size: 0.5 } };
-const START = { u: 0, points: [[0, -1, 0], [0.6, -0.8, 0]], axis: [0, 0, 1], angle: 30, spoon: [1, 0, 0, 0] };
+const START = {
+  u: 0,
+  points: [
+    [0, -1, 0],
+    [0.6, -0.8, 0],
+  ],
+  axis: [0, 0, 1],
+  angle: 30,
+  spoon: [1, 0, 0, 0],
+};
 const near = (mine, wanted, within = 1e-6) =>
   mine.forEach((x, i) => assert.ok(Math.abs(x - wanted[i]) < within, `${mine} is not ${wanted}`));
 
@@ -51,7 +60,10 @@ test("each point has its handle, at its place and with its name", () => {
   assert.equal(handle("axis").getAttribute("aria-label"), "n at 0.00, 0.00, 1.00");
   assert.equal(handle("axis").type, "button");
   assert.equal(handle("axis").getAttribute("aria-roledescription"), "point");
-  assert.equal(element.querySelector(".scene-hint").textContent, "Drag a ring to move what it holds");
+  assert.equal(
+    element.querySelector(".scene-hint").textContent,
+    "Drag a ring to move what it holds",
+  );
   assert.equal(element.querySelector("canvas + .scene-handles button").className, "scene-handle");
 });
 
@@ -84,7 +96,10 @@ test("a handle goes to another place together with the picture", () => {
 });
 
 test("a handle moves its own point, to where the pointer is", () => {
-  for (const [i, other] of [[0, 1], [1, 0]]) {
+  for (const [i, other] of [
+    [0, 1],
+    [1, 0],
+  ]) {
     const { state, handle } = scene();
     const [left, top] = place(handle(`points-${i}`));
     drag(handle(`points-${i}`), 5, -10);
@@ -110,7 +125,15 @@ test("a single point is no list, and its handle stands beyond it", () => {
 test("a point of a turned sphere is moved as it is seen, and kept as it was before the turn", () => {
   const { state, handle, late, live } = scene();
   // U to W, W to -V, V to -U: a third of a turn.
-  late.update({ axis: { turn: [[0, -1, 0], [0, 0, -1], [1, 0, 0]] } });
+  late.update({
+    axis: {
+      turn: [
+        [0, -1, 0],
+        [0, 0, -1],
+        [1, 0, 0],
+      ],
+    },
+  });
   live.draw();
   near(place(handle("axis")), [50, 50]);
   const [left, top] = place(handle("axis"));
@@ -163,7 +186,11 @@ test("arrow keys turn a point by two degrees, five times and a tenth of it", () 
 
 test("other keys, and those of the browser, are left alone", () => {
   const { state, handle } = scene();
-  for (const keys of [{ key: "a" }, { key: "ArrowUp", ctrlKey: true }, { key: "ArrowUp", metaKey: true }]) {
+  for (const keys of [
+    { key: "a" },
+    { key: "ArrowUp", ctrlKey: true },
+    { key: "ArrowUp", metaKey: true },
+  ]) {
     assert.ok(!tell(handle("points-0"), "keydown", keys).defaultPrevented);
   }
   assert.deepEqual(state.inputs, START);
@@ -231,7 +258,10 @@ test("a handle whose point has left the picture waits at its border", () => {
 test("a near eye sees less than half of the sphere", () => {
   const { live, state, handle } = scene();
   live.eye = () => [0, -2, 0];
-  for (const [y, behind] of [[-0.6, false], [-0.4, true]]) {
+  for (const [y, behind] of [
+    [-0.6, false],
+    [-0.4, true],
+  ]) {
     state.inputs.points[0] = [Math.sqrt(1 - y * y), y, 0];
     live.draw();
     assert.equal(handle("points-0").hasAttribute("data-behind"), behind);
@@ -293,13 +323,29 @@ function circled() {
   made.handles.update(GRIPS);
   const on = (angle, radius = 30) =>
     [Math.cos, Math.sin].map((f, i) => (i ? -1 : 1) * radius * f((angle * Math.PI) / 180));
-  return { ...made, on, ring: made.handle("angle"), path: made.element.querySelector(".scene-path") };
+  return {
+    ...made,
+    on,
+    ring: made.handle("angle"),
+    path: made.element.querySelector(".scene-path"),
+  };
 }
 
 test("a number has a ring on its path, which speaks", () => {
   const { ring, on } = circled();
-  near(place(ring), on(30).map((x) => 50 + x), 0.05);
-  const said = ["role", "aria-label", "aria-valuemin", "aria-valuemax", "aria-valuenow", "aria-valuetext"];
+  near(
+    place(ring),
+    on(30).map((x) => 50 + x),
+    0.05,
+  );
+  const said = [
+    "role",
+    "aria-label",
+    "aria-valuemin",
+    "aria-valuemax",
+    "aria-valuenow",
+    "aria-valuetext",
+  ];
   assert.deepEqual(
     said.map((name) => ring.getAttribute(name)),
     ["slider", "angle", "-180", "180", "30", "30°"],
@@ -325,7 +371,12 @@ test("a ring is dragged along its path, in steps, and beyond the end of a closed
 
 test("a path is grabbed anywhere, and the number moves by as much as the finger", () => {
   const { path, state, on } = circled();
-  path.parentElement.parentElement.getBoundingClientRect = () => ({ left: 0, top: 0, width: 100, height: 100 });
+  path.parentElement.parentElement.getBoundingClientRect = () => ({
+    left: 0,
+    top: 0,
+    width: 100,
+    height: 100,
+  });
   path.setPointerCapture = () => {};
   const [from, to] = [200, 240].map((angle) => on(angle).map((x) => 50 + x));
   tell(path, "pointerdown", { button: 0, pointerId: 1, clientX: from[0], clientY: from[1] });
@@ -336,12 +387,33 @@ test("a path is grabbed anywhere, and the number moves by as much as the finger"
 
 test("a body that turns with a number is grabbed in place of the path, wherever it is seen", () => {
   const { handles, path, state, on } = circled();
-  const spoke = on(30).map((x, i) => (i ? -1 : 1) * x / 25);
-  handles.update({ angle: { path: ROUND, body: [[0, 0, 0], [spoke[0], 0, spoke[1]]] } });
-  assert.equal(path.getAttribute("d"), `M50 50 ${on(30).map((x) => Math.round(100 * (50 + x)) / 100).join(" ")}`);
-  path.parentElement.parentElement.getBoundingClientRect = () => ({ left: 0, top: 0, width: 100, height: 100 });
+  const spoke = on(30).map((x, i) => ((i ? -1 : 1) * x) / 25);
+  handles.update({
+    angle: {
+      path: ROUND,
+      body: [
+        [0, 0, 0],
+        [spoke[0], 0, spoke[1]],
+      ],
+    },
+  });
+  assert.equal(
+    path.getAttribute("d"),
+    `M50 50 ${on(30)
+      .map((x) => Math.round(100 * (50 + x)) / 100)
+      .join(" ")}`,
+  );
+  path.parentElement.parentElement.getBoundingClientRect = () => ({
+    left: 0,
+    top: 0,
+    width: 100,
+    height: 100,
+  });
   path.setPointerCapture = () => {};
-  const [from, to] = [[30, 15], [70, 15]].map(([angle, radius]) => on(angle, radius).map((x) => 50 + x));
+  const [from, to] = [
+    [30, 15],
+    [70, 15],
+  ].map(([angle, radius]) => on(angle, radius).map((x) => 50 + x));
   tell(path, "pointerdown", { button: 0, pointerId: 1, clientX: from[0], clientY: from[1] });
   tell(path, "pointermove", { clientX: to[0], clientY: to[1] });
   tell(path, "pointerup");
@@ -399,7 +471,15 @@ test("a body that the picture does not show cannot be grabbed", () => {
   const { element, handles, state } = scene({ spoons: { kind: "poses", names: ["A", "B", "C"] } });
   const grabbed = () => element.querySelectorAll("[data-handle]").length;
   state.inputs.spoons = Array(3).fill([1, 0, 0, 0]);
-  handles.update({ spoons: { at: [[0, 0, 0], [1, 0, 0]], size: 0.5 } });
+  handles.update({
+    spoons: {
+      at: [
+        [0, 0, 0],
+        [1, 0, 0],
+      ],
+      size: 0.5,
+    },
+  });
   assert.equal(grabbed(), 2);
   state.inputs.spoons = [[1, 0, 0, 0]];
   handles.update();

@@ -12,10 +12,7 @@ function ball(seeThrough = false) {
   };
 }
 
-const square = {
-  positions: [-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0],
-  corners: [0, 1, 2, 0, 2, 3],
-};
+const square = { positions: [-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0], corners: [0, 1, 2, 0, 2, 3] };
 
 test("labels are where three's camera sees their points", () => {
   const camera = new PerspectiveCamera(30, 1.5, 0.1, 100);
@@ -24,14 +21,23 @@ test("labels are where three's camera sees their points", () => {
   camera.lookAt(0, 0, 0.1);
   camera.updateMatrixWorld();
   const matrix = camera.projectionMatrix.clone().multiply(camera.matrixWorldInverse).elements;
-  for (const point of [[0, 0, 0.1], [1, 0.5, -0.3], [-2, 1, 1]]) {
+  for (const point of [
+    [0, 0, 0.1],
+    [1, 0.5, -0.3],
+    [-2, 1, 1],
+  ]) {
     const seen = new Vector3(...point).project(camera);
     const { left, top, inside } = project(matrix, point);
     assert.ok(Math.abs(left - (1 + seen.x) / 2) < 1e-9);
     assert.ok(Math.abs(top - (1 - seen.y) / 2) < 1e-9);
     assert.ok(inside);
   }
-  for (const outside of [[8, -4, 4], [0, 3, 0], [0, 0, 2], [0, 0, -2]]) {
+  for (const outside of [
+    [8, -4, 4],
+    [0, 3, 0],
+    [0, 0, 2],
+    [0, 0, -2],
+  ]) {
     assert.ok(!project(matrix, outside).inside);
   }
 });
@@ -45,12 +51,18 @@ describe("crossings", () => {
   });
 
   test("of a slanting face are those that three finds", () => {
-    const [a, b, c] = [[0.2, -0.1, 0.3], [1.1, 0.4, -0.5], [-0.3, 0.9, 0.6]];
+    const [a, b, c] = [
+      [0.2, -0.1, 0.3],
+      [1.1, 0.4, -0.5],
+      [-0.3, 0.9, 0.6],
+    ];
     const face = { positions: [a, b, c].flat(), corners: [0, 1, 2] };
     const corners = [a, b, c].map((corner) => new Vector3(...corner));
     let hits = 0;
     for (let i = 0; i < 400; i++) {
-      const [from, to] = [0, 3].map((k) => [1, 2, 3].map((j) => 1.5 * Math.sin((7 * i + 1) * (j + k))));
+      const [from, to] = [0, 3].map((k) =>
+        [1, 2, 3].map((j) => 1.5 * Math.sin((7 * i + 1) * (j + k))),
+      );
       const way = new Vector3(...to).sub(new Vector3(...from));
       const ray = new Ray(new Vector3(...from), way.clone().normalize());
       const hit = ray.intersectTriangle(...corners, false, new Vector3());
@@ -114,14 +126,25 @@ describe("labels give way", () => {
   test("by half of the shorter way each, and not at all if they only touch", () => {
     const still = { x: 0, y: 0 };
     assert.deepEqual(apart([box(0, 0), box(20, 3), box(0, 10)]), [still, still, still]);
-    assert.deepEqual(apart([box(0, 0), box(3, 6)]), [{ x: 0, y: -2 }, { x: 0, y: 2 }]);
-    assert.deepEqual(apart([box(0, 0), box(3, -6)]), [{ x: 0, y: 2 }, { x: 0, y: -2 }]);
-    assert.deepEqual(apart([box(0, 0), box(-17, 1)]), [{ x: 1.5, y: 0 }, { x: -1.5, y: 0 }]);
+    assert.deepEqual(apart([box(0, 0), box(3, 6)]), [
+      { x: 0, y: -2 },
+      { x: 0, y: 2 },
+    ]);
+    assert.deepEqual(apart([box(0, 0), box(3, -6)]), [
+      { x: 0, y: 2 },
+      { x: 0, y: -2 },
+    ]);
+    assert.deepEqual(apart([box(0, 0), box(-17, 1)]), [
+      { x: 1.5, y: 0 },
+      { x: -1.5, y: 0 },
+    ]);
     assert.deepEqual(apart([]), []);
   });
 
   test("also if they lie in one place, and in a crowd", () => {
-    const crowd = [0, 1, 2, 3, 4, 5].map((i) => box(7 * Math.sin(5 * i), 4 * Math.cos(3 * i), 14 + i));
+    const crowd = [0, 1, 2, 3, 4, 5].map((i) =>
+      box(7 * Math.sin(5 * i), 4 * Math.cos(3 * i), 14 + i),
+    );
     for (const boxes of [[box(5, 5), box(5, 5)], [box(5, 5), box(5, 5), box(5, 5)], crowd]) {
       assert.ok(worst(boxes) > 1);
       assert.ok(worst(pushed(boxes)) < 0.5, `${worst(pushed(boxes))}`);

@@ -4,7 +4,16 @@ import { fromText, toText } from "../src/link.js";
 
 const FIGURE = {
   name: "some-figure",
-  start: { u: 0.5, points: [[1, 0, 0], [0, 1, 0]], one: [0, 0, 1], on: false, way: "short" },
+  start: {
+    u: 0.5,
+    points: [
+      [1, 0, 0],
+      [0, 1, 0],
+    ],
+    one: [0, 0, 1],
+    on: false,
+    way: "short",
+  },
   inputs: {
     u: { kind: "number", low: 0, high: 1 },
     points: { kind: "points", names: ["P", "Q", "R"], least: 2, most: 3 },
@@ -17,7 +26,11 @@ const FIGURE = {
 test("the address holds what differs from the start, and gives it back", () => {
   const state = {
     u: 0.25,
-    points: [[1, 0, 0], [0, 0.6, -0.8], [0, 0, 1]],
+    points: [
+      [1, 0, 0],
+      [0, 0.6, -0.8],
+      [0, 0, 1],
+    ],
     one: [0, 0, 1],
     on: true,
     way: "long",
@@ -30,7 +43,10 @@ test("the address holds what differs from the start, and gives it back", () => {
 });
 
 test("points from an address have their length, unless they may have any", () => {
-  for (const [length, wanted] of [[2, [0, 1.2, 1.6]], [0, [0, 0.3, 0.4]]]) {
+  for (const [length, wanted] of [
+    [2, [0, 1.2, 1.6]],
+    [0, [0, 0.3, 0.4]],
+  ]) {
     const inputs = { one: { kind: "points", names: "N", length } };
     const { one } = fromText("#explore-some-figure?one=0,0.3,0.4", { ...FIGURE, inputs });
     one.forEach((x, i) => assert.ok(Math.abs(x - wanted[i]) < 1e-12, `${one}`));
@@ -52,7 +68,12 @@ test("without other bounds there are as many points as names", () => {
   const read = (text) => fromText(`#explore-some-figure?points=${text}`, figure);
   assert.equal(read("1,0,0"), null);
   assert.equal(read("1,0,0 0,1,0 0,0,1"), null);
-  assert.deepEqual(read("1,0,0 0,1,0"), { points: [[1, 0, 0], [0, 1, 0]] });
+  assert.deepEqual(read("1,0,0 0,1,0"), {
+    points: [
+      [1, 0, 0],
+      [0, 1, 0],
+    ],
+  });
 });
 
 test("an address that makes no sense changes nothing", () => {

@@ -14,13 +14,19 @@ const LOOKS = {
   roundPoints: true,
   lit: true,
 };
-const LIGHTS = [[0, 0, 1], [0, 0.6, 0.8]].map((toward, i) => ({ toward, color: [1, i, 0.5] }));
+const LIGHTS = [
+  [0, 0, 1],
+  [0, 0.6, 0.8],
+].map((toward, i) => ({ toward, color: [1, i, 0.5] }));
 
 /** A part as three's loader returns it, and what draws it. */
 function drawn(kind, { looks = {}, attributes = ["normal"], lights = LIGHTS, ...material } = {}) {
   const geometry = new three.BufferGeometry();
   for (const name of ["position", ...attributes]) {
-    geometry.setAttribute(name, new three.BufferAttribute(new Float32Array([0, 0, 0, 1, 2, 3, 4, 5, 7]), 3));
+    geometry.setAttribute(
+      name,
+      new three.BufferAttribute(new Float32Array([0, 0, 0, 1, 2, 3, 4, 5, 7]), 3),
+    );
   }
   geometry.setIndex([2, 0, 0, 1]);
   const part = new kind(geometry, new three.MeshBasicMaterial(material));
@@ -36,13 +42,30 @@ const near = (mine, wanted) =>
 
 test("a surface has the looks that Python has given it", () => {
   const [made] = drawn(three.Mesh, { color: 0xffffff, opacity: 0.75 });
-  for (const [name, value] of Object.entries({ opacity: 0.75, ambient: 0.25, diffuse: 0.5, specularPower: 7 })) {
+  for (const [name, value] of Object.entries({
+    opacity: 0.75,
+    ambient: 0.25,
+    diffuse: 0.5,
+    specularPower: 7,
+  })) {
     assert.equal(uniform(made, name), value, name);
   }
   near(uniform(made, "base").toArray(), [1, 1, 1]);
   near(uniform(made, "specular").toArray(), [0.1, 0.2, 0.3]);
-  assert.deepEqual(uniform(made, "toward").map((v) => v.toArray()), [[0, 0, 1], [0, 0.6, 0.8]]);
-  assert.deepEqual(uniform(made, "light").map((v) => v.toArray()), [[1, 0, 0.5], [1, 1, 0.5]]);
+  assert.deepEqual(
+    uniform(made, "toward").map((v) => v.toArray()),
+    [
+      [0, 0, 1],
+      [0, 0.6, 0.8],
+    ],
+  );
+  assert.deepEqual(
+    uniform(made, "light").map((v) => v.toArray()),
+    [
+      [1, 0, 0.5],
+      [1, 1, 0.5],
+    ],
+  );
   assert.equal(made.material.defines.LIGHTS, 2);
   near(made.matrix.elements.slice(12, 15), [1, 2, 3]);
   assert.ok(!made.matrixAutoUpdate);
@@ -52,7 +75,10 @@ test("a part knows the ball that it is, or may stand behind", () => {
   const roles = [{}, { ball: [1, 2, 3, 4] }, { behind: [1, 2, 3, 4] }].map((looks) => {
     const [made] = drawn(three.Mesh, { looks });
     assert.match(made.material.fragmentShader, /^\s*\/\/ the ball$/m);
-    near(uniform(made, "ball").toArray(), "ball" in looks || "behind" in looks ? [1, 2, 3, 4] : [0, 0, 0, 1]);
+    near(
+      uniform(made, "ball").toArray(),
+      "ball" in looks || "behind" in looks ? [1, 2, 3, 4] : [0, 0, 0, 1],
+    );
     return uniform(made, "ballRole");
   });
   assert.equal(new Set(roles).size, 3);
@@ -91,7 +117,10 @@ test("what is see-through lets others through, and nothing else does", () => {
 test("light falls on points that are balls alone", () => {
   for (const roundPoints of [false, true]) {
     const [made] = drawn(three.Points, { looks: { roundPoints } });
-    assert.deepEqual(["lit", "isRound", "isPoint"].map((name) => uniform(made, name)), [roundPoints, roundPoints, true]);
+    assert.deepEqual(
+      ["lit", "isRound", "isPoint"].map((name) => uniform(made, name)),
+      [roundPoints, roundPoints, true],
+    );
     assert.equal(uniform(made, "pointSize"), 5);
     assert.ok(made.isPoints);
   }
@@ -102,8 +131,14 @@ test("light falls on points that are balls alone", () => {
 test("lines have their ends, their width and a color without light", () => {
   const [made] = drawn(three.LineSegments, { color: 0xffffff, opacity: 0.5, transparent: true });
   near(made.material.color.toArray(), [0.75, 0.75, 0.75]);
-  assert.deepEqual([made.material.opacity, made.material.transparent, made.material.linewidth], [0.5, true, 3]);
-  assert.deepEqual([...made.geometry.attributes.instanceStart.data.array], [4, 5, 7, 0, 0, 0, 0, 0, 0, 1, 2, 3]);
+  assert.deepEqual(
+    [made.material.opacity, made.material.transparent, made.material.linewidth],
+    [0.5, true, 3],
+  );
+  assert.deepEqual(
+    [...made.geometry.attributes.instanceStart.data.array],
+    [4, 5, 7, 0, 0, 0, 0, 0, 0, 1, 2, 3],
+  );
 });
 
 test("widths are those of the poster, however often the picture changes its size", () => {
@@ -122,7 +157,10 @@ test("a see-through surface counts by its far or its near end, where it is and a
   geometry.boundingSphere = new three.Sphere(new three.Vector3(0, 0, 1), 0.5);
   for (const object of made) object.matrixWorld.makeScale(2, 2, 2);
   sortSeeThrough([...made, solid], camera);
-  assert.deepEqual([...made, solid].map(({ renderOrder }) => renderOrder), [-8, -6, 0]);
+  assert.deepEqual(
+    [...made, solid].map(({ renderOrder }) => renderOrder),
+    [-8, -6, 0],
+  );
   // A part that has changed its points has lost its sphere.
   geometry.boundingSphere = null;
   sortSeeThrough(made, camera);

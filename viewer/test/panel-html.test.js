@@ -1,14 +1,17 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { figure } from "./dom.js";
 import { panelHtml, roundHeights, written } from "../src/panel-html.js";
+import { figure } from "./dom.js";
 
 test("letters that stand for quantities look as in formulas", () => {
   assert.equal(
     written("slerp's angle θ at a point P₀, in °/s"),
     "slerp's angle <i>θ</i> at a point <i>P<sub>0</sub></i>, in °/s",
   );
-  assert.equal(written("a < b & n̂ × rᵢ₊₁"), "a &lt; <i>b</i> &amp; <i>n̂</i> × <i>r<sub><i>i</i>+1</sub></i>");
+  assert.equal(
+    written("a < b & n̂ × rᵢ₊₁"),
+    "a &lt; <i>b</i> &amp; <i>n̂</i> × <i>r<sub><i>i</i>+1</sub></i>",
+  );
   assert.equal(written("A point, and I say why"), "A point, and I say why");
 });
 
@@ -21,15 +24,50 @@ test("hairlines stand at round heights, or at the ends alone", () => {
 const SPEC = {
   name: "some-figure",
   inputs: {
-    u: { kind: "number", low: 0, high: 2, step: 0.01, stride: 0.25, plays: 4, label: "turn, °", row: true },
-    hidden: { kind: "number", low: 0, high: 1, step: 0.1, stride: 0.1, plays: 0, label: "", row: false },
+    u: {
+      kind: "number",
+      low: 0,
+      high: 2,
+      step: 0.01,
+      stride: 0.25,
+      plays: 4,
+      label: "turn, °",
+      row: true,
+    },
+    hidden: {
+      kind: "number",
+      low: 0,
+      high: 1,
+      step: 0.1,
+      stride: 0.1,
+      plays: 0,
+      label: "",
+      row: false,
+    },
     points: { kind: "points", names: ["P", "Q"], least: 2, most: 3 },
     on: { kind: "switch", label: 'the "other" <way>' },
     way: { kind: "choice", label: "way", options: ["short", "long"] },
   },
-  start: { u: 0.5, hidden: 0, points: [[1, 0, 0], [0, 1, 0]], on: true, way: "long" },
+  start: {
+    u: 0.5,
+    hidden: 0,
+    points: [
+      [1, 0, 0],
+      [0, 1, 0],
+    ],
+    on: true,
+    way: "long",
+  },
   outputs: [
-    { name: "length", label: "length", digits: 1, unit: "°", loud: "no", where: "picture", color: "#123456" },
+    {
+      name: "length",
+      label: "length",
+      digits: 1,
+      unit: "°",
+      loud: "no",
+      where: "picture",
+      color: "#123456",
+    },
     { name: "fits", label: "it fits", digits: 2, unit: "", loud: "yes", where: "panel", color: "" },
     { name: "matrix", label: "M", digits: 1, unit: "", loud: "no", where: "folded", color: "" },
   ],
@@ -49,8 +87,23 @@ const SPEC = {
   tries: [["further & on", { u: 2, way: "short" }]],
 };
 const STATE = {
-  outputs: { length: -1.25, fits: "yes", matrix: [[1, 0], [0, 1]] },
-  charts: { heights: { one: [[0, 1], [0.5, 0.25]], two: null } },
+  outputs: {
+    length: -1.25,
+    fits: "yes",
+    matrix: [
+      [1, 0],
+      [0, 1],
+    ],
+  },
+  charts: {
+    heights: {
+      one: [
+        [0, 1],
+        [0.5, 0.25],
+      ],
+      two: null,
+    },
+  },
 };
 
 /** A panel in a page. */
@@ -82,7 +135,10 @@ test("each input has its control, with its value at the start", () => {
   assert.equal(form.querySelector(`label[for="${slider.id}"]`).textContent, "turn, °");
   assert.ok(form.querySelector("[name=on]").checked);
   assert.match(form.querySelector(".explorable-switch").textContent, /the "other" <way>/);
-  assert.deepEqual([...form.querySelectorAll("[name=way]")].map(({ checked }) => checked), [false, true]);
+  assert.deepEqual(
+    [...form.querySelectorAll("[name=way]")].map(({ checked }) => checked),
+    [false, true],
+  );
   const actions = [...form.querySelectorAll("[data-input]")].map(({ dataset }) => dataset.action);
   assert.deepEqual(actions, ["play", "step", "add", "remove"]);
 });
@@ -102,17 +158,23 @@ test("a chart has curves, names at their ends, marks for its pieces, and hairlin
   const d = [...chart.querySelectorAll("path")].map((path) => path.getAttribute("d"));
   assert.deepEqual(d, ["M0.0,64.0 160.0,0.0M160.0,32.0 320.0,48.0", ""]);
   assert.ok(chart.querySelector("[data-curve=two]").hasAttribute("data-dashed"));
-  const names = [...chart.querySelectorAll("[data-name]")].map(({ hidden, style }) => hidden || style.top);
+  const names = [...chart.querySelectorAll("[data-name]")].map(
+    ({ hidden, style }) => hidden || style.top,
+  );
   assert.deepEqual(names, ["38%", true]);
   assert.deepEqual(
     [...chart.querySelectorAll(".explorable-marks span")].map(({ hidden }) => hidden),
     [false, false, true],
   );
-  const lines = [...chart.querySelectorAll("[data-tick]")].map((line) => line.getAttribute("data-tick"));
+  const lines = [...chart.querySelectorAll("[data-tick]")].map((line) =>
+    line.getAttribute("data-tick"),
+  );
   assert.deepEqual(lines, ["-1", "-0.5", "0", "0.5", "1"]);
   assert.equal(chart.querySelector("[data-mark]").getAttribute("x1"), "80.0");
   assert.ok(!chart.hidden);
-  const empty = figure(panelHtml(SPEC, { ...STATE, charts: { heights: { one: null, two: null } } }));
+  const empty = figure(
+    panelHtml(SPEC, { ...STATE, charts: { heights: { one: null, two: null } } }),
+  );
   assert.ok(empty.querySelector("[data-chart]").hidden);
 });
 

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { calm, figure, tell, tick } from "./dom.js";
 import { bindPanel } from "../src/panel.js";
+import { calm, figure, tell, tick } from "./dom.js";
 
 const PANEL = `<form class="explorable-panel"><fieldset disabled>
   <input type="range" name="u" min="1" max="3" step="any">
@@ -35,7 +35,16 @@ const SPECS = {
   way: { kind: "choice", options: ["short", "long"] },
   points: { kind: "points", names: ["P", "Q", "R"], least: 2, most: 3 },
 };
-const START = { u: 1.5, v: 0, on: false, way: "short", points: [[1, 0, 0], [0, 1, 0]] };
+const START = {
+  u: 1.5,
+  v: 0,
+  on: false,
+  way: "short",
+  points: [
+    [1, 0, 0],
+    [0, 1, 0],
+  ],
+};
 const NONE = { outputs: {} };
 
 /** A bound panel, its inputs, and what it has asked for. */
@@ -108,7 +117,16 @@ test("numbers, texts and matrices are written with their digits", () => {
   const { panel, find } = bound();
   const text = (name) => find(`output[name=${name}]`).textContent;
   const loud = () => find("output[name=fits]").classList.contains("explorable-loud");
-  panel.show(START, { outputs: { length: -1.236, fits: "no", matrix: [[1, -10.04], [0, -0.04]] } });
+  panel.show(START, {
+    outputs: {
+      length: -1.236,
+      fits: "no",
+      matrix: [
+        [1, -10.04],
+        [0, -0.04],
+      ],
+    },
+  });
   assert.equal(text("length"), "−1.24°");
   assert.equal(text("fits"), "no");
   assert.ok(loud());
@@ -142,13 +160,22 @@ test("names stand beside the ends of curves, but apart, and without a curve ther
   const { panel, find } = bound();
   const placed = (curves) => {
     panel.show(START, { outputs: {}, charts: { heights: curves } });
-    return ["one", "two"].map((name) => find(`[data-name=${name}]`)).map(
-      ({ hidden, style }) => (hidden ? null : style.top),
-    );
+    return ["one", "two"]
+      .map((name) => find(`[data-name=${name}]`))
+      .map(({ hidden, style }) => (hidden ? null : style.top));
   };
   assert.deepEqual(placed({ one: [0, 0.5], two: [0, -0.5] }), ["25%", "75%"]);
   assert.deepEqual(placed({ one: [0, 0.5], two: [0, 0.52] }), ["37%", "24%"]);
-  assert.deepEqual(placed({ one: [[1, 1], [0, -1]], two: [0, -3] }), ["87%", "100%"]);
+  assert.deepEqual(
+    placed({
+      one: [
+        [1, 1],
+        [0, -1],
+      ],
+      two: [0, -3],
+    }),
+    ["87%", "100%"],
+  );
   assert.deepEqual(placed({ two: null }), ["100%", null]);
 });
 
@@ -156,7 +183,17 @@ test("each curve has its own path, in pieces of one width", () => {
   const { panel, find } = bound();
   const d = (curve) => find(`[data-curve=${curve}]`).getAttribute("d");
   const hidden = () => [...find(".explorable-marks").children].map((mark) => mark.hidden);
-  panel.show(START, { outputs: {}, charts: { heights: { two: [[-1, 0], [1, 0]] } } });
+  panel.show(START, {
+    outputs: {},
+    charts: {
+      heights: {
+        two: [
+          [-1, 0],
+          [1, 0],
+        ],
+      },
+    },
+  });
   assert.equal(d("one"), "");
   assert.equal(d("two"), "M0.0,128.0 160.0,64.0M160.0,0.0 320.0,64.0");
   assert.deepEqual(hidden(), [false, false]);
@@ -168,7 +205,10 @@ test("an arrow stands in the middle of what a chart cuts off, at its edge", () =
   const { panel, find } = bound();
   panel.show(START, { outputs: {}, charts: { heights: { one: [0, 2, 2, 0, -3] } } });
   const arrows = find("[data-curve=one]").getAttribute("d").split("M").slice(2);
-  assert.deepEqual(arrows, ["116.0,7.0 120.0,0.0 124.0,7.0", "316.0,121.0 320.0,128.0 324.0,121.0"]);
+  assert.deepEqual(arrows, [
+    "116.0,7.0 120.0,0.0 124.0,7.0",
+    "316.0,121.0 320.0,128.0 324.0,121.0",
+  ]);
   const [, line] = find("[data-curve=one]").getAttribute("d").split("M");
   assert.equal(line, "0.0,64.0 80.0,-6.4 160.0,-6.4 240.0,64.0 320.0,134.4");
 
@@ -185,7 +225,12 @@ test("the mark of a chart stands at the value of its input", () => {
 });
 
 test("points are added in the widest gap and taken from the end, as long as there may be so many", () => {
-  const { state, panel, find, press } = bound({ points: [[1, 0, 0], [0.6, 0.8, 0]] });
+  const { state, panel, find, press } = bound({
+    points: [
+      [1, 0, 0],
+      [0.6, 0.8, 0],
+    ],
+  });
   const may = () => ["add", "remove"].map((action) => !find(`[data-action=${action}]`).disabled);
   panel.show(state.inputs, NONE);
   assert.deepEqual(may(), [true, false]);
@@ -202,11 +247,20 @@ test("points are added in the widest gap and taken from the end, as long as ther
 });
 
 test("the widest gap may be the last", () => {
-  const points = [[1, 0, 0], [0.8, 0.6, 0], [0, 1, 0], [-1, 0, 0]];
+  const points = [
+    [1, 0, 0],
+    [0.8, 0.6, 0],
+    [0, 1, 0],
+    [-1, 0, 0],
+  ];
   const { state, press } = bound({ points });
   press("add");
   assert.deepEqual(state.inputs.points.slice(0, 4), points);
-  const close = [[1, 0, 0], [0.8, 0.6, 0], [0.6, 0.8, 0]];
+  const close = [
+    [1, 0, 0],
+    [0.8, 0.6, 0],
+    [0.6, 0.8, 0],
+  ];
   const other = bound({ points: close.map(([x, y]) => [2 * x, 2 * y, 0]) });
   other.press("add");
   const [x, y] = other.state.inputs.points[3];
@@ -215,11 +269,20 @@ test("the widest gap may be the last", () => {
 });
 
 test("between opposite points a new one stands away from the others, or anywhere across", () => {
-  const half = [[0.6, 0, 0.8], [0, 1, 0], [-0.6, 0, -0.8]];
+  const half = [
+    [0.6, 0, 0.8],
+    [0, 1, 0],
+    [-0.6, 0, -0.8],
+  ];
   const circle = bound({ points: half });
   circle.press("add");
   circle.state.inputs.points[3].forEach((x, k) => assert.ok(Math.abs(x - [0, -1, 0][k]) < 1e-12));
-  const both = bound({ points: [[0.6, 0, 0.8], [-0.6, 0, -0.8]] });
+  const both = bound({
+    points: [
+      [0.6, 0, 0.8],
+      [-0.6, 0, -0.8],
+    ],
+  });
   both.press("add");
   const [x, y, z] = both.state.inputs.points[1];
   assert.ok(Math.abs(Math.hypot(x, y, z) - 1) < 1e-12 && Math.abs(0.6 * x + 0.8 * z) < 1e-12);
@@ -262,7 +325,12 @@ test("a step may be as wide as another input says", () => {
 test("a field that is left says the number that the figure has", () => {
   const { find, write, state } = bound();
   const field = find("[name=u-number]");
-  for (const [typed, held] of [["7", "3.00"], ["-1", "1.00"], ["", "1.00"], ["2.5", "2.50"]]) {
+  for (const [typed, held] of [
+    ["7", "3.00"],
+    ["-1", "1.00"],
+    ["", "1.00"],
+    ["2.5", "2.50"],
+  ]) {
     write("u-number", typed);
     assert.equal(field.value, typed);
     tell(field, "change");
@@ -276,7 +344,8 @@ test("play goes on from here in its time, rests at the end, starts over, and sto
   press("play");
   assert.equal(find("[data-action=play]").textContent, "Pause");
   for (const time of [1000, 1500, 2500, 3000, 4100, 4200]) tick(time);
-  const near = (mine, wanted) => assert.ok(Math.abs(mine - wanted) < 1e-9, `${mine}, not ${wanted}`);
+  const near = (mine, wanted) =>
+    assert.ok(Math.abs(mine - wanted) < 1e-9, `${mine}, not ${wanted}`);
   [2.5, 2.75, 3, 3, 1, 1.05].forEach((u, i) => near(state.asked[i].u, u));
   press("play");
   assert.equal(find("[data-action=play]").textContent, "Play");
@@ -293,7 +362,10 @@ test("only one input plays", () => {
   first.click();
   tick(0);
   second.click();
-  assert.deepEqual([first, second].map(({ textContent }) => textContent), ["Play", "Pause"]);
+  assert.deepEqual(
+    [first, second].map(({ textContent }) => textContent),
+    ["Play", "Pause"],
+  );
   tick(0);
   tick(500);
   assert.deepEqual(state.asked, [{ u: 1.5 }, { v: 0 }, { v: 0.5 }]);

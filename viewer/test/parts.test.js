@@ -22,7 +22,9 @@ function square(place = {}) {
 
 const near = (mine, wanted) => {
   assert.equal(mine.length, wanted.length);
-  [...mine].forEach((x, i) => assert.ok(Math.abs(x - wanted[i]) < 1e-6, `${mine} is not ${wanted}`));
+  [...mine].forEach((x, i) =>
+    assert.ok(Math.abs(x - wanted[i]) < 1e-6, `${mine} is not ${wanted}`),
+  );
 };
 const positions = ({ objects: [{ geometry }] }) => geometry.attributes.position.array;
 
@@ -39,26 +41,45 @@ test("a part takes the color that it is given, in all that draws it", () => {
 test("a part hides and comes back", () => {
   const part = square();
   move(part, { hidden: true });
-  assert.deepEqual(part.objects.map(({ visible }) => visible), [false, false]);
+  assert.deepEqual(
+    part.objects.map(({ visible }) => visible),
+    [false, false],
+  );
   move(part, { color: [0, 0, 0] });
   assert.ok(!part.objects[0].visible);
   move(part, { hidden: false });
-  assert.deepEqual(part.objects.map(({ visible }) => visible), [true, true]);
+  assert.deepEqual(
+    part.objects.map(({ visible }) => visible),
+    [true, true],
+  );
 });
 
 test("a ball goes from where it was made to where it is now", () => {
   const part = square({ at: [1, 2, 3] });
-  for (const at of [[1, 2, 4], [5, 1, 3]]) {
+  for (const at of [
+    [1, 2, 4],
+    [5, 1, 3],
+  ]) {
     move(part, { at });
     for (const { matrix } of part.objects) {
-      near(matrix.elements.slice(12, 15), at.map((x, i) => x - [1, 2, 3][i]));
+      near(
+        matrix.elements.slice(12, 15),
+        at.map((x, i) => x - [1, 2, 3][i]),
+      );
     }
   }
 });
 
 test("lines follow their paths; with as many points they are written over", () => {
   const part = square({ radius: 0.1 });
-  move(part, { paths: [[[0, 0, 0], [0, 0, 2]]] });
+  move(part, {
+    paths: [
+      [
+        [0, 0, 0],
+        [0, 0, 2],
+      ],
+    ],
+  });
   const [{ geometry }, other] = part.objects;
   assert.equal(other.geometry, geometry);
   assert.ok(!other.frustumCulled);
@@ -66,7 +87,14 @@ test("lines follow their paths; with as many points they are written over", () =
   near([Math.min(...along(2)), Math.max(...along(2)), Math.max(...along(0))], [0, 2, 0.1]);
   geometry.computeBoundingSphere();
   const { version } = geometry.attributes.position;
-  move(part, { paths: [[[0, 0, 0], [0, 0, 5]]] });
+  move(part, {
+    paths: [
+      [
+        [0, 0, 0],
+        [0, 0, 5],
+      ],
+    ],
+  });
   assert.equal(part.objects[0].geometry, geometry);
   near([Math.max(...along(2))], [5]);
   assert.ok(geometry.attributes.position.version > version);
@@ -74,7 +102,15 @@ test("lines follow their paths; with as many points they are written over", () =
   assert.equal(geometry.boundingSphere, null);
   let disposed = false;
   geometry.addEventListener("dispose", () => (disposed = true));
-  move(part, { paths: [[[0, 0, 0], [0, 0, 1], [0, 0, 3]]] });
+  move(part, {
+    paths: [
+      [
+        [0, 0, 0],
+        [0, 0, 1],
+        [0, 0, 3],
+      ],
+    ],
+  });
   assert.ok(disposed);
   assert.notEqual(part.objects[0].geometry, geometry);
   near([Math.max(...along(2))], [3]);
@@ -92,7 +128,12 @@ test("the points of a surface move, and those of its equal stay", () => {
   const [part, equal] = [square(), square()];
   equal.objects.forEach((object) => (object.geometry = part.objects[0].geometry));
   const shared = part.objects[0].geometry;
-  const points = [[0, 0, 1], [0, 1, 1], [0, 1, 2], [0, 0, 2]];
+  const points = [
+    [0, 0, 1],
+    [0, 1, 1],
+    [0, 1, 2],
+    [0, 0, 2],
+  ];
   move(part, { points });
   const own = part.objects[0].geometry;
   near(positions(part), points.flat());
@@ -112,7 +153,14 @@ test("the points of a surface move, and those of its equal stay", () => {
 test("a part without normals gets none", () => {
   const part = square();
   part.objects[0].geometry.deleteAttribute("normal");
-  move(part, { points: [[0, 0, 1], [0, 1, 1], [0, 1, 2], [0, 0, 2]] });
+  move(part, {
+    points: [
+      [0, 0, 1],
+      [0, 1, 1],
+      [0, 1, 2],
+      [0, 0, 2],
+    ],
+  });
   assert.ok(!part.objects[0].geometry.attributes.normal);
 });
 
@@ -143,10 +191,20 @@ test("lines of one width, which have another material, keep their color", () => 
 
 test("small faces that move are lit from the side to which they turn", () => {
   const geometry = new BufferGeometry();
-  const corners = [[0, 0, 0], [0.01, 0, 0], [0, 0.01, 0]];
+  const corners = [
+    [0, 0, 0],
+    [0.01, 0, 0],
+    [0, 0.01, 0],
+  ];
   geometry.setAttribute("position", new BufferAttribute(new Float32Array(corners.flat()), 3));
-  geometry.setAttribute("normal", new BufferAttribute(new Int8Array([0, 0, 127, 0, 0, 127, 0, 0, 127]), 3, true));
+  geometry.setAttribute(
+    "normal",
+    new BufferAttribute(new Int8Array([0, 0, 127, 0, 0, 127, 0, 0, 127]), 3, true),
+  );
   const part = { objects: [{ geometry, visible: true }], place: {} };
   move(part, { points: corners.map(([x, y, z]) => [z, x, y]) });
-  assert.deepEqual([...part.objects[0].geometry.attributes.normal.array], [1, 0, 0, 1, 0, 0, 1, 0, 0]);
+  assert.deepEqual(
+    [...part.objects[0].geometry.attributes.normal.array],
+    [1, 0, 0, 1, 0, 0, 1, 0, 0],
+  );
 });

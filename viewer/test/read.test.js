@@ -86,7 +86,11 @@ test("colours are those of the screen again, lines without light", async () => {
   const { objects } = await read(file());
   const [surface, lines] = objects;
   const { r, g, b } = surface.material.uniforms.base.value;
-  for (const [value, wanted] of [[r, 128 / 255], [g, 1], [b, 0]]) {
+  for (const [value, wanted] of [
+    [r, 128 / 255],
+    [g, 1],
+    [b, 0],
+  ]) {
     assert.ok(Math.abs(value - wanted) < 1e-3);
   }
   assert.ok(Math.abs(lines.material.color.g - 1) < 1e-3);
@@ -101,8 +105,18 @@ test("a part has a name, a place and what draws it, and may wait to be shown", a
   assert.deepEqual(place, { at: [1, 2, 3] });
   assert.equal(surface, surfaces[0]);
   assert.equal(drawn[0], objects[0]);
-  assert.deepEqual(objects.map(({ visible }) => visible), [false, true, true]);
-  assert.deepEqual(clouds.map((cloud) => [...cloud.slice(0, 3)]), [[4, 5, 7], [-1, -1, 0], [-1, -1, 0]]);
+  assert.deepEqual(
+    objects.map(({ visible }) => visible),
+    [false, true, true],
+  );
+  assert.deepEqual(
+    clouds.map((cloud) => [...cloud.slice(0, 3)]),
+    [
+      [4, 5, 7],
+      [-1, -1, 0],
+      [-1, -1, 0],
+    ],
+  );
 });
 
 test("what is moved hides labels where it is", async () => {

@@ -15,7 +15,11 @@ function volume({ positions, normals, corners }, least = 0.9) {
   const faces = points(corners).map((face) => {
     const [a, b, c] = face.map((i) => all[i]);
     const [e, f] = [b, c].map((end) => end.map((x, i) => x - a[i]));
-    const across = [e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]];
+    const across = [
+      e[1] * f[2] - e[2] * f[1],
+      e[2] * f[0] - e[0] * f[2],
+      e[0] * f[1] - e[1] * f[0],
+    ];
     for (const i of Math.hypot(...across) > 1e-9 ? face : []) {
       assert.ok(dot(across, outward[i]) > least * Math.hypot(...across), `${face} faces inwards`);
     }
@@ -25,7 +29,14 @@ function volume({ positions, normals, corners }, least = 0.9) {
 }
 
 const dot = (a, b) => a.reduce((sum, x, i) => sum + x * b[i], 0);
-const WAYS = [[1, 0, 0], [0, 1, 0], [0, 0, -1], [0.6, 0, 0.8], [0.48, -0.6, 0.64], [0.8, -0.36, 0.48]];
+const WAYS = [
+  [1, 0, 0],
+  [0, 1, 0],
+  [0, 0, -1],
+  [0.6, 0, 0.8],
+  [0.48, -0.6, 0.64],
+  [0.8, -0.36, 0.48],
+];
 /** The area of a regular polygon. */
 const area = (radius, sides) => (sides * radius ** 2 * Math.sin((2 * Math.PI) / sides)) / 2;
 
@@ -45,8 +56,15 @@ test("a tube is as thick as it is told, whichever way it goes, and does not twis
 
 test("an arrow is closed, whichever way it goes, and all head if it is short", () => {
   for (const way of WAYS) {
-    for (const [length, tip] of [[1, 0.18], [0.2, 0.16]]) {
-      const made = arrow([0, 0, 0], way.map((x) => length * x), 0.02);
+    for (const [length, tip] of [
+      [1, 0.18],
+      [0.2, 0.16],
+    ]) {
+      const made = arrow(
+        [0, 0, 0],
+        way.map((x) => length * x),
+        0.02,
+      );
       const [shaft, head] = [area(0.02, 20), area(0.06, 20)];
       near([volume(made, 0.3)], [(2 / 3) * shaft * (length - tip) + (head * tip) / 3], 1e-9);
       for (const normal of points(made.normals)) near([Math.hypot(...normal)], [1], 1e-6);
@@ -64,18 +82,49 @@ test("a tube keeps its distance from its line, and its normals point outwards", 
   const normal = points(normals);
   points(positions).forEach((point, i) => {
     const center = [...line, ...line.slice(0, 2)][Math.floor(i / 8)];
-    near(point.map((x, k) => (x - center[k]) / 0.1), normal[i], 1e-5);
+    near(
+      point.map((x, k) => (x - center[k]) / 0.1),
+      normal[i],
+      1e-5,
+    );
     near([Math.hypot(...normal[i])], [1], 1e-6);
   });
 });
 
 test("a tube with as many points is written over the old one", () => {
-  const old = tubes([[[0, 0, 0], [1, 0, 0]]], 0.1);
-  const same = tubes([[[0, 0, 0], [0, 2, 0]]], 0.1, old);
+  const old = tubes(
+    [
+      [
+        [0, 0, 0],
+        [1, 0, 0],
+      ],
+    ],
+    0.1,
+  );
+  const same = tubes(
+    [
+      [
+        [0, 0, 0],
+        [0, 2, 0],
+      ],
+    ],
+    0.1,
+    old,
+  );
   assert.equal(same.positions, old.positions);
   assert.equal(same.corners, old.corners);
   near([Math.max(...same.positions.filter((_, i) => i % 3 === 1))], [2], 1e-6);
-  const longer = tubes([[[0, 0, 0], [1, 0, 0], [2, 0, 0]]], 0.1, old);
+  const longer = tubes(
+    [
+      [
+        [0, 0, 0],
+        [1, 0, 0],
+        [2, 0, 0],
+      ],
+    ],
+    0.1,
+    old,
+  );
   assert.notEqual(longer.positions, old.positions);
 });
 
@@ -83,9 +132,17 @@ test("an arrow reaches from one point to the other with a head of one size", () 
   for (const length of [1, 2]) {
     const { positions } = arrow([1, 0, 0], [1, 0, length], 0.02);
     const all = points(positions);
-    near([Math.min(...all.map(([, , z]) => z)), Math.max(...all.map(([, , z]) => z))], [0, length], 1e-6);
+    near(
+      [Math.min(...all.map(([, , z]) => z)), Math.max(...all.map(([, , z]) => z))],
+      [0, length],
+      1e-6,
+    );
     const widest = all.filter(([x, y]) => Math.abs(Math.hypot(x - 1, y) - 0.06) < 1e-6);
-    near(widest.map(([, , z]) => z), Array(widest.length).fill(length - 0.18), 1e-6);
+    near(
+      widest.map(([, , z]) => z),
+      Array(widest.length).fill(length - 0.18),
+      1e-6,
+    );
     assert.equal(widest.length, 40);
   }
 });

@@ -23,7 +23,15 @@ test("a title has no unit, a number has it", () => {
 });
 
 test("each kind of input has its words", () => {
-  const inputs = { theta: 30, u: 0.5, w: 1, flip: true, what: "poses", axis: [0, 0, 1], points: [] };
+  const inputs = {
+    theta: 30,
+    u: 0.5,
+    w: 1,
+    flip: true,
+    what: "poses",
+    axis: [0, 0, 1],
+    points: [],
+  };
   assert.equal(
     statement(SPECS, Object.keys(SPECS), inputs),
     "turned by θ 30°, once round, u 0.5, w 1, flip the end: on, between: poses, n moved, points moved",
@@ -33,7 +41,31 @@ test("each kind of input has its words", () => {
 });
 
 test("points have changed if a coordinate has", () => {
-  const start = { p: [[0, 1], [1, 0]], u: 1 };
-  assert.deepEqual(changedSince(start, { p: [[0, 1], [1, 0]], u: 2 }), ["u"]);
-  assert.deepEqual(changedSince(start, { p: [[0, 1], [1, 0.5]], u: 1 }), ["p"]);
+  const start = {
+    p: [
+      [0, 1],
+      [1, 0],
+    ],
+    u: 1,
+  };
+  assert.deepEqual(
+    changedSince(start, {
+      p: [
+        [0, 1],
+        [1, 0],
+      ],
+      u: 2,
+    }),
+    ["u"],
+  );
+  assert.deepEqual(
+    changedSince(start, {
+      p: [
+        [0, 1],
+        [1, 0.5],
+      ],
+      u: 1,
+    }),
+    ["p"],
+  );
 });

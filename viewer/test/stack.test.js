@@ -8,7 +8,8 @@ const ROWS = [
   { from: [0.4, 0.1, 0.5, 0.8], to: [0.25, 0.6, 0.5, 0.4] },
 ];
 const PHONE = { width: 300, height: 600 };
-const close = (found, wanted) => found.forEach((x, i) => assert.ok(Math.abs(x - wanted[i]) < 1e-12));
+const close = (found, wanted) =>
+  found.forEach((x, i) => assert.ok(Math.abs(x - wanted[i]) < 1e-12));
 
 test("only a box that is higher than wide has a stack", () => {
   assert.equal(stacked(ROWS, 0.5, { width: 600, height: 400 }), WHOLE);

@@ -13,19 +13,17 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 from scipy.spatial.transform import Rotation
-from spheres import E1, Array, random_units
+from spheres import E1, random_units
 from symbolic import matrix, symbolic, vanishes
 
 from rotedu.cost import OperationCount, count
 from rotedu.errors import DegenerateError
-from rotedu.ordinary_rotation import rotate, rotation_matrix
+from rotedu.ordinary_rotation import rotation_matrix
 from rotedu.quaternions import Quaternion, rotate_about_u
 
 RNG = np.random.default_rng(26)
 ANGLES = [0, 1e-300, 1e-12, 1e-8, 1e-4, 0.5, np.pi / 2, 3, np.pi - 1e-8, np.pi]
 ONE, I, J, K = (Quaternion(w, v) for w, *v in np.eye(4))  # noqa: E741
-
-
 AXES = np.vstack([np.eye(3), -np.eye(3), [[0.6, 0.8, 0]], random_units(200, 3)])
 POINTS = RNG.normal(size=(len(AXES), 3))
 
@@ -40,31 +38,22 @@ def quaternion(components: Any) -> Quaternion:
 
 
 components = arrays(float, 4, elements=st.floats(-10, 10, allow_subnormal=False))
-quaternions = components.map(quaternion)
 units = (
     components.filter(lambda q: bool(np.linalg.norm(q) > 1e-3))
     .map(lambda q: q / np.linalg.norm(q))
     .map(quaternion)
 )
-points = arrays(float, 3, elements=st.floats(-10, 10))
 
 
 class TestAlgebra:
-    def test_hamiltons_table(self) -> None:
-        for a, b, c in [(I, J, K), (J, K, I), (K, I, J)]:
-            assert a * b == c
-            assert b * a == -c
-            assert a * a == -1
-        assert I * J * K == -1
-
     @pytest.mark.equation("2-1")
     def test_parts(self) -> None:
-        q = Quaternion(1, [2, 3, 4])
+        q = Quaternion(1, [2, 4, 10])
         assert q.w == 1
-        close(q.v, [2, 3, 4], 0)
-        close(q.components, [1, 2, 3, 4], 0)
-        close(q.conjugate().components, [1, -2, -3, -4], 0)
-        close(Quaternion(1, [2, 4, 10]).norm(), 11, 0)
+        close(q.v, [2, 4, 10], 0)
+        close(q.components, [1, 2, 4, 10], 0)
+        close(q.conjugate(), [1, -2, -4, -10], 0)
+        close(q.norm(), 11, 0)
 
     @pytest.mark.equation("2-2")
     def test_sums_are_componentwise(self) -> None:
@@ -76,25 +65,20 @@ class TestAlgebra:
     def test_real_numbers_are_quaternions_without_vector(self) -> None:
         q, two = Quaternion(1, [2, 3, 4]), Quaternion(2, [0, 0, 0])
         for operation in [operator.add, operator.sub, operator.mul, operator.truediv]:
-            for number in [2, 2.0, np.float64(2), np.int8(2), np.array(2)]:
-                close(operation(q, number), operation(q, two), 0)
-                close(operation(number, q), operation(two, q), 0)
-            for numbers in [np.array([2.0, 2]), np.array([2, 2])]:
-                close(operation(q, numbers).components, [operation(q, two).components] * 2, 0)
-                close(operation(numbers, q).components, [operation(two, q).components] * 2, 0)
-        assert two == 2
-        assert q != 1
-
-    def test_division_by_a_number(self) -> None:
-        w = np.arange(1.0, 100)
-        divided = Quaternion(w, np.outer(w, [1, 2, 3])) / w
-        close(divided.components, [[1, 1, 2, 3]] * 99, 5e-16)
+            for number in [2, np.float64(2), np.int8(2), np.array(2), np.array([2, 2])]:
+                for found, expected in [
+                    (operation(q, number), operation(q, two)),
+                    (operation(number, q), operation(two, q)),
+                ]:
+                    close(found, np.broadcast_to(expected.components, (*np.shape(number), 4)), 0)
 
     @pytest.mark.equation("2-5")
     def test_division_is_from_the_right(self) -> None:
         assert (I * J) / J == I
         assert (I * J) / I == -J
         close(2 / Quaternion(0, [0, 4, 0]), [0, 0, -0.5, 0], 0)
+        w = np.arange(1.0, 100)
+        close(Quaternion(w, np.outer(w, [1, 2, 3])) / w, [[1, 1, 2, 3]] * 99, 5e-16)
 
     @pytest.mark.parametrize("size", [5e-324, 1e-200, 1e-160, 1, 1e160, 1e200])
     def test_extreme_sizes(self, size: float) -> None:
@@ -102,14 +86,9 @@ class TestAlgebra:
         assert q.norm() == 2 * size
         if size > 1e-300:
             close(q.inverse() * q, ONE)
-            close((q.inverse() * (4 * size)).components, [1, -1, -1, -1])
         close(q.rotate([1, 0, 0]), [0, 1, 0])
+        close(q.matrix(), [[0, 0, 1], [1, 0, 0], [0, 1, 0]])
         close(q.axis_angle()[1], 2 * np.pi / 3)
-
-    @given(quaternions, quaternions)
-    def test_laws(self, p: Quaternion, q: Quaternion) -> None:
-        close((p * q).norm(), p.norm() * q.norm(), 1e-12)
-        close((p * q).conjugate(), q.conjugate() * p.conjugate(), 1e-12)
 
     @given(units, units)
     def test_laws_of_units(self, p: Quaternion, q: Quaternion) -> None:
@@ -124,81 +103,24 @@ class TestRotation:
     def test_any_axis_against_scipy(self, angle: float) -> None:
         q = Quaternion.from_axis_angle(3 * AXES, angle)
         oracle = Rotation.from_rotvec(angle * AXES)
-        close(q.rotate(POINTS), oracle.apply(POINTS), 2e-14)
-        close(q.matrix(), oracle.as_matrix())
-        close((-q).rotate(POINTS), q.rotate(POINTS), 0)
-        close((-q).matrix(), q.matrix(), 0)
+        for factor in [1, -1, -1e5]:
+            close((factor * q).rotate(POINTS), oracle.apply(POINTS), 2e-14)
+            close((factor * q).matrix(), oracle.as_matrix())
 
-    @pytest.mark.parametrize("angle", [*ANGLES, -1.0, 7.0])
-    def test_u_axis(self, angle: float) -> None:
-        close(rotate_about_u(POINTS, angle), rotate(POINTS, E1, angle), 2e-14)
-        close(
-            rotate_about_u(POINTS, angle),
-            Quaternion.from_axis_angle(E1, angle).rotate(POINTS),
-            2e-14,
-        )
-
-    def test_the_counterexample_to_2_6_as_printed(self) -> None:
-        close(rotate_about_u([0, 0, 1], np.pi / 2), [0, -1, 0], 1e-16)
-
-    def test_product_against_scipy(self) -> None:
-        p, q = random_units(100, 4), random_units(100, 4)
-        oracle = Rotation.from_quat(p, scalar_first=True) * Rotation.from_quat(q, scalar_first=True)
-        product = (quaternion(p) * quaternion(q)).components
-        close(np.abs(np.sum(product * oracle.as_quat(scalar_first=True), axis=-1)), 1)
-
-    def test_length_does_not_matter(self) -> None:
-        q = Quaternion.from_axis_angle(AXES, 1.2)
-        for factor in [1e-3, 7.0, -1e5]:
-            close((factor * q).rotate(POINTS), q.rotate(POINTS), 2e-14)
-            close((factor * q).matrix(), q.matrix())
-
-    @given(units, points)
-    def test_conjugation_by_hand(self, q: Quaternion, r: Array) -> None:
-        product = q * Quaternion(0, r) * q.conjugate()
-        close(product.w, 0, 1e-14)
-        close(product.v, q.rotate(r), 1e-13)
-
-    def test_broadcasting(self) -> None:
-        q = Quaternion.from_axis_angle(AXES[:4], 1.0)
-        every = quaternion(q.components[:, None]).rotate(POINTS[:7])
-        assert every.shape == (4, 7, 3)
-        for i in range(4):
-            close(every[i], POINTS[:7] @ q.matrix()[i].T)
-        assert q.rotate(E1).shape == (4, 3)
-        assert q.matrix().shape == (4, 3, 3)
-        assert rotate_about_u(E1, [0, 1]).shape == (2, 3)
-        assert rotate_about_u(POINTS[:7], np.ones((4, 1))).shape == (4, 7, 3)
-
-
-class TestAxisAngle:
     @pytest.mark.parametrize("angle", [a for a in ANGLES if a] + [4.0, 2 * np.pi - 1e-8])
-    def test_comes_back(self, angle: float) -> None:
-        axis, found = Quaternion.from_axis_angle(AXES, angle).axis_angle()
+    def test_axis_and_angle_come_back(self, angle: float) -> None:
+        q = Quaternion.from_axis_angle(AXES, angle)
+        axis, found = q.axis_angle()
         np.testing.assert_allclose(found, angle, rtol=3e-15)
         close(axis, AXES, 1e-15 if angle < 6 else 1e-7)
+        axis, found = (-q).axis_angle()
+        close(found, 2 * np.pi - angle)
+        close(axis, -AXES, 1e-15 if angle < 6 else 1e-7)
 
-    def test_both_signs(self) -> None:
-        q = Quaternion.from_axis_angle(AXES, 1.0)
-        axis, angle = (-q).axis_angle()
-        close(angle, 2 * np.pi - 1)
-        close(axis, -AXES)
-
-    @pytest.mark.parametrize(("w", "angle"), [(1, 0), (-1, 2 * np.pi), (1e-5, 0), (-7, 2 * np.pi)])
-    def test_no_rotation_has_the_documented_axis(self, w: float, angle: float) -> None:
-        axis, found = Quaternion(w, [0, 0, 0]).axis_angle()
-        close(axis, [1, 0, 0], 0)
-        assert found == angle
-
-    def test_one_of_many_does_not_turn(self) -> None:
-        axis, angle = Quaternion([1, 1], [[0, 0, 0], [0, 1, 0]]).axis_angle()
-        close(axis, [[1, 0, 0], [0, 1, 0]], 0)
-        close(angle, [0, np.pi / 2], 0)
-
-    def test_double_cover(self) -> None:
-        turns = Quaternion.from_axis_angle([0, 0, 1], 2 * np.pi * np.arange(5))
-        close(turns.components, np.outer([1, -1, 1, -1, 1], [1, 0, 0, 0]))
-        close(turns.matrix(), np.broadcast_to(np.eye(3), (5, 3, 3)))
+    def test_no_rotation_has_the_documented_axis(self) -> None:
+        axis, angle = Quaternion([1, -1, 1e-5, -7, 1], [[0, 0, 0]] * 4 + [[0, 1, 0]]).axis_angle()
+        close(axis, [[1, 0, 0]] * 4 + [[0, 1, 0]], 0)
+        close(angle, [0, 2 * np.pi, 0, 2 * np.pi, np.pi / 2], 0)
 
     @pytest.mark.parametrize("angle", ANGLES)
     def test_from_matrix(self, angle: float) -> None:
@@ -213,24 +135,32 @@ class TestAxisAngle:
 class TestArray:
     def test_shapes_broadcast(self) -> None:
         q = Quaternion([[1], [2]], np.ones((5, 3)))
-        assert q.components.shape == (2, 5, 4)
-        assert q.w.shape == (2, 5)
-        assert q.v.shape == (2, 5, 3)
-        assert q.norm().shape == (2, 5)
-        assert (q * I).w.shape == (2, 5)
-        assert (q * Quaternion(np.ones((3, 1, 1)), E1)).w.shape == (3, 2, 5)
-        assert (np.arange(5) * q).w.shape == (2, 5)
-        assert Quaternion(0, np.ones((0, 3))).norm().shape == (0,)
         axis, angle = q.axis_angle()
-        assert axis.shape == (2, 5, 3)
-        assert angle.shape == (2, 5)
+        for found, shape in [
+            (q.components, (2, 5, 4)),
+            (q.w, (2, 5)),
+            (q.v, (2, 5, 3)),
+            (q.norm(), (2, 5)),
+            ((q * I).w, (2, 5)),
+            ((q * Quaternion(np.ones((3, 1, 1)), E1)).w, (3, 2, 5)),
+            ((np.arange(5) * q).w, (2, 5)),
+            (Quaternion(0, np.ones((0, 3))).norm(), (0,)),
+            (axis, (2, 5, 3)),
+            (angle, (2, 5)),
+            (q.matrix(), (2, 5, 3, 3)),
+            (rotate_about_u(E1, [0, 1]), (2, 3)),
+            (rotate_about_u(POINTS[:7], np.ones((4, 1))), (4, 7, 3)),
+        ]:
+            assert found.shape == shape
+        q = Quaternion.from_axis_angle(AXES[:4], 1.0)
+        every = quaternion(q.components[:, None]).rotate(POINTS[:7])
+        close(every, np.einsum("kij,nj->kni", q.matrix(), POINTS[:7]))
 
     def test_comparison_is_quaternion_by_quaternion(self) -> None:
         q = Quaternion([1, 2, 1], [[0, 0, 0], [0, 0, 0], [0, 1, 0]])
         assert (q == 1).tolist() == [True, False, False]
         assert (q != 1).tolist() == [False, True, True]
         assert (q == q).all()
-        assert not (q != q).any()
         assert q != "text"
         assert (I == None) is False  # noqa: E711
         assert (I != None) is True  # noqa: E711
@@ -239,6 +169,8 @@ class TestArray:
         w, v = np.ones(2), np.ones((2, 3))
         q = Quaternion(w, v)
         w[:], v[:] = 7, 7
+        for result in [q.rotate([1, 2, 3]), q.matrix(), *q.axis_angle()]:
+            result[...] = 0
         assert (q == Quaternion(1, [1, 1, 1])).all()
         with pytest.raises(FrozenInstanceError):
             q.components = v  # type: ignore[misc]
@@ -250,30 +182,19 @@ class TestArray:
         with pytest.raises(TypeError, match="unhashable"):
             hash(q)
 
-    def test_results_are_the_users_to_change(self) -> None:
-        q = Quaternion(1, [1, 1, 1])
-        for result in [q.rotate([1, 2, 3]), q.matrix(), *q.axis_angle()]:
-            result[...] = 0
-        assert q == Quaternion(1, [1, 1, 1])
-
-    def test_copies(self) -> None:
-        q = Quaternion([1, 2], np.ones((2, 3)))
-        for twin in [copy.copy(q), copy.deepcopy(q), pickle.loads(pickle.dumps(q))]:
-            assert (twin == q).all()
-
-    def test_repr(self) -> None:
+    def test_copies_and_repr(self) -> None:
         assert repr(Quaternion(1, [0, -2.5, 3])) == "Quaternion(1., [ 0. , -2.5,  3. ])"
         two = Quaternion([1, 2], np.ones((2, 3)))
-        lines = ["Quaternion([1., 2.],", "[[1., 1., 1.],", "[1., 1., 1.]])"]
-        assert [line.strip() for line in repr(two).splitlines()] == lines
-        assert (eval(repr(two)) == two).all()
-        rows = [line.index("[[") for line in repr(two).splitlines() if "[[" in line]
-        assert rows == [len("Quaternion(")]
-        assert repr(two).splitlines()[-1].startswith(" " * 12 + "[")
+        assert repr(two).splitlines() == [
+            "Quaternion([1., 2.],",
+            "           [[1., 1., 1.],",
+            "            [1., 1., 1.]])",
+        ]
+        twins = copy.copy(two), copy.deepcopy(two), pickle.loads(pickle.dumps(two)), eval(repr(two))
+        assert all((twin == two).all() for twin in twins)
 
     def test_methods_keep_their_names(self) -> None:
         assert Quaternion.__mul__.__name__ == "__mul__"
-        assert Quaternion.matrix.__name__ == "matrix"
         assert not hasattr(I, "__dict__")
 
     def test_single_precision(self) -> None:
@@ -284,7 +205,6 @@ class TestArray:
             (q * q).components,
             (2 * q + 1.5).components,
             (1 / q / 2).components,
-            q.inverse().components,
             q.norm(),
             q.rotate([1, 2, 3]),
             q.rotate(n),
@@ -300,31 +220,25 @@ class TestArray:
         assert {x.dtype for x in found} == {np.dtype(np.float64)}
 
 
-class TestCounts:
-    unit = np.array([0.5, 0.5, 0.5, 0.5])
-
-    @pytest.mark.parametrize(
-        ("function", "expected"),
-        [
-            (lambda q: quaternion(q) * quaternion(q), OperationCount(16, 12)),
-            (lambda q: quaternion(q) + quaternion(q), OperationCount(0, 4)),
-            (lambda q: quaternion(q).rotate(q[1:]), OperationCount(18, 12)),
-            (lambda q: quaternion(q).matrix(), OperationCount(9, 15)),
-            (lambda q: quaternion(q).norm(), OperationCount(4, 3, square_roots=1)),
-            (lambda q: quaternion(q).inverse(), OperationCount(4, 3, divisions=8, square_roots=1)),
-            (lambda q: rotate_about_u(q[1:], q[0]), OperationCount(4, 2, trigonometric=2)),
-        ],
-    )
-    def test_as_in_the_audit(self, function: Any, expected: OperationCount) -> None:
-        assert count(function, self.unit) == expected
+@pytest.mark.parametrize(
+    ("function", "expected"),
+    [
+        (lambda q: quaternion(q) * quaternion(q), OperationCount(16, 12)),
+        (lambda q: quaternion(q) + quaternion(q), OperationCount(0, 4)),
+        (lambda q: quaternion(q).rotate(q[1:]), OperationCount(18, 12)),
+        (lambda q: quaternion(q).matrix(), OperationCount(9, 15)),
+        (lambda q: quaternion(q).norm(), OperationCount(4, 3, square_roots=1)),
+        (lambda q: quaternion(q).inverse(), OperationCount(4, 3, divisions=8, square_roots=1)),
+        (lambda q: rotate_about_u(q[1:], q[0]), OperationCount(4, 2, trigonometric=2)),
+    ],
+)
+def test_counts_of_the_audit(function: Any, expected: OperationCount) -> None:
+    assert count(function, np.array([0.5, 0.5, 0.5, 0.5])) == expected
 
 
 class TestRefusals:
-    q = Quaternion(1, [2, 3, 4])
-
-    def test_a_factor_that_is_not_finite(self) -> None:
-        with pytest.raises(ValueError, match=r"^scalar must be finite in float64; got nan"):
-            _ = self.q * np.nan
+    q, pair = Quaternion(1, [2, 3, 4]), Quaternion([1, 2], E1)
+    zero, one_zero = Quaternion(0, [0, 0, 0]), Quaternion([1, 0], [[0, 0, 0], [0, 0, 0]])
 
     @pytest.mark.parametrize("name", ["add", "sub", "mul", "truediv"])
     def test_operands_that_are_not_numbers(self, name: str) -> None:
@@ -339,20 +253,34 @@ class TestRefusals:
         with pytest.raises(TypeError):
             np.add(np.ones(3), self.q)
 
-    def test_shapes(self) -> None:
-        with pytest.raises(ValueError, match=r"^v must have shape \(..., 3\); got shape \(4,\)$"):
-            Quaternion(1, [1, 2, 3, 4])
-        with pytest.raises(ValueError, match=r"^w and v must broadcast over their leading axes"):
-            Quaternion([1, 2], np.ones((3, 3)))
-        with pytest.raises(ValueError, match=r"^left and right must broadcast .* \(2, 4\) and \(3"):
-            _ = Quaternion([1, 2], E1) * Quaternion([1, 2, 3], E1)
-        with pytest.raises(ValueError, match=r"^points must have shape \(..., 3\)"):
-            self.q.rotate([1, 2])
-        with pytest.raises(ValueError, match=r"^quaternion and points must broadcast"):
-            Quaternion([1, 2], E1).rotate(np.ones((3, 3)))
+    @pytest.mark.parametrize(
+        ("refused", "message"),
+        [
+            (lambda q, pair: q * np.nan, "scalar must be finite in float64; got nan$"),
+            (
+                lambda q, pair: Quaternion(1, [1, 2, 3, 4]),
+                r"v must have shape \(..., 3\); got shape \(4,\)$",
+            ),
+            (
+                lambda q, pair: Quaternion([1, 2], np.ones((3, 3))),
+                "w and v must broadcast over their leading axes",
+            ),
+            (
+                lambda q, pair: pair * Quaternion([1, 2, 3], E1),
+                r"left and right must broadcast .* \(2, 4\) and \(3",
+            ),
+            (lambda q, pair: q.rotate([1, 2]), r"points must have shape \(..., 3\)"),
+            (lambda q, pair: pair.rotate(np.ones((3, 3))), "quaternion and points must broadcast"),
+            (lambda q, pair: Quaternion.from_axis_angle([0, 0, 0], 1), "axis must not be the zero"),
+            (lambda q, pair: Quaternion.from_matrix(np.zeros((3, 3))), "matrix must be a rotation"),
+        ],
+    )
+    def test_bad_arguments(self, refused: Any, message: str) -> None:
+        with pytest.raises(ValueError, match=f"^{message}"):
+            refused(self.q, self.pair)
 
     def test_zero(self) -> None:
-        zero, one_zero = Quaternion(0, [0, 0, 0]), Quaternion([1, 0], [[0, 0, 0], [0, 0, 0]])
+        zero, one_zero = self.zero, self.one_zero
         for call in [zero.inverse, lambda: ONE / zero, lambda: ONE / 0, lambda: 1 / zero]:
             with pytest.raises(DegenerateError, match=r"^the zero quaternion has no inverse$"):
                 call()
@@ -362,28 +290,19 @@ class TestRefusals:
         for call in [zero.matrix, zero.axis_angle, lambda: zero.rotate([1, 2, 3])]:
             with pytest.raises(ValueError, match=r"^quaternion must not be the zero vector"):
                 call()
-        with pytest.raises(ValueError, match=r"^axis must not be the zero vector"):
-            Quaternion.from_axis_angle([0, 0, 0], 1)
-        with pytest.raises(ValueError, match=r"^matrix must be a rotation"):
-            Quaternion.from_matrix(np.zeros((3, 3)))
 
 
 class TestProofs:
     """The same code, run on symbols."""
 
-    w1, x1, y1, z1, w2, x2, y2, z2, w3, x3, y3, z3 = sp.symbols(
-        "w1 x1 y1 z1 w2 x2 y2 z2 w3 x3 y3 z3"
-    )
+    (w1, x1, y1, z1), (w2, x2, y2, z2) = sp.symbols("w1 x1 y1 z1"), sp.symbols("w2 x2 y2 z2")
     r = sp.symbols("r_u r_v r_w")
     p, q = Quaternion(w1, [x1, y1, z1]), Quaternion(w2, [x2, y2, z2])
-    third = Quaternion(w3, [x3, y3, z3])
 
     def same(self, left: Quaternion, right: Quaternion, law: Any = 0) -> bool:
         """Whether two expressions are equal if the law is zero."""
         differences = [sp.expand(x) for x in left.components - right.components]
-        if law == 0:
-            return all(x == 0 for x in differences)
-        return all(sp.reduced(x, [law])[1] == 0 for x in differences)
+        return all((sp.reduced(x, [law])[1] if law else x) == 0 for x in differences)
 
     @pytest.mark.equation("2-3")
     def test_product_is_the_one_of_2_3(self) -> None:
@@ -392,27 +311,13 @@ class TestProofs:
         vector = self.w1 * v2 + self.w2 * v1 + v1.cross(v2)
         assert self.same(self.p * self.q, Quaternion(scalar, list(vector)))
 
-    def test_product_is_associative_and_distributes(self) -> None:
-        p, q, r = self.p, self.q, self.third
+    def test_products_are_associative_do_not_commute_and_multiply_norms(self) -> None:
+        p, q, r = self.p, self.q, Quaternion(sp.Symbol("w3"), sp.symbols("x3 y3 z3"))
         assert self.same((p * q) * r, p * (q * r))
-        assert self.same(p * (q + r), p * q + p * r)
-        assert self.same((p - q) * r, p * r - q * r)
-
-    def test_product_does_not_commute(self) -> None:
-        cross = np.cross(self.p.v, self.q.v)
-        assert self.same(self.p * self.q - self.q * self.p, Quaternion(0, 2 * cross))
-
-    def test_q_times_conjugate_is_the_square_of_the_norm(self) -> None:
-        q = self.q
-        square = sum(x * x for x in q.components)
-        assert self.same(q * q.conjugate(), Quaternion(square, [0, 0, 0]))
-        assert self.same(q.conjugate() * q, Quaternion(square, [0, 0, 0]))
-
-    def test_norms_multiply(self) -> None:
-        def square(q: Quaternion) -> Any:
-            return (q * q.conjugate()).w.item()
-
-        assert sp.expand(square(self.p * self.q) - square(self.p) * square(self.q)) == 0
+        assert self.same(p * q - q * p, Quaternion(0, 2 * np.cross(p.v, q.v)))
+        of_p, of_q, of_both = ((x * x.conjugate()).w.item() for x in (p, q, p * q))
+        assert sp.expand(of_p - sum(x * x for x in p.components)) == 0
+        assert sp.expand(of_both - of_p * of_q) == 0
 
     @pytest.mark.equation("2-4")
     def test_inverse_on_both_sides_and_division_on_the_right(self) -> None:
@@ -470,14 +375,3 @@ class TestProofs:
         for line in lines[1:]:
             assert vanishes(matrix((line - lines[0]).components))
         assert not vanishes(matrix((lines[0] - Quaternion(0, r)).components))
-
-    def test_matrix_of_axis_and_angle_is_3_3(self) -> None:
-        n = sp.symbols("n_u n_v n_w", real=True)
-        theta = sp.Symbol("theta", real=True)
-        q = Quaternion.from_axis_angle(symbolic(*n), symbolic(theta))
-        difference = matrix(q.matrix()) - matrix(rotation_matrix(symbolic(*n), symbolic(theta)))
-        c, s = sp.symbols("c s")
-        half = {sp.cos(theta): c**2 - s**2, sp.sin(theta): 2 * s * c}
-        half |= {sp.cos(theta / 2): c, sp.sin(theta / 2): s}
-        laws = [sum(x**2 for x in n) - 1, c**2 + s**2 - 1]
-        assert all(sp.reduced(sp.expand(x.subs(half)), laws, n[0], s)[1] == 0 for x in difference)

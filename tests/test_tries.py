@@ -129,8 +129,8 @@ SHOWN: list[tuple[str, str, dict[str, str]]] = [
     *(
         ("grab_the_spoon", words, {"q": q, "angle": angle, "home": "yes"})
         for words, q, angle in (
-            ("half turns about U, V, W", "1.00, 0.00, 0.00, 0.00", "0°"),
-            ("about U, W, V", "\N{MINUS SIGN}1.00, 0.00, 0.00, 0.00", "360°"),
+            ("half turns about *U*, *V*, *W*", "1.00, 0.00, 0.00, 0.00", "0°"),
+            ("about *U*, *W*, *V*", "\N{MINUS SIGN}1.00, 0.00, 0.00, 0.00", "360°"),
             ("a wobbling full turn", "\N{MINUS SIGN}1.00, 0.00, 0.00, 0.00", "360°"),
             ("home by Euler angles", "\N{MINUS SIGN}1.00, 0.00, 0.00, 0.00", "360°"),
         )
@@ -146,13 +146,13 @@ SHOWN: list[tuple[str, str, dict[str, str]]] = [
     ),
     (
         "three_turns_by_hand",
-        "W V U, axes carried along",
+        "*W* *V* *U*, axes carried along",
         {"apart": "0°", "upper": "M(w) M(v) M(u)", "lower": "M(w) M(v) M(u)"},
     ),
     ("three_turns_by_hand", "turns of 10°", {"apart": "3°", "lower": "M(u) M(v) M(w)"}),
     ("three_turns_by_hand", "half turns", {"apart": "0°", "lower": "M(u) M(v) M(w)"}),
     ("euler_angles_by_hand", "the spoon 1° aside", {"rings": "0, 89, 0°", "by_slerp": "89°"}),
-    ("euler_angles_by_hand", "v = 30°", {"rings": "90, 30, 90°", "apart": "1.00°"}),
+    ("euler_angles_by_hand", "*v* = 30°", {"rings": "90, 30, 90°", "apart": "1.00°"}),
     ("euler_angles_by_hand", "the longest way", {"by_angles": "305°", "by_slerp": "119°"}),
     (
         "spinning_by_hand",
@@ -192,7 +192,7 @@ SHOWN: list[tuple[str, str, dict[str, str]]] = [
     ),
     (
         "mean_by_hand",
-        "give q₃ the other sign",
+        "give *q₃* the other sign",
         {"apart": "0.3°", "by_matrices": "37, 36, 42°", "by_quaternions": "37, 36, 42°"},
     ),
     ("mean_by_hand", "no choice of signs helps", {"apart": "22.6°"}),
@@ -205,9 +205,9 @@ SHOWN: list[tuple[str, str, dict[str, str]]] = [
             "singular": "1.000, 0.000, 0.000",
         },
     ),
-    ("figure_1_by_hand", "θ = 90°", {"first": "0.00", "across": "1.00"}),
-    ("figure_1_by_hand", "θ = 180°", {"first": "−1.00", "across": "0.00"}),
-    ("figure_1_by_hand", "r₂ opposite r", {"first_apart": "0.94", "along_apart": "0.00"}),
+    ("figure_1_by_hand", "*θ* = 90°", {"first": "0.00", "across": "1.00"}),
+    ("figure_1_by_hand", "*θ* = 180°", {"first": "−1.00", "across": "0.00"}),
+    ("figure_1_by_hand", "*r₂* opposite *r*", {"first_apart": "0.94", "along_apart": "0.00"}),
     ("two_mirrors_by_hand", "both mirrors, 60° on", {"between": "60°", "turned": "120°"}),
     (
         "two_mirrors_by_hand",
@@ -516,7 +516,7 @@ def second_rate(turned: Rotation, h: float) -> Any:
 
 @pytest.mark.parametrize(
     ("words", "axes", "sign"),
-    [("half turns about U, V, W", "ijk", 1), ("about U, W, V", "ikj", -1)],
+    [("half turns about *U*, *V*, *W*", "ijk", 1), ("about *U*, *W*, *V*", "ikj", -1)],
 )
 def test_three_half_turns_multiply_to_the_sign(words: str, axes: str, sign: int) -> None:
     units = dict(zip("ijk", np.eye(3), strict=True))

@@ -1,7 +1,7 @@
 """What the hand can change in a figure: numbers, points, orientations, switches and choices.
 
 Each kind has a value at the start, checks the values that enter and describes itself to the viewer,
-which writes its controls.
+which writes its controls. In all words of a panel, a quantity stands between asterisks: ``*t*``.
 """
 
 from collections.abc import Sequence
@@ -186,7 +186,7 @@ class Switch(Kind):
 
 @dataclass(frozen=True)
 class Choice(Kind):
-    """One of several words.
+    """One of several words, without the marks of quantities in them.
 
     Parameters
     ----------
@@ -203,9 +203,15 @@ class Choice(Kind):
 
     def value(self, name: str, given: Any) -> str:
         """Check a word."""
-        if given not in self.options:
-            raise ValueError(f"{name}: expected one of {', '.join(self.options)}, got {given!r}")
+        options = self.spec()["options"]
+        if given not in options:
+            raise ValueError(f"{name}: expected one of {', '.join(options)}, got {given!r}")
         return str(given)
+
+    def spec(self) -> dict[str, Any]:
+        """Describe the choice to the viewer, each option as a value and in words."""
+        plain = [words.replace("*", "") for words in self.options]
+        return super().spec() | {"options": plain, "words": list(self.options)}
 
 
 Input = Slider | Handles | Poses | Switch | Choice

@@ -173,7 +173,7 @@ EYE = LOOK_AT + 9.8 * np.array([0, -np.cos(np.radians(20)), np.sin(np.radians(20
     constants={"antipodal": "the ends are antipodal: no unique arc joins them"},
     p=Handles("p", start=(-0.951, -0.141, 0.275)),
     q=Handles("q", start=(0.789, -0.263, -0.555)),
-    t=Slider(0, 1, "fraction t", plays=5, start=0.2),
+    t=Slider(0, 1, "fraction *t*", plays=5, start=0.2),
     flip=Switch("flip the sign of the end", start=False),
 )
 def slerp_by_hand(state: State) -> pyvista.Plotter:

@@ -124,8 +124,8 @@ NEAR = (FIGURE_8[0], (0.608, 0.769, 0.197), *FIGURE_8[2:])
     },
     constants={"most": MOST},
     points=Handles([f"P{k}" for k in range(MOST)], least=3, most=MOST, start=FIGURE_8),
-    u=Slider(0, 1, "once round, u", plays=10, start=0.34),
-    fraction=Slider(0.2, 0.5, "how far aᵢ goes", step=0.005, start=1 / 2),
+    u=Slider(0, 1, "once round, *u*", plays=10, start=0.34),
+    fraction=Slider(0.2, 0.5, "how far *aᵢ* goes", step=0.005, start=1 / 2),
 )
 def closed_curve_by_hand(state: State) -> pyvista.Plotter:
     """Draw Fig. 8 with de Casteljau's construction of one point, speed and curvature.
@@ -160,11 +160,11 @@ def closed_curve_by_hand(state: State) -> pyvista.Plotter:
 
     for where, name, text, digits, unit in (
         ("picture", "velocity_jump", "velocity jumps by", 1, "°/s"),
-        ("picture", "curvature_jump", "curvature, at the nearest P, by", 2, ""),
+        ("picture", "curvature_jump", "curvature, at the nearest *P*, by", 2, ""),
         ("picture", "speed_range", "speed from, to", 0, "°/s"),
         ("folded", "speed", "speed here", 0, "°/s"),
         ("folded", "curvature", "curvature here (great circle: 0)", 2, ""),
-        ("folded", "curvature_jumps", "jumps of curvature at P₀, P₁, …", 2, ""),
+        ("folded", "curvature_jumps", "jumps of curvature at *P₀*, *P₁*, …", 2, ""),
     ):
         read_out(plotter, name, text, digits, unit, where=where)
     for name, heights, text in (
@@ -179,7 +179,7 @@ def closed_curve_by_hand(state: State) -> pyvista.Plotter:
             y=heights,
             label=text,
             colors={"curve": RESULT, "marks": VECTOR},
-            marks=[f"P{chr(ord('₀') + k)}" for k in range(MOST)],
+            marks=[f"*P{chr(ord('₀') + k)}*" for k in range(MOST)],
         )
     describe(
         plotter,
@@ -202,7 +202,7 @@ ARCS = ((1.0, 0.0, -0.2), (0.6, -0.2, 0.7), (0.1, 0.6, 0.8), (0.4, 0.9, -0.2))
         "half of every arc": {"u": 0.5},
     },
     control=Handles([f"Q0,{k}" for k in range(4)], start=ARCS),
-    u=Slider(0, 1, "u", plays=8, start=0.4),
+    u=Slider(0, 1, "*u*", plays=8, start=0.4),
 )
 def arcs_of_arcs(state: State) -> pyvista.Plotter:
     """Draw de Casteljau's construction on the sphere: the arcs of all levels for one u.
@@ -227,7 +227,7 @@ def arcs_of_arcs(state: State) -> pyvista.Plotter:
         looks[f"Q {j} *"] = Ball(color, 0.03 if j else 0.036)
         texts[f"Q_{{{j},*"] = Text("black" if color == NEUTRAL else color)
     draw(plotter, state, looks, texts)
-    for j, text in enumerate(("from Q₀,₀ to Q₁,₁", "to Q₂,₂", "to Q₃,₃"), start=1):
+    for j, text in enumerate(("from *Q₀,₀* to *Q₁,₁*", "to *Q₂,₂*", "to *Q₃,₃*"), start=1):
         read_out(plotter, f"way_{j}", text, 1, "°", where="picture")
     describe(
         plotter,
@@ -252,7 +252,7 @@ RIDE = "ride"
         "who turns it past the window?": {"path": "curve", "roll": "kept upright", "u": 0.54},
     },
     constants={"seen": CAMERA_SEES},
-    u=Slider(0, 1, "once round, u", plays=12, start=0.9),
+    u=Slider(0, 1, "once round, *u*", plays=12, start=0.9),
     targets=Handles(CAMERA_SEES, start=CAMERA_TARGETS),
     path=Choice("path", ["arcs", "curve"], start="arcs"),
     roll=Choice("camera", ["kept upright", "carried along"], start="carried along"),

@@ -314,7 +314,7 @@ def on_equator(degrees: float) -> tuple[float, float, float]:
     step=Slider(0, 4, "steps taken", step=1, stride=1, plays=8, start=4),
     printed_axis=Switch("step 2 with its misprint", start=False),
     printed_double=Switch("step 4 with its misprint", start=False),
-    one_circle=Switch("keep Pᵢ₊₁ on the great circle of the others", start=False),
+    one_circle=Switch("keep *Pᵢ₊₁* on the great circle of the others", start=False),
 )
 def control_points_by_hand(state: State) -> pyvista.Plotter:
     """Draw the four steps to the control points, with either misprint, and test the result.
@@ -354,12 +354,12 @@ def control_points_by_hand(state: State) -> pyvista.Plotter:
 
     read_out(plotter, "now", "step")
     read_out(plotter, "tests", "four tests", where="picture")
-    read_out(plotter, "to_jump", "from Pᵢ₊₁ to the jump", 0, "°", where="picture")
+    read_out(plotter, "to_jump", "from *Pᵢ₊₁* to the jump", 0, "°", where="picture")
     for name, label in (
-        ("midway", "P̄ᵢ halfway from P̄ᵢ₋₁ to Pᵢ₊₁"),
-        ("on_circle", "bᵢ, Pᵢ, aᵢ on a great circle"),
-        ("equally_far", "aᵢ, bᵢ equally far from Pᵢ"),
-        ("no_corner", "straight on at Pᵢ"),
+        ("midway", "*P̄ᵢ* halfway from *P̄ᵢ₋₁* to *Pᵢ₊₁*"),
+        ("on_circle", "*bᵢ*, *Pᵢ*, *aᵢ* on a great circle"),
+        ("equally_far", "*aᵢ*, *bᵢ* equally far from *Pᵢ*"),
+        ("no_corner", "straight on at *Pᵢ*"),
     ):
         read_out(plotter, name, label, where="folded")
     describe(

@@ -1,6 +1,7 @@
 """Scenes of Chapter 4: three rotations, the one that replaces them, and transforms."""
 
 from collections.abc import Sequence
+from itertools import permutations
 
 import numpy as np
 import pyvista
@@ -58,20 +59,20 @@ __all__ = [
     "three_turns_by_hand",
 ]
 
-ORDERS = ["U V W", "U W V", "V U W", "V W U", "W U V", "W V U"]
+ORDERS = [" ".join(f"*{letter}*" for letter in order) for order in permutations("UVW")]
 FIXED, CARRIED = AXES = ["fixed", "carried along"]
 
 
 @explorable(
     constants={"factors": {"U": "M(u)", "V": "M(v)", "W": "M(w)"}, "carried": CARRIED},
     tries={
-        "W V U, axes carried along": {"axes": CARRIED},
+        "*W* *V* *U*, axes carried along": {"axes": CARRIED},
         "turns of 10°": {"u": 10, "v": 10, "w": 10},
         "half turns": {"u": 180, "v": 180, "w": 180},
     },
-    u=Slider(-180, 180, "u, about U, °", step=1, row=False, start=90),
-    v=Slider(-180, 180, "v, about V, °", step=1, row=False, start=90),
-    w=Slider(-180, 180, "w, about W, °", step=1, row=False, start=90),
+    u=Slider(-180, 180, "*u*, about *U*, °", step=1, row=False, start=90),
+    v=Slider(-180, 180, "*v*, about *V*, °", step=1, row=False, start=90),
+    w=Slider(-180, 180, "*w*, about *W*, °", step=1, row=False, start=90),
     order=Choice("order of the lower row", ORDERS, start="W V U"),
     axes=Choice("its axes", AXES, start=FIXED),
 )
@@ -186,14 +187,14 @@ WAYS = (("angles", "three angles", CROSS), ("slerp", "one turn", RESULT))
     constants={"noWay": "no unique path: start and end are half a turn apart"},
     tries={
         "the spoon 1° aside": {"u": 0, "v": 89, "w": 0},
-        "v = 30°": {"v": 30},
+        "*v* = 30°": {"v": 30},
         "the longest way": {"u": 173, "v": -61, "w": 175},
     },
-    u=Slider(-180, 180, "u, about U″, °", step=1, row=False, start=90),
-    v=Slider(-180, 180, "v, about V′, °", step=1, row=False, start=90),
-    w=Slider(-180, 180, "w, about W, °", step=1, row=False, start=90),
+    u=Slider(-180, 180, "*u*, about *U*″, °", step=1, row=False, start=90),
+    v=Slider(-180, 180, "*v*, about *V*′, °", step=1, row=False, start=90),
+    w=Slider(-180, 180, "*w*, about *W*, °", step=1, row=False, start=90),
     spoon=Poses("the spoon", start=(np.sqrt(1 / 2), 0, np.sqrt(1 / 2), 0)),
-    t=Slider(0, 1, "part of the way, t", plays=6, start=0.5),
+    t=Slider(0, 1, "part of the way, *t*", plays=6, start=0.5),
 )
 def euler_angles_by_hand(state: State) -> pyvista.Plotter:
     """Draw a spoon in the rings of its Euler angles, and two ways to turn to its pose.
@@ -234,19 +235,19 @@ def euler_angles_by_hand(state: State) -> pyvista.Plotter:
         looks: dict[str, Look] = {f"{way} path": Lines(ink, 0.017), f"{way} tip": Ball(ink, 0.055)}
         draw(plotter, state, looks, {text: Text(ink, "{}")})
 
-    read_out(plotter, "rings", "u, v, w", 0, "°", where="picture")
+    read_out(plotter, "rings", "*u*, *v*, *w*", 0, "°", where="picture")
     read_out(plotter, "by_angles", "three angles turn by", 0, "°", where="picture")
     read_out(plotter, "by_slerp", "one turn by", 0, "°", where="picture")
-    read_out(plotter, "apart", "1° of w does what 1° of u does, to within", 2, "°")
+    read_out(plotter, "apart", "1° of *w* does what 1° of *u* does, to within", 2, "°")
     read_out(plotter, "matrix", "matrix of the three angles", where="folded")
-    read_out(plotter, "q", "quaternion (w x y z)", where="folded")
+    read_out(plotter, "q", "quaternion (*w* *x* *y* *z*)", where="folded")
     draw_chart(
         plotter,
         "speeds",
         over="t",
         x=(0, 1),
         y=(0, 200),
-        label="speed, degrees for a step of 1 in t",
+        label="speed, degrees for a step of 1 in *t*",
         colors={text: ink for _, text, ink in WAYS},
     )
     describe(

@@ -133,14 +133,14 @@ def figure_1(
 
 @explorable(
     tries={
-        "θ = 90°": {"theta": 90},
-        "θ = 180°": {"theta": 180},
-        "r₂ opposite r": {"around": 180},
+        "*θ* = 90°": {"theta": 90},
+        "*θ* = 180°": {"theta": 180},
+        "*r₂* opposite *r*": {"around": 180},
     },
     vector=Handles("r", length=0, start=VECTOR_BY_HAND),
     axis=Handles("n", reach=1.1, start=AXIS_BY_HAND),
-    theta=Slider(0, 360, "angle θ, °", step=1, plays=8, start=60),
-    around=Slider(0, 360, "r₂ ahead of r by, °", step=1, row=False, start=120),
+    theta=Slider(0, 360, "angle *θ*, °", step=1, plays=8, start=60),
+    around=Slider(0, 360, "*r₂* ahead of *r* by, °", step=1, row=False, start=120),
 )
 def figure_1_by_hand(state: State) -> pyvista.Plotter:
     """Draw Fig. 1 with a second vector, whose tip starts elsewhere on the same circle.
@@ -165,9 +165,9 @@ def figure_1_by_hand(state: State) -> pyvista.Plotter:
     plotter = new_scene((4.5, 0.95, 2.43), (0, 0.03, 0.01), view_angle=24.8, size=(600, 504))
     draw(plotter, state, LOOKS, TEXTS)
     for name, vector, color, ink in (
-        ("first", "r", "blue", VECTOR),
-        ("along", "n̂", "orange", AXIS),
-        ("across", "n̂ × r", "purple", CROSS),
+        ("first", "*r*", "blue", VECTOR),
+        ("along", "*n̂*", "orange", AXIS),
+        ("across", "*n̂* × *r*", "purple", CROSS),
     ):
         read_out(plotter, name, f"{vector} times", where="picture", color=ink)
         read_out(plotter, f"{name}_apart", f"{color} arrows differ by")

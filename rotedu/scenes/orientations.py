@@ -76,7 +76,7 @@ CLOCKWISE = ((1, 0, 0), (0, 0, 1), (0, 1, 0))
     },
     constants={"just_inside": JUST_INSIDE},
     corners=Handles(["A", "B", "C"], start=((1, 0, 0), (0, 1, 0), (0, 0, 1))),
-    t=Slider(0, 1, "once round, t", plays=8, start=1),
+    t=Slider(0, 1, "once round, *t*", plays=8, start=1),
 )
 def carried_around_by_hand(state: State) -> pyvista.Plotter:
     """Draw an arrow carried around a triangle by the rotations of the arcs (5-3).
@@ -156,7 +156,7 @@ ROUTE = (
     },
     constants={"signs": ["cannot agree", "can agree"]},
     poses=Poses([f"spoon {k}" for k in range(4)], start=ROUTE),
-    u=Slider(0, 1, "once round, u", step=0.0125, plays=10, start=0.3625),
+    u=Slider(0, 1, "once round, *u*", step=0.0125, plays=10, start=0.3625),
 )
 def routes_by_hand(state: State) -> pyvista.Plotter:
     """Draw a closed curve of orientations along its route, and by shortest ways of matrices.
@@ -202,9 +202,9 @@ def routes_by_hand(state: State) -> pyvista.Plotter:
         over="u",
         x=(0, 1),
         y=(0, 180),
-        label="turned from R₀, degrees",
+        label="turned from *R₀*, degrees",
         colors={"route": RESULT, "shortest": CROSS, "marks": VECTOR},
-        marks=["R₀", "R₁", "R₂", "R₃"],
+        marks=["*R₀*", "*R₁*", "*R₂*", "*R₃*"],
         dashed=["shortest"],
     )
     describe(
@@ -389,7 +389,7 @@ def animate(state: State) -> pyvista.Plotter:
             y=(0, top),
             label=text,
             colors=FILMS | {"marks": VECTOR},
-            marks=[f"R{chr(ord('₀') + k)}" for k in range(MOST_POSES)],
+            marks=[f"*R{chr(ord('₀') + k)}*" for k in range(MOST_POSES)],
             dashed=JUMPY,
         )
     for where, output, text, unit in (

@@ -54,8 +54,8 @@ ACROSS = np.array([-2.6, 4.4, 0.0]) / np.hypot(2.6, 4.4)
 LENGTH, REACH = 0.75, 0.4
 WAYS = (
     "by hand",
-    "half turns U, V, W",
-    "half turns U, W, V",
+    "half turns *U*, *V*, *W*",
+    "half turns *U*, *W*, *V*",
     "full turn",
     "home by slerp",
     "home by nlerp",
@@ -156,7 +156,7 @@ def two_mirrors_by_hand(state: State) -> pyvista.Plotter:
 
     read_out(plotter, "between", "from mirror 1 to mirror 2", 0, "°", where="picture")
     read_out(plotter, "turned", "from blue to green letter", 0, "°", where="picture")
-    read_out(plotter, "q", "q = −m₂m₁ (w x y z)")
+    read_out(plotter, "q", "*q* = −*m₂m₁* (*w* *x* *y* *z*)")
     read_out(plotter, "home", "green letter on blue letter", loud="yes")
     between = abs(state["outputs"]["between"])
     describe(
@@ -171,8 +171,8 @@ def two_mirrors_by_hand(state: State) -> pyvista.Plotter:
 
 @explorable(
     tries={
-        "half turns about U, V, W": {"way": "half turns U, V, W", "along": 1},
-        "about U, W, V": {"way": "half turns U, W, V", "along": 1},
+        "half turns about *U*, *V*, *W*": {"way": "half turns U, V, W", "along": 1},
+        "about *U*, *W*, *V*": {"way": "half turns U, W, V", "along": 1},
         "a wobbling full turn": {"way": "full turn", "along": 1},
         "home by Euler angles": {"way": "home by Euler angles", "along": 1},
     },
@@ -230,7 +230,7 @@ def grab_the_spoon(state: State) -> pyvista.Plotter:
     plotter.add_mesh(halfway, color=NEUTRAL, opacity=0.1, smooth_shading=True, pickable=False)
     add_ball_of_turns(plotter, state)
 
-    read_out(plotter, "q", "q (w x y z)", where="picture")
+    read_out(plotter, "q", "*q* (*w* *x* *y* *z*)", where="picture")
     read_out(plotter, "angle", "angle", 0, "°", where="picture")
     read_out(plotter, "home", "spoon is as at the start", loud="yes")
     describe(
@@ -304,8 +304,8 @@ def double_cover_by_hand(state: State) -> pyvista.Plotter:
 
     read_out(plotter, "twists", "twists of the ribbon", where="picture")
     read_out(plotter, "spoon_back", "spoon is back", loud="yes")
-    read_out(plotter, "q_back", "q is back", loud="yes")
-    read_out(plotter, "q", "q (w x y z)")
+    read_out(plotter, "q_back", "*q* is back", loud="yes")
+    read_out(plotter, "q", "*q* (*w* *x* *y* *z*)")
     read_out(plotter, "matrix", "matrix", where="folded")
     twists = state["outputs"]["twists"]
     hangs = twists != ON_ITS_WAY

@@ -5,19 +5,11 @@
  */
 import { HEIGHT, nameTops, path, WIDTH } from "./chart.js";
 import { toText } from "./link.js";
-import { outputText } from "./speak.js";
+import { outputText, plain } from "./speak.js";
 
 // So many curves have their names beside their ends; more have them above.
 const NAMED = 3;
-// A letter that stands for a quantity, with hat or bar and indices, or a product of such.
-const WORD = "\\p{L}\\p{N}_";
-const INDICES = "[₀-₉ᵢ₊₋]";
-const SYMBOL = new RegExp(
-  `(?<![${WORD}'’/])(?!(?:a|A|I)(?![${WORD}]))(?:(?:[a-z][₀-₉]+)+|[A-Za-zθ][\u0302\u0304]?)` +
-    `(?:,?${INDICES})*(?![${WORD}’'\u0302\u0304])`,
-  "gu",
-);
-const INDEX = new RegExp(`${INDICES}+(?:,${INDICES}+)*`, "gu");
+const INDEX = /[₀-₉ᵢ₊₋]+(?:,[₀-₉ᵢ₊₋]+)*/gu;
 const LOWERED = { ᵢ: "<i>i</i>", "₊": "+", "₋": "\u2212", ",": "," };
 const MORE = '<details class="explorable-more"><summary>More numbers</summary>';
 
@@ -61,11 +53,11 @@ export function panelHtml({ name, inputs, start, outputs, charts, tries }, state
   );
 }
 
-/** Write words as HTML, with letters that stand for quantities as in formulas. */
+/** Write words as HTML; what stands between asterisks is a quantity, as in formulas. */
 export function written(text) {
   const lowered = (index) => [...index].map((sign) => LOWERED[sign] ?? "₀₁₂₃₄₅₆₇₈₉".indexOf(sign));
   return escaped(text)
-    .replace(SYMBOL, "<i>$&</i>")
+    .replace(/\*(.+?)\*/g, "<i>$1</i>")
     .replace(INDEX, (index) => `<sub>${lowered(index).join("")}</sub>`);
 }
 
@@ -82,11 +74,11 @@ const CONTROLS = {
   switch: (name, { label }, value) =>
     `<label class="explorable-switch"><input type="checkbox" name="${name}"${value ? " checked" : ""}>` +
     ` ${written(label)}</label>`,
-  choice: (name, { label, options }, value) => {
-    const buttons = options.map((option) => {
+  choice: (name, { label, options, words }, value) => {
+    const buttons = options.map((option, i) => {
       const checked = option === value ? " checked" : "";
       const button = `<input type="radio" name="${name}" value="${quoted(option)}"${checked}>`;
-      return `<label>${button} ${written(option)}</label>`;
+      return `<label>${button} ${written(words[i])}</label>`;
     });
     const legend = `<legend>${written(label)}</legend>`;
     return `<fieldset class="explorable-choice">${legend}${buttons.join("")}</fieldset>`;
@@ -104,7 +96,7 @@ function sliderHtml(name, { row, low, high, step, plays, label }, value, figure)
   return (
     `<div class="explorable-row"><label for="${id}">${written(label || name)}</label>` +
     `<input type="range" id="${id}" name="${name}" ${bounds}>` +
-    `<input type="number" name="${name}-number" aria-label="${quoted(label || name)}" ${bounds}>` +
+    `<input type="number" name="${name}-number" aria-label="${quoted(plain(label || name))}" ${bounds}>` +
     `${plays ? `<span class="explorable-buttons">${buttons}</span>` : ""}</div>`
   );
 }
@@ -171,7 +163,7 @@ function chartHtml(chart, curves, values, inputs) {
     ` data-y="${y.join(" ")}"${entries.every(([, heights]) => !heights) ? " hidden" : ""} style="${room}">` +
     `<figcaption>${written(label)} ${keys.join("")}</figcaption><div class="explorable-plot">` +
     `<svg viewBox="0 0 ${WIDTH} ${HEIGHT}" preserveAspectRatio="none" role="img"` +
-    ` aria-label="${quoted(label)}">${hairlines.join("")}${lines.join("")}` +
+    ` aria-label="${quoted(plain(label))}">${hairlines.join("")}${lines.join("")}` +
     // A line, and a knob at its foot.
     `${mark(0)}${mark(HEIGHT)}</svg>` +
     `<div class="explorable-ticks">${numbers.join("")}</div>` +

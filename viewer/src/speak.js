@@ -2,9 +2,12 @@
 
 const UNIT = /, (°)$/;
 
+/** Words without the marks of quantities. */
+export const plain = (text) => text.replaceAll("*", "");
+
 /** What an input is, without its unit. */
-export function titleOf({ label, names }, name) {
-  return label?.replace(UNIT, "") || (typeof names === "string" ? names : name);
+export function titleOf({ label = "", names }, name) {
+  return plain(label).replace(UNIT, "") || (typeof names === "string" ? names : name);
 }
 
 /** The value of a slider with its unit. */

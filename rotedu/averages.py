@@ -217,7 +217,7 @@ def matrix_from_two_columns(a: Unit3, b: Unit3) -> Rotation:
     refuse_parallel(a, b)
     across = b - dot(a, b) * a
     second = unit(across - dot(a, across) * a)
-    return np.stack([a, second, cross(a, second)], axis=1)
+    return np.stack(np.broadcast_arrays(a, second, cross(a, second)), axis=1)
 
 
 def refuse_parallel(a: Array, b: Array) -> None:

@@ -1,4 +1,6 @@
 /* After a change of inputs the panel of a figure is the one that is written for these inputs. */
+// Before the viewer, which asks the document at once.
+import "../viewer/test/dom.js";
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import * as models from "../rotedu/scenes/models.js";

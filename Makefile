@@ -20,7 +20,7 @@ unexport PYTHONDONTWRITEBYTECODE
 CLASS := tests/test_class_load.py
 AS_ROOT := $(if $(filter-out 0,$(shell id -u)),sudo)
 
-.PHONY: book watch test test-book test-rest test-slow audit bench mutate newest lab class pdf epub notebooks lock clean help
+.PHONY: book watch test test-book test-rest test-slow audit bench mutate lab class pdf epub notebooks lock clean help
 .DEFAULT_GOAL := help
 # What is half written when a command fails is made anew.
 .DELETE_ON_ERROR:
@@ -68,9 +68,6 @@ mutate: $(READY) ## break mathematics and viewer, see whether tests notice (two 
 	CASES="$(CURDIR)/_build/cases" $(BIN)/node \
 	    node_modules/@stryker-mutator/core/bin/stryker.js run viewer/stryker.json
 	$(BIN)/python tools/mutate.py
-
-newest: book ## build the book with the newest Sphinx and compare the pages
-	$(BIN)/python tools/newest.py
 
 lab: $(READY) $(VIEWER) ## open the notebooks in JupyterLab, with figures that turn
 	@test -z "$(LAB_AS_ROOT)" || echo "You are root. To open JupyterLab from outside a container, publish" \

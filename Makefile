@@ -16,10 +16,6 @@ LIVE := .venv/page_python/runtime/.made-of
 # What Python compiles it keeps: compiling all that a kernel imports takes seconds.
 unexport PYTHONDONTWRITEBYTECODE
 
-# The test of a class adds accounts to the machine.
-CLASS := tests/test_class_load.py
-AS_ROOT := $(if $(filter-out 0,$(shell id -u)),sudo)
-
 .PHONY: book watch test test-book test-rest test-slow audit bench mutate lab class pdf epub notebooks lock clean help
 .DEFAULT_GOAL := help
 # What is half written when a command fails is made anew.
@@ -53,8 +49,7 @@ test-rest:
 	$(BIN)/pytest -m "not book and not slow"
 
 test-slow: $(READY) $(VIEWER) $(LIVE) .venv/browser ## install the wheel on its own; test random input for minutes
-	$(BIN)/pytest -m "slow or hypothesis" --hypothesis-profile=long --deselect=$(CLASS)
-	$(AS_ROOT) $(BIN)/pytest -m slow $(CLASS)
+	$(BIN)/pytest -m "slow or hypothesis" --hypothesis-profile=long
 
 audit: .venv/browser book ## weigh the pages; Lighthouse and axe judge them
 	$(BIN)/python tools/audit.py

@@ -32,7 +32,7 @@ from rotedu.general_rotation import (
     shearing,
     translation,
 )
-from rotedu.ordinary_rotation import axis_angle, rotation_matrix, transform
+from rotedu.ordinary_rotation import rotation_matrix, transform
 from rotedu.quaternions import Quaternion
 
 RNG = np.random.default_rng(47)
@@ -55,29 +55,12 @@ class TestPrincipal:
     def test_against_scipy(self, principal: Any, axis: Array) -> None:
         turned = principal(EULER[:, 0])
         close(turned[:, :3, :3], Rotation.from_rotvec(np.outer(EULER[:, 0], axis)).as_matrix())
-        close(turned[:, 3], [[0, 0, 0, 1]] * len(EULER), 0)
-        close(turned[:, :3, 3], 0, 0)
-        close(principal(0.3), homogeneous(rotation_matrix(axis, 0.3)), 1e-15)
+        close(turned, homogeneous(turned[:, :3, :3]), 0)
 
     def test_product_against_scipy(self) -> None:
-        oracle = Rotation.from_euler("xyz", EULER).as_matrix()
         product = matrix_from_euler_angles(*EULER.T)
-        close(product[:, :3, :3], oracle, 2e-15)
-        close(product, rotation_w(EULER[:, 2]) @ rotation_v(EULER[:, 1]) @ rotation_u(EULER[:, 0]))
-
-    def test_order_matters(self) -> None:
-        turn = np.pi / 2
-        close(matrix_from_euler_angles(turn, turn, 0) @ [0, 1, 0, 1], [1, 0, 0, 1])
-        close(compose(rotation_u(turn), rotation_v(turn)) @ [0, 1, 0, 1], [0, 0, 1, 1])
-
-    def test_shapes(self) -> None:
-        assert matrix_from_euler_angles(1, [1, 2], np.ones((3, 1))).shape == (3, 2, 4, 4)
-        assert rotation_u(np.ones((2, 3))).shape == (2, 3, 4, 4)
-        assert rotation_v(np.ones(0)).shape == (0, 4, 4)
-        assert [np.shape(x) for x in half_angle_sums(1, [1, 2], 3)] == [(2,)] * 4
-        axis, angle = axis_angle_from_euler_angles(1, [1, 2], np.ones((3, 1)))
-        assert axis.shape == (3, 2, 3)
-        assert angle.shape == (3, 2)
+        close(product[:, :3, :3], Rotation.from_euler("xyz", EULER).as_matrix(), 2e-15)
+        close(product, homogeneous(product[:, :3, :3]), 0)
 
 
 class TestSingleRotation:
@@ -88,13 +71,6 @@ class TestSingleRotation:
         assert (angle >= 0).all()
         assert (angle <= 2 * np.pi).all()
         assert (angle > np.pi).sum() > 500
-
-    def test_against_the_axis_of_the_matrix(self) -> None:
-        axis, angle = axis_angle_from_euler_angles(*EULER.T)
-        other_axis, other_angle = axis_angle(matrix_from_euler_angles(*EULER.T)[:, :3, :3])
-        beyond = angle > np.pi
-        close(np.where(beyond, 2 * np.pi - angle, angle), other_angle, 1e-13)
-        close(np.where(beyond[:, None], -axis, axis), other_axis, 1e-13)
 
     @pytest.mark.equation("4-5")
     def test_the_sine_alone_would_not_do(self) -> None:
@@ -111,7 +87,6 @@ class TestSingleRotation:
             (0, 0, 0),
             (np.pi, np.pi, np.pi),
             (-np.pi, np.pi, np.pi),
-            (np.pi, -np.pi, -np.pi),
             (2 * np.pi, 0, 0),
             (0, -2 * np.pi, 4 * np.pi),
             (3 * np.pi, np.pi, -5 * np.pi),
@@ -123,32 +98,24 @@ class TestSingleRotation:
         assert angle in (0, 2 * np.pi)
         close(matrix_from_euler_angles(*angles), np.eye(4), 1e-15)
 
-    def test_identity_among_others(self) -> None:
+    def test_identity_among_others_and_in_single_precision(self) -> None:
         axis, angle = axis_angle_from_euler_angles([0, np.pi, 0], [0, np.pi, 1], [0, np.pi, 0])
         close(axis, [[1, 0, 0], [1, 0, 0], [0, 1, 0]], 0)
         close(angle, [0, 0, 1], 1e-15)
+        axis, angle = axis_angle_from_euler_angles(*np.full(3, np.pi, np.float32))
+        close(axis, [1, 0, 0], 0)
+        assert angle == 0
 
-    @pytest.mark.parametrize("size", [1e-300, 1e-200, 1e-20, 1e-12, 1e-8, 1e-4])
-    def test_small_angles_keep_their_digits(self, size: float) -> None:
-        for i in range(3):
-            axis, angle = axis_angle_from_euler_angles(*size * np.eye(3)[i])
-            close(axis, np.eye(3)[i], 0)
+    @pytest.mark.parametrize("size", [1e-300, 1e-20, 1e-8, 1e-4, np.pi])
+    def test_small_angles_and_half_turns_keep_their_digits(self, size: float) -> None:
+        for axis in np.eye(3):
+            found, angle = axis_angle_from_euler_angles(*size * axis)
+            close(found, axis, 0 if size < 1 else 1e-15)
             assert angle == pytest.approx(size, rel=1e-15)
-        axis, angle = axis_angle_from_euler_angles(size, 2 * size, -2 * size)
-        close(axis, np.array([1, 2, -2]) / 3, 2 * size + 1e-15)
-        assert angle == pytest.approx(3 * size, rel=size + 1e-15)
-
-    @pytest.mark.parametrize("axis", [*np.eye(3)])
-    def test_half_turns(self, axis: Array) -> None:
-        found, angle = axis_angle_from_euler_angles(*np.pi * axis)
-        close(found, axis, 1e-15)
-        close(angle, np.pi, 1e-15)
-
-    @given(angles, angles, angles)
-    def test_of_any_angles_is_the_product(self, u: float, v: float, w: float) -> None:
-        axis, angle = axis_angle_from_euler_angles(u, v, w)
-        product = matrix_from_euler_angles(u, v, w)
-        close(homogeneous(rotation_matrix(axis, angle)), product, 4e-15)
+        if size < 1:
+            axis, angle = axis_angle_from_euler_angles(size, 2 * size, -2 * size)
+            close(axis, np.array([1, 2, -2]) / 3, 2 * size + 1e-15)
+            assert angle == pytest.approx(3 * size, rel=size + 1e-15)
 
 
 class TestEulerAngles:
@@ -187,13 +154,6 @@ class TestEulerAngles:
         u, v, w = euler_angles(matrix_from_euler_angles([0.1, 0.3], [0.2, np.pi / 2], [0.3, 0.1]))
         close([u, v, w], [[0.1, 0.2], [0.2, np.pi / 2], [0.3, 0]], 1e-15)
 
-    def test_not_rotations(self) -> None:
-        with pytest.raises(ValueError, match=r"^matrix must be a rotation: .* it reflects$"):
-            euler_angles(-np.eye(3))
-        for pose in [translation([1, 0, 0]), perspective(2)]:
-            with pytest.raises(ValueError, match=r"^matrix must be a rotation: its fourth row and"):
-                euler_angles(pose)
-
 
 def test_two_quaternions_merge_turns_and_translations_in_one_product() -> None:
     """Clifford's dual quaternions, q and half of step times q, with a unit whose square is 0."""
@@ -220,37 +180,24 @@ class TestTransforms:
         close(transform(translation(v), r), r + v, 0)
         close(translation(v) @ [*r, 0], [*r, 0], 0)
 
-    def test_an_axis_with_fourth_coordinate_1_is_no_direction(self) -> None:
-        moved = translation([5, 0, 0])
-        close(moved @ [0, 0, 1, 1], [5, 0, 1, 1], 0)
-        close(moved @ [0, 0, 1, 0], [0, 0, 1, 0], 0)
-
     def test_scaling(self) -> None:
         close(transform(scaling(3), POINTS), 3 * POINTS, 0)
         close(transform(scaling([1, -2, 0]), POINTS), POINTS * [1, -2, 0], 0)
-        assert scaling(np.ones((5, 3))).shape == (5, 4, 4)
 
-    @pytest.mark.parametrize("name", ["uv", "uw", "vu", "vw", "wu", "wv"])
-    def test_shearing(self, name: str) -> None:
-        row, column = ("uvw".index(letter) for letter in name)
-        expected = np.eye(4)
-        expected[row, column] = 2.5
-        close(shearing(**{name: 2.5}), expected, 0)
-
-    def test_several_shears_at_once(self) -> None:
+    def test_shearing(self) -> None:
+        for row, column in permutations(range(3), 2):
+            expected = np.eye(4)
+            expected[row, column] = 2.5
+            close(shearing(**{"uvw"[row] + "uvw"[column]: 2.5}), expected, 0)
         both = shearing(uv=[1, 2, 3], wu=np.ones((2, 1)))
         assert both.shape == (2, 3, 4, 4)
         close(both[1, 2] @ [1, 10, 100, 1], [31, 10, 101, 1], 0)
-        close(shearing(), np.eye(4), 0)
 
     @given(vectors.filter(lambda n: bool(np.linalg.norm(n) > 1e-3)), vectors)
     def test_reflection(self, normal: Array, r: Array) -> None:
-        mirror = reflection(normal)
         n = normal / np.linalg.norm(normal)
-        close(transform(mirror, r), r - 2 * (r @ n) * n, 1e-13)
-        close(mirror @ mirror, np.eye(4))
-        close(np.linalg.det(mirror), -1)
-        close(reflection(-1e5 * normal), mirror, 1e-15)
+        close(transform(reflection(normal), r), r - 2 * (r @ n) * n, 1e-13)
+        close(reflection(-1e5 * normal), reflection(normal), 1e-15)
 
     def test_perspective_is_the_ray_from_the_eye(self) -> None:
         points, eye = POINTS - [0, 0, 3], np.array([0, 0, 2.5])
@@ -270,8 +217,6 @@ class TestTransforms:
         close(transform(perspective(4), [1, 2, 0]), [1, 2, 0], 0)
         with pytest.raises(DegenerateError, match="1 of 2 points to infinity at index"):
             transform(perspective(4), [[1, 2, 0], [1, 2, 4]])
-        close(transform(perspective(1e300), POINTS), POINTS, 1e-15)
-        assert perspective([1, 2]).shape == (2, 4, 4)
 
     @pytest.mark.equation("4-7")
     def test_homogeneous(self) -> None:
@@ -280,7 +225,6 @@ class TestTransforms:
         close(h[:, :3, :3], m, 0)
         close(h[:, 3], [[0, 0, 0, 1]] * 5, 0)
         close(h[:, :3, 3], 0, 0)
-        close(transform(h[2], POINTS), transform(m[2], POINTS))
 
 
 class TestCompose:
@@ -298,11 +242,6 @@ class TestCompose:
         for step in self.steps:
             one_by_one = transform(step, one_by_one)
         close(transform(compose(*reversed(self.steps)), POINTS), one_by_one)
-
-    def test_the_last_one_is_done_first(self) -> None:
-        a, b, c = RNG.normal(size=(3, 4, 4))
-        close(compose(a, b, c), a @ b @ c)
-        close(compose(translation([1, 0, 0]), scaling(2)) @ [1, 1, 1, 1], [3, 2, 2, 1], 0)
 
     def test_none_and_one(self) -> None:
         close(compose(), np.eye(4), 0)
@@ -323,101 +262,49 @@ class TestCompose:
     @pytest.mark.equation("4-1")
     def test_three_principal_rotations(self) -> None:
         u, v, w = EULER[0]
-        close(
-            compose(rotation_w(w), rotation_v(v), rotation_u(u)), matrix_from_euler_angles(u, v, w)
-        )
+        product = compose(rotation_w(w), rotation_v(v), rotation_u(u))
+        close(product, matrix_from_euler_angles(u, v, w))
 
 
-class TestCounts:
+def test_counts_of_the_audit() -> None:
     angles = 0.1, 0.2, 0.3
-
-    def test_as_in_the_audit(self) -> None:
-        assert count(matrix_from_euler_angles, *self.angles) == OperationCount(
-            16, 4, trigonometric=6
-        )
-        sums = OperationCount(16, 4, divisions=3, trigonometric=6)
-        assert count(quaternion_from_euler_angles, *self.angles) == sums
-        a, b = RNG.normal(size=(2, 4, 4))
-        assert count(compose, a, b) == OperationCount(64, 48)
-
-    def test_the_single_rotation_can_be_counted(self) -> None:
-        counted = count(axis_angle_from_euler_angles, *self.angles)
-        assert counted.square_roots == 1
-        assert counted.trigonometric == 7
+    matrix = OperationCount(16, 4, trigonometric=6)
+    assert count(matrix_from_euler_angles, *angles) == matrix
+    sums = OperationCount(16, 4, divisions=3, trigonometric=6)
+    assert count(quaternion_from_euler_angles, *angles) == sums
+    assert count(compose, *RNG.normal(size=(2, 4, 4))) == OperationCount(64, 48)
+    single = count(axis_angle_from_euler_angles, *angles)
+    assert (single.square_roots, single.trigonometric) == (1, 7)
 
 
-class TestSinglePrecision:
-    def test_is_kept(self) -> None:
-        one, vector = np.float32(1), np.ones(3, np.float32)
-        found = [
-            rotation_u(one),
-            rotation_v(one),
-            rotation_w(one),
-            matrix_from_euler_angles(one, 2, 3),
-            *half_angle_sums(one, 2, 3),
-            *axis_angle_from_euler_angles(one, 2, 3),
-            *axis_angle_from_euler_angles(np.float32(0), 0, 0),
-            homogeneous(np.eye(3, dtype=np.float32)),
-            translation(vector),
-            scaling(one),
-            scaling(vector),
-            shearing(uv=one),
-            reflection(vector),
-            perspective(one),
-            compose(np.eye(3, dtype=np.float32), np.eye(4, dtype=np.float32)),
-        ]
-        assert {np.asarray(x).dtype for x in found} == {np.dtype(np.float32)}
-        assert (
-            rotation_u(1).dtype
-            == matrix_from_euler_angles(one, np.float64(1), 1).dtype
-            == np.float64
-        )
-
-    def test_identity(self) -> None:
-        axis, angle = axis_angle_from_euler_angles(*np.full(3, np.pi, np.float32))
-        close(axis, [1, 0, 0], 0)
-        assert angle == 0
-
-
-class TestRefusals:
-    @pytest.mark.parametrize(
-        ("f", "name", "shape"),
-        [
-            (translation, "v", r"\(..., 3\)"),
-            (scaling, "s", r"\(\) or \(..., 3\)"),
-            (reflection, "normal", r"\(..., 3\)"),
-        ],
-    )
-    def test_not_vectors(self, f: Any, name: str, shape: str) -> None:
-        with pytest.raises(ValueError, match=rf"^{name} must have shape {shape}; got .*\(2, 4\)"):
-            f(np.ones((2, 4)))
-
-    def test_not_matrices(self) -> None:
-        with pytest.raises(ValueError, match=r"^matrix must have shape \(..., 3, 3\); got shape"):
-            homogeneous(np.eye(4))
-        match = r"^matrices\[1\] must have shape \(..., 3, 3\) or \(..., 4, 4\); got shape \(2, 2\)"
-        with pytest.raises(ValueError, match=match):
-            compose(np.eye(4), np.eye(2))
-        with pytest.raises(ValueError, match=r"^matrices\[0\] and matrices\[1\] must broadcast"):
-            compose(np.ones((2, 4, 4)), np.ones((3, 3, 3)))
-        with pytest.raises(ValueError, match=r"^u and v and w must broadcast"):
-            matrix_from_euler_angles([1, 2], [1, 2, 3], 0)
-
-    def test_zero_distance(self) -> None:
-        with pytest.raises(ValueError, match=r"^distance must not be zero; got 0 at index \(1,\)$"):
-            perspective([1, 0])
+@pytest.mark.parametrize(
+    ("refused", "message"),
+    [
+        (lambda: translation(np.ones((2, 4))), r"v must have shape \(..., 3\); got .*\(2, 4\)"),
+        (lambda: scaling(np.ones((2, 4))), r"s must have shape \(\) or \(..., 3\); got .*\(2, 4\)"),
+        (lambda: homogeneous(np.eye(4)), r"matrix must have shape \(..., 3, 3\); got shape"),
+        (
+            lambda: compose(np.eye(4), np.eye(2)),
+            r"matrices\[1\] must have shape \(..., 3, 3\) or \(..., 4, 4\); got shape \(2, 2\)",
+        ),
+        (
+            lambda: compose(np.ones((2, 4, 4)), np.ones((3, 3, 3))),
+            r"matrices\[0\] and matrices\[1\] must broadcast",
+        ),
+        (lambda: perspective([1, 0]), r"distance must not be zero; got 0 at index \(1,\)$"),
+        (lambda: euler_angles(-np.eye(3)), "matrix must be a rotation: .* it reflects$"),
+        (lambda: euler_angles(perspective(2)), "matrix must be a rotation: its fourth row and"),
+    ],
+)
+def test_refusals(refused: Any, message: str) -> None:
+    with pytest.raises(ValueError, match=f"^{message}"):
+        refused()
 
 
 class TestProofs:
     """The same code, run on symbols."""
 
     angles = sp.symbols("u v w", real=True)
-
-    def test_principal_matrices_are_3_3_about_the_axes(self) -> None:
-        theta = symbolic(self.angles[0])
-        for principal, axis in PRINCIPAL.items():
-            ordinary = homogeneous(rotation_matrix(symbolic(*map(int, axis)), theta))
-            assert matrix(principal(theta)) == matrix(ordinary)
 
     @pytest.mark.equation("4-2")
     def test_4_2_is_4_1_multiplied_out(self) -> None:
@@ -444,10 +331,6 @@ class TestProofs:
         sums = matrix([delta, alpha, beta, gamma])
         assert (matrix((qw * qv * qu).components) - sums).expand() == sp.zeros(4, 1)
         assert (matrix((qu * qv * qw).components) - sums).expand() != sp.zeros(4, 1)
-
-    def test_the_squares_add_up_to_one(self) -> None:
-        sums = matrix(half_angle_sums(*map(symbolic, self.angles)))
-        assert vanishes(sum(x**2 for x in sums) - 1)
 
     def test_the_one_rotation_has_the_matrix_4_2(self) -> None:
         u, v, w = map(symbolic, self.angles)

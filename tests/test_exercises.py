@@ -11,33 +11,12 @@ from matplotlib import pyplot
 from notebook_language import Page, chapters, exercises
 
 from rotedu.edition.exercises import check
-from rotedu.edition.exercises.answers import COMPLEX, plain
-from rotedu.edition.exercises.judging import EXERCISES, Mistake, Part, Wrong, exercise
+from rotedu.edition.exercises.answers import plain
+from rotedu.edition.exercises.judging import EXERCISES, Part, anything, exercise, otherwise, when
 
 IN_BOOK = {number: page for page in chapters() for number in page.exercises}
 GARBAGE = [None, "x", np.nan, (None, None), np.full((2, 5), 7.0), object(), {}, [], [[1], [2, 3]]]
 GARBAGE.append(GARBAGE)
-
-
-COMPLEX_IN_EVERY_WAY: dict[str, Any] = {
-    "python": lambda numbers: (numbers + 1j).tolist(),
-    "numpy": lambda numbers: numbers + 1j,
-    "short": lambda numbers: numbers.astype(np.complex64),
-    "scalars": lambda numbers: list(numbers + 0j) if numbers.ndim else (numbers + 0j)[()],
-    "objects": lambda numbers: (numbers + 0j).astype(object),
-    "objects of numpy": lambda numbers: np.array([*np.ravel(numbers + 0j), None], object)[:-1],
-}
-
-
-def complex_numbers(answer: Any, make: Any) -> Any:
-    """Return an answer with complex numbers in place of its numbers."""
-    if callable(answer):
-        return lambda *gaps: complex_numbers(answer(*gaps), make)
-    if isinstance(answer, (str, bool, np.bool_)):
-        return answer
-    if isinstance(answer, (list, tuple)):
-        return tuple(complex_numbers(part, make) for part in answer)
-    return make(np.asarray(plain(answer)))
 
 
 @cache
@@ -91,12 +70,6 @@ class TestInTheBook:
         assert check(number, before).right is None
         assert check(number, after).right is True
 
-    @pytest.mark.parametrize("way", COMPLEX_IN_EVERY_WAY)
-    def test_complex_numbers_are_refused(self, number: str, way: str) -> None:
-        """Also those without imaginary part; words are the only answer without numbers."""
-        answer = complex_numbers(answers(number)[1], COMPLEX_IN_EVERY_WAY[way])
-        assert (COMPLEX in check(number, answer, hint=2).text) is (number != "3.3")
-
     def test_the_page_shows_both_verdicts(self, number: str) -> None:
         asked = IN_BOOK[number].exercises[number]
         for cell, verdict in ((asked.start, "not answered yet."), (asked.solution, "right.")):
@@ -120,18 +93,18 @@ class TestCheck:
 
     def test_each_mistake_and_all_else_get_their_own_hints(self, number: str) -> None:
         asked = EXERCISES[number]
-        hints = set()
+        hints = {(first, m.second) for part in asked.parts for first, m in part.hints.items()}
         for part in asked.parts:
-            for result, *hint, example in part.mistakes:
-                wrong = asked.judge(plain(example)) if callable(result) else part.judge(result)
-                assert wrong is not None
-                assert [wrong.first, wrong.second] == hint
-            if part.example is None:
-                other = part.judge(1.37 * np.array(part.right) + 0.79)
-            else:
-                other = asked.judge(plain(part.example))
-            assert other is part.otherwise
-            hints.update((wrong.first, wrong.second) for wrong in (*part.mistakes, part.otherwise))
+            for first, mistake in part.hints.items():
+                for result in mistake.results:
+                    if mistake.example is not None:
+                        hint = asked.judge(plain(mistake.example))
+                    elif result is anything:
+                        hint = part.judge(1.37 * np.array(part.right) + 0.79)
+                    else:
+                        hint = part.judge(result)
+                    assert hint == (first, mistake.second)
+            assert mistake.result is anything
         assert len(hints) >= 2
         assert all(second not in first for first, second in hints)
 
@@ -170,7 +143,7 @@ def test_an_answer_given_in_a_trial_hears_what_is_wrong(
 
 def test_a_number_is_refused_twice() -> None:
     with pytest.raises(ValueError, match=r"3\.1 has two checks"):
-        exercise("3.1", expects="nothing")(lambda: [])
+        exercise("3.1", "nothing")(lambda: [])
 
 
 def test_a_hint_has_two_stages() -> None:
@@ -179,34 +152,34 @@ def test_a_hint_has_two_stages() -> None:
     assert second.text == "not yet. Seen from the tip of W, where does U go first?"
 
 
-OTHER = Wrong("another", "more")
+MISTAKE, OTHER = ("a mistake", "more"), ("another", "even more")
+
+
+def judged(right: Any, mistake: Any, *given: Any, **asked: Any) -> list[Any]:
+    """What a part with one mistake says to answers."""
+    hints = {MISTAKE[0]: when(mistake, MISTAKE[1]), OTHER[0]: otherwise(OTHER[1])}
+    return [Part(right, hints, **asked).judge(np.array(answer)) for answer in given]
 
 
 class TestPart:
     def test_every_number_must_be_right(self) -> None:
-        swapped = Mistake([2, 1], "a mistake", "more")
-        pair = Part([1, 2], swapped, otherwise=OTHER, within=0.1)
-        assert pair.judge(np.array([1.09, 1.91])) is None
-        assert pair.judge(np.array([1.09, 1.89])) is OTHER
-        assert pair.judge(np.array([2.0, 1.0])) is swapped
+        said = judged([1, 2], [2, 1], [1.09, 1.91], [1.09, 1.89], [2, 1], within=0.1)
+        assert said == [None, OTHER, MISTAKE]
 
     def test_a_sign_may_not_count(self) -> None:
-        double = Mistake([2, 2], "a mistake", "more")
-        pair = Part([1, -1], double, otherwise=OTHER, either_sign=True)
-        verdicts = [pair.judge(np.array(given)) for given in ([1, -1], [-1, 1], [-2, -2], [1, 1])]
-        assert verdicts == [None, None, double, OTHER]
+        said = judged([1, -1], [2, 2], [1, -1], [-1, 1], [-2, -2], [1, 1], either_sign=True)
+        assert said == [None, None, MISTAKE, OTHER]
 
     def test_full_turns_do_not_count(self) -> None:
-        quarter = Mistake(90, "a mistake", "more")
-        angle = Part(350, quarter, otherwise=OTHER, within=1, period=360)
-        verdicts = [angle.judge(number) for number in (-10, 710, 351, 450, 352)]
-        assert verdicts == [None, None, None, quarter, OTHER]
-        assert [angle.judge(huge) for huge in (1e30, -1e60, 1e300)] == 3 * [OTHER]
-        assert Part(350, otherwise=OTHER, within=1).judge(-10) is OTHER
+        said = judged(350, 90, -10, 710, 351, 450, 352, within=1, period=360)
+        assert said == [None, None, None, MISTAKE, OTHER]
+        assert judged(350, 90, 1e30, -1e60, 1e300, within=1, period=360) == 3 * [OTHER]
+        assert judged(350, 90, -10, within=1) == [OTHER]
 
     def test_a_function_takes_a_tuple_as_arguments(self) -> None:
-        assert Part(lambda a, b: a > b, otherwise=OTHER).judge((2, 1)) is None
-        assert Part(lambda a: a[0] > a[1], otherwise=OTHER).judge(np.array([1, 2])) is OTHER
+        hints = {OTHER[0]: otherwise(OTHER[1])}
+        assert Part(lambda a, b: a > b, hints).judge((2, 1)) is None
+        assert Part(lambda a: a[0] > a[1], hints).judge(np.array([1, 2])) == OTHER
 
 
 @pytest.mark.parametrize("number", [n for n, asked in EXERCISES.items() if asked.fields])
@@ -217,5 +190,6 @@ class TestNumeric:
 
     def test_has_no_function_which_the_page_could_not_run(self, number: str) -> None:
         parts = EXERCISES[number].parts
-        results = [m.result for part in parts for m in part.mistakes]
-        assert not any(map(callable, [part.right for part in parts] + results))
+        results = [result for part in parts for m in part.hints.values() for result in m.results]
+        assert not any(callable(r) for r in results if r is not anything)
+        assert not any(callable(part.right) for part in parts)

@@ -23,14 +23,16 @@ class answer_form(nodes.General, nodes.Element):  # noqa: N801 (docutils names n
 def judged_by(part: Part, numbers: int) -> dict[str, Any]:
     """Return what judges one step as plain data."""
     items = np.arange(numbers)[slice(None) if part.item is None else part.item]
-    mistakes = [
-        {"result": np.ravel(result).tolist(), "hint": hint} for result, *hint, _ in part.mistakes
-    ]
+    *hints, (first, last) = part.hints.items()
     return {
         "items": np.ravel(items).tolist(),
         "right": np.ravel(part.right).tolist(),
-        "mistakes": mistakes,
-        "otherwise": part.otherwise,
+        "mistakes": [
+            {"result": np.ravel(result).tolist(), "hint": [hint, mistake.second]}
+            for hint, mistake in hints
+            for result in mistake.results
+        ],
+        "otherwise": [first, last.second],
         "within": part.within,
         "period": part.period,
         "eitherSign": part.either_sign,

@@ -117,7 +117,8 @@ def brings(imported: str, name: str) -> bool:
 @cache
 def exports(module: str) -> str:
     """Return what a module says that it exports."""
-    text = file_of(module).read_text("utf-8")
+    file = file_of(module)
+    text = file.read_text("utf-8") if file else ""
     return text.partition("__all__ = [")[2].partition("]")[0]
 
 
@@ -148,10 +149,22 @@ class WithoutTexts(ast.NodeTransformer):
         return None if is_text(node.value) else self.generic_visit(node)
 
     def visit_Call(self, node: ast.Call) -> ast.AST:
-        """Leave out the texts of ``Mistake(...)`` and ``Wrong(...)``."""
-        if isinstance(node.func, ast.Name) and node.func.id in ("Mistake", "Wrong"):
+        """Leave out the texts of what makes a hint."""
+        if is_hint(node):
             node.args = [argument for argument in node.args if not is_text(argument)]
         return self.generic_visit(node)
+
+    def visit_Dict(self, node: ast.Dict) -> ast.AST:
+        """Leave out the first stages of hints."""
+        pairs = zip(node.keys, node.values, strict=True)
+        node.keys = [None if is_hint(value) else key for key, value in pairs]
+        return self.generic_visit(node)
+
+
+def is_hint(node: ast.AST) -> bool:
+    """Tell whether an expression makes a hint of an exercise."""
+    names = ("when", "otherwise", "usual")
+    return isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in names
 
 
 def is_text(node: ast.AST) -> bool:

@@ -6,184 +6,145 @@ import numpy as np
 
 from rotedu._vectors import Array
 from rotedu.averages import angular_distance, matrix_from_two_columns, mean_rotation
+from rotedu.edition.exercises.answers import as_array, as_rotation
 from rotedu.edition.exercises.judging import (
-    NOT_THE_TRUTH,
-    RADIANS,
-    SCALAR_LAST,
-    Mistake,
     Part,
-    Wrong,
-    as_array,
-    as_rotation,
     exercise,
+    in_radians,
+    otherwise,
+    scalar_last,
+    the_truth,
+    when,
 )
 from rotedu.general_rotation import euler_angles, matrix_from_euler_angles
 from rotedu.ordinary_rotation import rotation_matrix
 from rotedu.quaternions import Quaternion
 
-__all__: list[str] = []
-
 
 @exercise(
     "B.1",
-    fields={"matrices": "", "quaternions": "", "other sign": ""},
-    expects="three distances",
+    "three distances",
     because="The two chords of quaternions and a diameter make a right-angled triangle.",
+    fields={"matrices": "", "quaternions": "", "other sign": ""},
 )
 def three_chords() -> Iterator[Part]:
     """Yield the chords between turns by 20 and 80 degrees about one axis."""
     theta = np.deg2rad(60)
     right = np.array([2 * 2**0.5 * np.sin(theta / 2), 2 * np.sin(theta / 4), 2 * np.cos(theta / 4)])
     matrices, quaternions, other = right
-    yield Part(
-        right,
-        Mistake(
+    hints = {
+        "You take the sine of twice the angle that belongs into it.": when(
             [2 * 2**0.5 * np.sin(theta), 2 * np.sin(theta / 2), 2 * np.cos(theta / 2)],
-            "You take the sine of twice the angle that belongs into it.",
             "A chord of a circle is twice the sine of half the arc.",
         ),
-        Mistake(
+        "Your quaternions are as far apart as the rotations.": when(
             [matrices, 2 * np.sin(theta / 2), 2 * np.cos(theta / 2)],
-            "Your quaternions are as far apart as the rotations.",
             "A quaternion holds half the angle. How long is the arc between yours?",
         ),
-        Mistake(
+        "The two signs are the wrong way round.": when(
             [matrices, other, quaternions],
-            "The two signs are the wrong way round.",
             "Of two opposite points of a sphere, which is nearer to a third one?",
         ),
-        Mistake(
+        "The first number is too small.": when(
             [matrices / 2**0.5, quaternions, other],
-            "The first number is too small.",
             "A turn moves two of the three columns of a matrix, and each counts.",
         ),
-        Mistake(
+        "These are the squares of the distances.": when(
             [8 * np.sin(theta / 2) ** 2, quaternions**2, other**2],
-            "These are the squares of the distances.",
             "Only the sum of squares is simple. What is missing?",
         ),
-        Mistake(
+        "Between quaternions you give the arcs.": when(
             [matrices, theta / 2, np.pi - theta / 2],
-            "Between quaternions you give the arcs.",
             "The chord goes straight through the sphere. How long is it?",
         ),
-        Mistake(
+        "These are angles, in degrees.": when(
             [60, 30, 150],
-            "These are angles, in degrees.",
             "A chord has a length. What does an arc of such an angle have for a chord?",
         ),
-        Mistake(
+        "Have you given degrees to a function that wants radians?": when(
             [2 * 2**0.5 * np.sin(30), 2 * np.sin(15), 2 * np.cos(15)],
-            "Have you given degrees to a function that wants radians?",
             "A distance is not negative, and no chord exceeds the diameter.",
         ),
-        otherwise=Wrong(
-            "How large is the turn that leads from one to the other?",
+        "How large is the turn that leads from one to the other?": otherwise(
             "Draw the two quaternions as points of a circle: the arc between them is half the"
-            " angle of the turn.",
+            " angle of the turn."
         ),
-        within=5e-3,
-    )
+    }
+    yield Part(right, hints, within=5e-3)
 
 
 @exercise(
     "B.2",
-    fields={"by chord": "°", "by angle": "°"},
-    expects="two angles in degrees",
+    "two angles in degrees",
     because="The chord listens less to the one that strays.",
+    fields={"by chord": "°", "by angle": "°"},
 )
 def two_means_about_one_axis() -> Iterator[Part]:
     """Yield the mean of turns by 0, 0 and 90 degrees about one axis."""
     by_chord, by_angle = np.degrees(np.arctan2(1, 2)), 30.0
     by_quaternions = 2 * np.degrees(np.arctan2(0.5**0.5, 2 + 0.5**0.5))
     right = np.array([by_chord, by_angle])
-    yield Part(
-        right,
-        Mistake(
-            right[::-1],
-            "You have the two the wrong way round.",
-            "Which of them is the mean of the numbers 0, 0 and 90?",
+    hints = {
+        "You have the two the wrong way round.": when(
+            right[::-1], "Which of them is the mean of the numbers 0, 0 and 90?"
         ),
-        Mistake(
-            [by_angle, by_angle],
-            "By angle that is right, by chord it is not.",
-            "Where does the mean matrix send U? In which direction is that?",
+        "By angle that is right, by chord it is not.": when(
+            [by_angle, by_angle], "Where does the mean matrix send U? In which direction is that?"
         ),
-        Mistake(
-            [by_chord, by_chord],
-            "By chord that is right, by angle it is not.",
-            "About one axis, angles are numbers. What is their mean?",
+        "By chord that is right, by angle it is not.": when(
+            [by_chord, by_chord], "About one axis, angles are numbers. What is their mean?"
         ),
-        Mistake(
+        "The first is the direction of the sum of the quaternions.": when(
             [by_quaternions, by_angle],
-            "The first is the direction of the sum of the quaternions.",
             "Its chords are those of quaternions. Take those of the matrices.",
         ),
-        Mistake(np.deg2rad(right), *RADIANS),
-        Mistake(
-            90 - right,
-            "You count one turn by 0° and two by 90°.",
-            "Two of the three bodies are not turned.",
+        **in_radians(np.deg2rad(right)),
+        "You count one turn by 0° and two by 90°.": when(
+            90 - right, "Two of the three bodies are not turned."
         ),
-        Mistake(
-            [45, 45],
-            "There are two turns by 0° and one by 90°.",
-            "Each of the three counts once, so the mean is not halfway.",
+        "There are two turns by 0° and one by 90°.": when(
+            [45, 45], "Each of the three counts once, so the mean is not halfway."
         ),
-        otherwise=Wrong(
-            "In the plane each turn sends U to a point of the circle. Add up the points.",
-            "The nearest rotation to the mean matrix sends U in the direction of the mean point.",
+        "In the plane each turn sends U to a point of the circle. Add up the points.": otherwise(
+            "The nearest rotation to the mean matrix sends U in the direction of the mean point."
         ),
-        within=0.1,
-    )
+    }
+    yield Part(right, hints, within=0.1)
 
 
 @exercise(
     "B.3",
-    fields={f"set {k}": "" for k in range(1, 6)},
-    expects="five numbers, each 1 or 0",
+    "five numbers, each 1 or 0",
     because="What decides is the mean matrix: whether it has one nearest rotation.",
+    fields={f"set {k}": "" for k in range(1, 6)},
     read=lambda answer: as_array([float(each) for each in answer], (5,)),
 )
 def which_have_a_mean() -> Iterator[Part]:
     """Yield which of five sets of rotations have a unique mean."""
     right = np.array([1, 0, 0, 0, 1])
-
-    def slip(at: int, first: str, second: str) -> Mistake:
-        return Mistake(np.where(np.arange(5) == at, 1 - right, right), first, second)
-
-    yield Part(
-        right,
-        slip(
-            0,
-            "Almost half a turn apart is not half a turn apart.",
-            "How does the mean of the two look if you come closer to 180°?",
+    slips = abs(right - np.eye(5))
+    hints = {
+        "Almost half a turn apart is not half a turn apart.": when(
+            slips[0], "How does the mean of the two look if you come closer to 180°?"
         ),
-        slip(
-            1,
-            "Look at the second set again: how far apart are those two?",
+        "Look at the second set again: how far apart are those two?": when(
+            slips[1],
             "Multiply the inverse of one by the other. Which half turns follow each other?",
         ),
-        slip(
-            2,
-            "Look at the third set again: no orientation among the three is special.",
-            "Turn all three by 120° about W. What happens to the set, and to its mean?",
+        "Look at the third set again: no orientation among the three is special.": when(
+            slips[2], "Turn all three by 120° about W. What happens to the set, and to its mean?"
         ),
-        slip(
-            3,
-            "Add up the four matrices of the fourth set.",
-            "Each is diagonal. Which rotation is nearest to what you find?",
+        "Add up the four matrices of the fourth set.": when(
+            slips[3], "Each is diagonal. Which rotation is nearest to what you find?"
         ),
-        slip(
-            4,
-            "The fifth set counts one of its rotations twice.",
-            "Add up the five matrices. Which rotation is nearest to the sum?",
+        "The fifth set counts one of its rotations twice.": when(
+            slips[4], "Add up the five matrices. Which rotation is nearest to the sum?"
         ),
-        otherwise=Wrong(
-            "More than one of the five is not right yet.",
-            "Try each set with `mean_rotation`, and say why it refuses.",
+        "More than one of the five is not right yet.": otherwise(
+            "Try each set with `mean_rotation`, and say why it refuses."
         ),
-    )
+    }
+    yield Part(right, hints)
 
 
 TRACKED = [2, -1, 2], 2.5
@@ -199,7 +160,7 @@ def two_trackers() -> tuple[Array, Array]:
 
 @exercise(
     "B.4",
-    expects="a rotation: a matrix, shape (3, 3), or a unit quaternion",
+    "a rotation: a matrix, shape (3, 3), or a unit quaternion",
     because="Seven coarse measurements still add a little to three fine ones.",
     read=as_rotation,
 )
@@ -208,51 +169,38 @@ def weighted_mean() -> Iterator[Part]:
     measured, errors = two_trackers()
     right = mean_rotation(measured, errors**-2)
     w, x, y, z = Quaternion.from_matrix(right).components
-    yield Part(
-        right,
-        Mistake(
+    hints = {
+        "All ten count the same in your mean.": when(
             mean_rotation(measured),
-            "All ten count the same in your mean.",
             "How much does a measurement count whose error is three times as large?",
         ),
-        Mistake(
-            mean_rotation(measured, 1 / errors),
-            "Your weights fall too slowly.",
-            "Variances add up, and they are squares of errors.",
+        "Your weights fall too slowly.": when(
+            mean_rotation(measured, 1 / errors), "Variances add up, and they are squares of errors."
         ),
-        Mistake(
-            mean_rotation(measured, errors**2),
-            "The coarse measurements count most in your mean.",
-            "A large error should make a weight small.",
+        "The coarse measurements count most in your mean.": when(
+            mean_rotation(measured, errors**2), "A large error should make a weight small."
         ),
-        Mistake(
+        "You leave the coarse tracker out.": when(
             mean_rotation(measured[:3]),
-            "You leave the coarse tracker out.",
             "It knows less, but it does not know nothing. Give it a small weight.",
         ),
-        Mistake(
-            mean_rotation(measured[3:]),
-            "You leave the fine tracker out.",
-            "It knows most. Use both.",
+        "You leave the fine tracker out.": when(
+            mean_rotation(measured[3:]), "It knows most. Use both."
         ),
-        Mistake(
+        "Your weights are right, but this matrix does not only turn.": when(
             np.tensordot(errors**-2, measured, 1) / np.sum(errors**-2),
-            "Your weights are right, but this matrix does not only turn.",
             "A mean matrix shrinks. Which rotation is nearest to it?",
         ),
-        Mistake(rotation_matrix(*TRACKED), *NOT_THE_TRUTH),
-        Mistake(Quaternion(x, [y, z, w]).matrix(), *SCALAR_LAST),
-        Mistake(
-            right.T,
-            "This rotation turns back.",
-            "Your answer is the inverse of the mean. Is a quaternion of yours conjugated?",
+        **the_truth(rotation_matrix(*TRACKED)),
+        **scalar_last(Quaternion(x, [y, z, w]).matrix()),
+        "This rotation turns back.": when(
+            right.T, "Your answer is the inverse of the mean. Is a quaternion of yours conjugated?"
         ),
-        otherwise=Wrong(
-            "Give each measurement a weight, and let `mean_rotation` do the rest.",
-            "The best weight of a measurement is one over the square of its error.",
+        "Give each measurement a weight, and let `mean_rotation` do the rest.": otherwise(
+            "The best weight of a measurement is one over the square of its error."
         ),
-        within=1e-3,
-    )
+    }
+    yield Part(right, hints, within=1e-3)
 
 
 def noisy_copies() -> Array:
@@ -263,9 +211,9 @@ def noisy_copies() -> Array:
 
 @exercise(
     "B.5",
-    fields={"first": "°", "second": "°", "third": "°"},
-    expects="three angles in degrees",
+    "three angles in degrees",
     because="The column that comes first keeps its direction, and the errors of the rest are lost.",
+    fields={"first": "°", "second": "°", "third": "°"},
 )
 def by_two_columns() -> Iterator[Part]:
     """Yield how far the means by two columns are from the mean, by the column that begins."""
@@ -276,37 +224,30 @@ def by_two_columns() -> Iterator[Part]:
     right = np.degrees(angular_distance(mean, rolled))
     not_rolled = np.degrees(angular_distance(mean, np.array(made)))
     apart = np.degrees(angular_distance(rolled, np.roll(rolled, -1, axis=0)))
-    yield Part(
-        right,
-        Mistake(np.deg2rad(right), *RADIANS),
-        Mistake(
+    hints = {
+        **in_radians(np.deg2rad(right)),
+        "Only the first is right.": when(
             not_rolled,
-            "Only the first is right.",
             "The function puts what it gets first into the first column. Put the columns back.",
         ),
-        Mistake(
-            apart,
-            "These are the distances between the three.",
-            "Measure each from `mean_rotation` of all fifty.",
+        "These are the distances between the three.": when(
+            apart, "Measure each from `mean_rotation` of all fifty."
         ),
-        Mistake(
+        "They are near the mean, but they are not the mean.": when(
             np.zeros(3),
-            "They are near the mean, but they are not the mean.",
             "The mean columns have lost their lengths and their right angles. What does Gram and"
             " Schmidt's method do with each of them?",
         ),
-        Mistake(
+        "Your three answers are in another order.": when(
             right[[1, 2, 0]],
-            "Your three answers are in another order.",
             "Begin with the first column, then with the second, then with the third.",
         ),
-        otherwise=Wrong(
-            "Average the columns over all fifty, then make a rotation of two of them.",
+        "Average the columns over all fifty, then make a rotation of two of them.": otherwise(
             "`copies.mean(axis=0)` holds the three mean columns. Those that follow the third one"
-            " begin anew with the first.",
+            " begin anew with the first."
         ),
-        within=0.02,
-    )
+    }
+    yield Part(right, hints, within=0.02)
 
 
 def table_of_a_turn() -> Array:
@@ -347,52 +288,44 @@ def halfway_errors() -> Array:
 
 @exercise(
     "B.6",
+    "four angles in degrees",
+    because="A sign that is followed is as good as two columns; a rule for the sign is not.",
     fields={
         "Euler angles": "°",
         "quaternions as they come": "°",
         "quaternions followed": "°",
         "two columns": "°",
     },
-    expects="four angles in degrees",
-    because="A sign that is followed is as good as two columns; a rule for the sign is not.",
 )
 def worst_of_a_table() -> Iterator[Part]:
     """Yield the worst error of a table that is read by linear interpolation, in four forms."""
     errors = halfway_errors()
     euler, rule, followed, columns, unwrapped = errors.max(axis=1)
     right = np.array([euler, rule, followed, columns])
-    yield Part(
-        right,
-        Mistake(np.deg2rad(right), *RADIANS),
-        Mistake(
-            errors[:4].mean(axis=1),
-            "These are mean errors.",
-            "One bad row is enough to break a machine. Take the worst.",
+    hints = {
+        **in_radians(np.deg2rad(right)),
+        "These are mean errors.": when(
+            errors[:4].mean(axis=1), "One bad row is enough to break a machine. Take the worst."
         ),
-        Mistake(
+        "Your followed quaternions still jump.": when(
             [euler, rule, rule, columns],
-            "Your followed quaternions still jump.",
             "Compare each with the one before it, as it is after its own sign has been chosen.",
         ),
-        Mistake(
-            [euler, followed, followed, columns],
-            "Your second form has no jump.",
-            "Leave the signs as `from_matrix` chooses them.",
+        "Your second form has no jump.": when(
+            [euler, followed, followed, columns], "Leave the signs as `from_matrix` chooses them."
         ),
-        Mistake(
+        "These are chords.": when(
             2 * 2**0.5 * np.sin(np.deg2rad(right) / 2),
-            "These are chords.",
             "The exercise asks for angles. Which function measures them?",
         ),
-        Mistake(
+        "Your Euler angles do not jump.": when(
             [unwrapped, rule, followed, columns],
-            "Your Euler angles do not jump.",
             "The machine knows nothing of full turns. Average the angles as `euler_angles` gives"
             " them.",
         ),
-        otherwise=Wrong(
-            "In each form, take the mean of neighbouring rows, make a rotation, and compare.",
-            "The truth halfway is a turn about the same axis by 10°, 20°, 30° and so on.",
+        "In each form, take the mean of neighbouring rows, make a rotation,"
+        " and compare.": otherwise(
+            "The truth halfway is a turn about the same axis by 10°, 20°, 30° and so on."
         ),
-        within=0.1,
-    )
+    }
+    yield Part(right, hints, within=0.1)

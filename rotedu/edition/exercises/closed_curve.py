@@ -9,23 +9,10 @@ from rotedu._vectors import Array
 from rotedu.arcs import angle_between, arc_axis, slerp
 from rotedu.closed_curve import closed_curve, de_casteljau
 from rotedu.control_points import bisect, control_points, double
-from rotedu.edition.exercises.judging import (
-    RADIANS,
-    Mistake,
-    Part,
-    Wrong,
-    along_equator,
-    exercise,
-    numbers,
-    on_equator,
-    parts,
-    unit,
-    word,
-)
+from rotedu.edition.exercises.answers import along_equator, numbers, on_equator, parts, unit, word
+from rotedu.edition.exercises.judging import Part, exercise, in_radians, otherwise, when
 from rotedu.errors import DegenerateError
 from rotedu.ordinary_rotation import rotate
-
-__all__: list[str] = []
 
 # How far points may be from their middle, and how near each other: 60 and 40 degrees, as read
 # from a picture.
@@ -34,108 +21,82 @@ SPREAD, APART = np.deg2rad([60.5, 39.5])
 
 @exercise(
     "5.12",
-    fields={"leaving": "° per unit", "arriving": "° per unit", "second control point": "°"},
-    expects="three numbers in degrees: two speeds and an angle",
+    "three numbers in degrees: two speeds and an angle",
     because="The first and the last arc alone decide the velocity at the ends.",
-    read=numbers(3),
+    fields={"leaving": "° per unit", "arriving": "° per unit", "second control point": "°"},
 )
 def leaving_and_arriving() -> Iterator[Part]:
     """Yield the speeds at the ends of a piece, and where the next piece must aim."""
     points = on_equator([0, 20, 70, 80])
     first, middle, last = np.rad2deg(angle_between(points[:-1], points[1:]))
-    yield Part(
-        [3 * first, 3 * last],
-        Mistake(
-            [first, last],
-            "The arcs are right, but the curve is faster.",
-            "Each of the three levels of the construction adds the same small step.",
+    hints = {
+        "The arcs are right, but the curve is faster.": when(
+            [first, last], "Each of the three levels of the construction adds the same small step."
         ),
-        Mistake(
-            [3 * last, 3 * first],
-            "You have the two speeds the wrong way round.",
-            "The curve starts at 0°.",
+        "You have the two speeds the wrong way round.": when(
+            [3 * last, 3 * first], "The curve starts at 0°."
         ),
-        Mistake(
+        "That is the mean speed on the whole piece.": when(
             [first + middle + last] * 2,
-            "That is the mean speed on the whole piece.",
             "The speed of the curve varies. Which arc decides how fast it leaves?",
         ),
-        Mistake(
-            np.deg2rad([3 * first, 3 * last]),
-            "Are your speeds in radians?",
-            "The exercise asks for degrees.",
+        "Are your speeds in radians?": when(
+            np.deg2rad([3 * first, 3 * last]), "The exercise asks for degrees."
         ),
-        otherwise=Wrong(
-            "The speeds are not right yet.",
-            "How long is the first arc, how long is the last, and how many levels are there?",
+        "The speeds are not right yet.": otherwise(
+            "How long is the first arc, how long is the last, and how many levels are there?"
         ),
-        item=slice(2),
-        within=0.01,
-    )
-    yield Part(
-        along_equator(double(points[2], points[3])),
-        Mistake(
-            along_equator(points[2]),
-            "From there the next piece would turn back.",
-            "The velocity must keep its direction, not only its size.",
+    }
+    yield Part([3 * first, 3 * last], hints, item=slice(2), within=0.01)
+    hints = {
+        "From there the next piece would turn back.": when(
+            along_equator(points[2]), "The velocity must keep its direction, not only its size."
         ),
-        Mistake(
+        "The next piece would leave too fast.": when(
             along_equator(points[3]) + 3 * last,
-            "The next piece would leave too fast.",
             "A speed is not the length of an arc. What did you multiply by?",
         ),
-        Mistake(np.deg2rad(along_equator(double(points[2], points[3]))), *RADIANS),
-        otherwise=Wrong(
-            "The speeds are right, but the angle is not yet.",
-            "The next piece begins at 80° and must leave as fast as this one arrives.",
+        **in_radians(np.deg2rad(along_equator(double(points[2], points[3])))),
+        "The speeds are right, but the angle is not yet.": otherwise(
+            "The next piece begins at 80° and must leave as fast as this one arrives."
         ),
-        item=2,
-        within=0.01,
-        period=360,
-    )
+    }
+    yield Part(along_equator(double(points[2], points[3])), hints, item=2, within=0.01, period=360)
 
 
 @exercise(
     "5.13",
-    fields={"cubic curve": "arcs", "m = 10": "arcs"},
-    expects="two numbers of arcs",
+    "two numbers of arcs",
     because="Each level has one arc fewer than the one before.",
+    fields={"cubic curve": "arcs", "m = 10": "arcs"},
 )
 def number_of_arcs() -> Iterator[Part]:
     """Yield the number of arcs for one point of a curve."""
     degrees = np.array([3, 10])
     right = [sum(range(1, m + 1)) for m in degrees]
-    yield Part(
-        right,
-        Mistake(
-            degrees,
-            "You count the first level only.",
-            "The points on these arcs are joined by arcs as well, and so on.",
+    hints = {
+        "You count the first level only.": when(
+            degrees, "The points on these arcs are joined by arcs as well, and so on."
         ),
-        Mistake(
-            degrees + 1, "You count the control points.", "How many arcs join them, one by one?"
-        ),
-        Mistake(
+        "You count the control points.": when(degrees + 1, "How many arcs join them, one by one?"),
+        "You count the points, the control points included.": when(
             [sum(range(1, m + 2)) for m in degrees],
-            "You count the points, the control points included.",
             "The control points are given. Each of the other points lies on an arc of its own.",
         ),
-        Mistake(
+        "m = 10 does not mean ten control points.": when(
             [right[0], sum(range(1, 10))],
-            "m = 10 does not mean ten control points.",
             "A cubic curve has m = 3. How many control points does it have?",
         ),
-        Mistake(
+        "The number does not grow in proportion to m.": when(
             [right[0], 2 * degrees[1]],
-            "The number does not grow in proportion to m.",
             "Each further control point adds an arc to every level, and a level.",
         ),
-        otherwise=Wrong(
-            "How many levels are there, and how many arcs has each of them?",
+        "How many levels are there, and how many arcs has each of them?": otherwise(
             "Count those of Picture 5-d by their colours. Then begin with ten arcs in place of"
-            " three.",
+            " three."
         ),
-    )
+    }
+    yield Part(right, hints)
 
 
 def in_one_row(control: Array, order: Iterable[int], u: float) -> Array:
@@ -184,7 +145,7 @@ def hardly_jumps(points: Array) -> bool:
 
 @exercise(
     "5.22",
-    expects="the four points of your curve, shape (4, 3)",
+    "the four points of your curve, shape (4, 3)",
     because="With equal gaps, the pieces that meet at one of four points are mirror images.",
     read=numbers(4, 3),
 )
@@ -192,93 +153,79 @@ def curve_without_jumps() -> Iterator[Part]:
     """Test points that were found by hand, to a degree and three decimals."""
     at_start = normalised([[0.8, -0.4, 0.4], [0.5, 0.8, -0.4], [0.6, 0.7, 0.4], [0.1, 0.4, 0.9]])
     square = normalised([[1, 0.7, 0], [1, 0, 0.7], [1, -0.7, 0], [1, 0, -0.7]])
-    yield Part(
-        lambda points: (np.abs(np.linalg.norm(points, axis=1) - 1) < 2e-3).all(),
-        otherwise=Wrong(
-            "Your points are not on the sphere.",
+    hints = {
+        "Your points are not on the sphere.": otherwise(
             "Have you lost a sign or a digit? The cell prints x, y and z of each point.",
-        ),
-        example=2 * square,
-    )
-    yield Part(
-        lambda points: (points @ normalised(points.mean(axis=0)) > np.cos(SPREAD)).all(),
-        otherwise=Wrong(
-            "One of your points is more than 60° from the middle of all.",
+            example=2 * square,
+        )
+    }
+    yield Part(lambda points: (np.abs(np.linalg.norm(points, axis=1) - 1) < 2e-3).all(), hints)
+    hints = {
+        "One of your points is more than 60° from the middle of all.": otherwise(
             "Keep them on the side of the sphere that you look at.",
-        ),
-        example=normalised([[0, 1, 0.1], [1, 0, 0.1], [0, -1, 0.1], [-1, 0, 0.1]]),
-    )
+            example=normalised([[0, 1, 0.1], [1, 0, 0.1], [0, -1, 0.1], [-1, 0, 0.1]]),
+        )
+    }
     yield Part(
-        lambda points: np.triu(points @ points.T, 1).max() < np.cos(APART),
-        otherwise=Wrong(
-            "Two of your points are less than 40° apart.",
+        lambda points: (points @ normalised(points.mean(axis=0)) > np.cos(SPREAD)).all(), hints
+    )
+    hints = {
+        "Two of your points are less than 40° apart.": otherwise(
             "They need not be neighbours.",
+            example=normalised([[1, 0.3, 0], [1, 0, 0.3], [1, -0.3, 0], [1, 0, -0.3]]),
+        )
+    }
+    yield Part(lambda points: np.triu(points @ points.T, 1).max() < np.cos(APART), hints)
+    hints = {
+        "Your points do not follow each other round their middle.": otherwise(
+            "Seen from above the middle, does the curve cross itself?", example=square[[0, 2, 1, 3]]
+        )
+    }
+    yield Part(goes_round, hints)
+    hints = {
+        "These are the points with which Figure 8 begins.": when(
+            at_start, "Drag some, and watch the jumps under *More numbers*."
         ),
-        example=normalised([[1, 0.3, 0], [1, 0, 0.3], [1, -0.3, 0], [1, 0, -0.3]]),
-    )
-    yield Part(
-        goes_round,
-        otherwise=Wrong(
-            "Your points do not follow each other round their middle.",
-            "Seen from above the middle, does the curve cross itself?",
-        ),
-        example=square[[0, 2, 1, 3]],
-    )
-    yield Part(
-        hardly_jumps,
-        Mistake(
-            at_start,
-            "These are the points with which Figure 8 begins.",
-            "Drag some, and watch the jumps under *More numbers*.",
-        ),
-        otherwise=Wrong(
-            "The curvature still jumps by more than 0.2.",
+        "The curvature still jumps by more than 0.2.": otherwise(
             "Where a jump is large, compare how far away the two neighbours are.",
+            example=normalised([[1, 0.9, 0], [1, 0, 0.6], [1, -0.7, 0], [1, 0.3, -0.7]]),
         ),
-        within=2e-3,
-        example=normalised([[1, 0.9, 0], [1, 0, 0.6], [1, -0.7, 0], [1, 0.3, -0.7]]),
-    )
+    }
+    yield Part(hardly_jumps, hints, within=2e-3)
 
 
 @exercise(
     "5.14",
-    expects="a point, shape (3,)",
+    "a point, shape (3,)",
     because="Each point is overwritten when nobody needs it any more.",
 )
 def one_row_of_points() -> Iterator[Part]:
     """Yield the point that a loop in one row finds."""
     wide = np.array([[0.9, 0.3, 0.3], [0.3, 0.9, 0.3], [-0.3, 0.9, -0.3], [-0.9, 0.3, 0.3]])
     wide /= np.linalg.norm(wide, axis=1, keepdims=True)
-    yield Part(
-        de_casteljau(wide, 0.4),
-        Mistake(
+    hints = {
+        "Your loop reads a point of the new level where it needs one of the old.": when(
             in_one_row(wide, (1, 2, 3), 0.4),
-            "Your loop reads a point of the new level where it needs one of the old.",
             "When Q[k] is computed, has Q[k-1] been overwritten already?",
         ),
-        Mistake(
-            de_casteljau(wide, 0.6),
-            "Your point is as far from the other end.",
-            "At u = 0 the curve is at the first control point. Is yours?",
+        "Your point is as far from the other end.": when(
+            de_casteljau(wide, 0.6), "At u = 0 the curve is at the first control point. Is yours?"
         ),
-        Mistake(
+        "Your point is not on the sphere.": when(
             lambda point: not unit(point, 2e-2),
-            "Your point is not on the sphere.",
             "Use arcs, not straight lines, on every level.",
             example=wide.mean(axis=0),
         ),
-        otherwise=Wrong(
-            "Your point is on the sphere, but not on the curve at this u.",
-            "Four points, three levels, and one point fewer on each level.",
+        "Your point is on the sphere, but not on the curve at this u.": otherwise(
+            "Four points, three levels, and one point fewer on each level.", example=wide[1]
         ),
-        within=6e-3,
-        example=wide[1],
-    )
+    }
+    yield Part(de_casteljau(wide, 0.4), hints, within=6e-3)
 
 
 @exercise(
     "5.15",
-    expects="your a_i, shape (4, 3), and a number of checks",
+    "your a_i, shape (4, 3), and a number of checks",
     because="Whatever a_i is, b_i = Double(a_i, P_i) makes the curve C1.",
     read=parts(numbers(4, 3), numbers()),
 )
@@ -291,44 +238,32 @@ def an_error_that_hides() -> Iterator[Part]:
     middle = rotate(doubled, arc_axis(after, doubled), half)
     right = bisect(corners, middle)
     correct, _ = control_points(corners)
-    yield Part(
-        right,
-        Mistake(
+    hints = {
+        "These are the correct a_i.": when(
             correct,
-            "These are the correct a_i.",
             "Exchange the operands of the cross product in (5-9), and turn about that axis.",
         ),
-        Mistake(
-            double(right, corners),
-            "These are the b_i that belong to your a_i.",
-            "Which of the two is after its point on the curve?",
+        "These are the b_i that belong to your a_i.": when(
+            double(right, corners), "Which of the two is after its point on the curve?"
         ),
-        Mistake(middle, "These are the points of step two.", "One more Bisect leads to a_i."),
-        Mistake(
-            slerp(corners, middle, 1 / 3),
-            "You went a third of the way to the points of step two.",
-            "Bisect goes half of it, and so does the paper.",
+        "These are the points of step two.": when(middle, "One more Bisect leads to a_i."),
+        "You went a third of the way to the points of step two.": when(
+            slerp(corners, middle, 1 / 3), "Bisect goes half of it, and so does the paper."
         ),
-        otherwise=Wrong(
-            "Your a_i do not have the error of the paper.",
-            "Only the axis of step two is reversed; the angle and the point to be turned stay.",
+        "Your a_i do not have the error of the paper.": otherwise(
+            "Only the axis of step two is reversed; the angle and the point to be turned stay."
         ),
-        item=0,
-        within=2e-3,
-    )
-    yield Part(
-        0,
-        Mistake(
-            1,
-            "Which check is it? Look again, with b_i = Double(a_i, P_i).",
-            "What does the proof that the curve is C1 assume about a_i?",
+    }
+    yield Part(right, hints, item=0, within=2e-3)
+    hints = {
+        "Which check is it? Look again, with b_i = Double(a_i, P_i).": when(
+            1, "What does the proof that the curve is C1 assume about a_i?"
         ),
-        otherwise=Wrong(
-            "The number of checks is not right yet.",
-            "Do the three checks on the curve that has your control points.",
+        "The number of checks is not right yet.": otherwise(
+            "Do the three checks on the curve that has your control points."
         ),
-        item=1,
-    )
+    }
+    yield Part(0, hints, item=1)
 
 
 def energy(points: Array, fraction: float, samples: int = 100) -> Array:
@@ -342,7 +277,7 @@ def energy(points: Array, fraction: float, samples: int = 100) -> Array:
 
 @exercise(
     "5.16",
-    expects="a number and True or False",
+    "a number and True or False",
     because="The best fraction differs from hexagon to hexagon.",
     read=parts(numbers(), word("true", "false", "yes", "no")),
 )
@@ -350,41 +285,30 @@ def energy_of_one_half() -> Iterator[Part]:
     """Yield a median of energies, and whether one fraction is best."""
     hexagons = np.random.default_rng(35).normal(size=(40, 6, 3))
     half, third = energy(hexagons, 1 / 2), energy(hexagons, 1 / 3)
-    yield Part(
-        np.median(half / third),
-        Mistake(
-            np.median(third / half),
-            "Your quotient is upside down.",
-            "Which of the two curves has the greater energy?",
+    hints = {
+        "Your quotient is upside down.": when(
+            np.median(third / half), "Which of the two curves has the greater energy?"
         ),
-        Mistake(
+        "You divide a median by a median.": when(
             np.median(half) / np.median(third),
-            "You divide a median by a median.",
             "Divide for each hexagon first, then take the median.",
         ),
-        Mistake(
-            np.median(energy(hexagons, 0.4) / third),
-            "That is the median for 0.4, as it should be.",
-            "Do the same for one half.",
+        "That is the median for 0.4, as it should be.": when(
+            np.median(energy(hexagons, 0.4) / third), "Do the same for one half."
         ),
-        Mistake(
+        "That is the mean.": when(
             np.mean(half / third),
-            "That is the mean.",
             "A few large quotients pull the mean upwards, but hardly move the median.",
         ),
-        otherwise=Wrong(
-            "The median is not right yet. Does your code give 1.14 for 0.4?",
-            "Divide each energy by that of the same hexagon with one third.",
+        "The median is not right yet. Does your code give 1.14 for 0.4?": otherwise(
+            "Divide each energy by that of the same hexagon with one third."
         ),
-        item=0,
-        within=0.01,
-    )
-    yield Part(
-        lambda best: best in ("false", "no"),
-        otherwise=Wrong(
-            "The median is right. Is one fraction really best for all?",
+    }
+    yield Part(np.median(half / third), hints, item=0, within=0.01)
+    hints = {
+        "The median is right. Is one fraction really best for all?": otherwise(
             "Ask for each hexagon which of your fractions has the least energy.",
-        ),
-        item=1,
-        example=(np.median(half / third), True),
-    )
+            example=(np.median(half / third), True),
+        )
+    }
+    yield Part(lambda best: best in ("false", "no"), hints, item=1)

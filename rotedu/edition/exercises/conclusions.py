@@ -6,20 +6,11 @@ from itertools import count
 import numpy as np
 
 from rotedu.cost import OperationCount
-from rotedu.edition.exercises.judging import (
-    Mistake,
-    Part,
-    Wrong,
-    close,
-    exercise,
-    numbers,
-    radians_for_degrees,
-)
+from rotedu.edition.exercises.answers import close, numbers, radians_for_degrees
+from rotedu.edition.exercises.judging import Part, exercise, otherwise, when
 from rotedu.ordinary_rotation import axis_angle
 from rotedu.orientations import nearest_rotation
 from rotedu.quaternions import Quaternion
-
-__all__: list[str] = []
 
 MATRICES, QUATERNIONS = OperationCount(27, 18), OperationCount(16, 12)
 CONVERSION, POINT = OperationCount(9, 15), OperationCount(9, 6)
@@ -27,9 +18,9 @@ CONVERSION, POINT = OperationCount(9, 15), OperationCount(9, 6)
 
 @exercise(
     "6.1",
-    fields={"multiplications": "", "additions": ""},
-    expects="two numbers: multiplications and additions",
+    "two numbers: multiplications and additions",
     because="The product is computed once, for all points.",
+    fields={"multiplications": "", "additions": ""},
 )
 def one_product_for_all() -> Iterator[Part]:
     """Yield the cost of turning points by the product of two matrices."""
@@ -37,101 +28,77 @@ def one_product_for_all() -> Iterator[Part]:
     def numbers(cost: OperationCount) -> tuple[int, int]:
         return cost.multiplications, cost.additions
 
-    yield Part(
-        numbers(MATRICES + 50 * POINT),
-        Mistake(
+    hints = {
+        "You turn each point twice.": when(
             numbers(2 * 50 * POINT),
-            "You turn each point twice.",
             "Multiply the matrices first. By how many matrices is each point turned then?",
         ),
-        Mistake(
-            numbers(50 * (MATRICES + POINT)),
-            "You multiply the matrices again for each point.",
-            "Does their product depend on the point?",
+        "You multiply the matrices again for each point.": when(
+            numbers(50 * (MATRICES + POINT)), "Does their product depend on the point?"
         ),
-        Mistake(
-            numbers(50 * POINT),
-            "The product of the two matrices is not free.",
-            "Add the operations that one product takes.",
+        "The product of the two matrices is not free.": when(
+            numbers(50 * POINT), "Add the operations that one product takes."
         ),
-        Mistake(
-            numbers(2 * MATRICES + 50 * POINT),
-            "Two matrices have one product.",
-            "How many products does a chain of two need?",
+        "Two matrices have one product.": when(
+            numbers(2 * MATRICES + 50 * POINT), "How many products does a chain of two need?"
         ),
-        Mistake(
-            numbers(MATRICES + 50 * POINT)[::-1],
-            "The two numbers have changed places.",
-            "Multiplications come first.",
+        "The two numbers have changed places.": when(
+            numbers(MATRICES + 50 * POINT)[::-1], "Multiplications come first."
         ),
-        otherwise=Wrong(
-            "Count the product once and each of the points once.",
-            "The starter cell has both costs: one of them is needed 50 times.",
+        "Count the product once and each of the points once.": otherwise(
+            "The starter cell has both costs: one of them is needed 50 times."
         ),
-        within=0,
-    )
+    }
+    yield Part(numbers(MATRICES + 50 * POINT), hints, within=0)
 
 
 @exercise(
     "6.2",
-    fields={"random turns": "", "one turn repeated": ""},
-    expects="two numbers: two errors",
+    "two numbers: two errors",
     because="Errors that cancel grow like a square root; an error that is repeated adds up.",
+    fields={"random turns": "", "one turn repeated": ""},
 )
 def two_laws_of_growth() -> Iterator[Part]:
     """Yield how errors of a long product grow."""
     first, longer = 1e-6, 27_000 / 3000
     root = np.sqrt(longer)
-    yield Part(
-        [first * root, first * longer],
-        Mistake(
+    hints = {
+        "Random errors partly cancel.": when(
             [first * longer, first * longer],
-            "Random errors partly cancel.",
             "By which power of the number of products do they grow?",
         ),
-        Mistake(
-            [first * root, first * root],
-            "An error that is always the same does not cancel.",
-            "After twice as many equal steps, how large is the sum?",
+        "An error that is always the same does not cancel.": when(
+            [first * root, first * root], "After twice as many equal steps, how large is the sum?"
         ),
-        Mistake(
-            [first * longer, first * root],
-            "You have the two laws the wrong way round.",
-            "Which errors can cancel?",
+        "You have the two laws the wrong way round.": when(
+            [first * longer, first * root], "Which errors can cancel?"
         ),
-        Mistake(
-            [first, first * longer],
-            "Random errors do not cancel completely.",
-            "How far does a random walk get?",
+        "Random errors do not cancel completely.": when(
+            [first, first * longer], "How far does a random walk get?"
         ),
-        Mistake(
+        "Random errors grow more slowly, not faster.": when(
             [first * longer**2, first * longer],
-            "Random errors grow more slowly, not faster.",
             "You squared where you should have done the reverse.",
         ),
-        Mistake(
-            [root, longer],
-            "These are the factors by which the errors grow.",
-            "How large is the error that they multiply?",
+        "These are the factors by which the errors grow.": when(
+            [root, longer], "How large is the error that they multiply?"
         ),
-        Mistake(
+        "These are factors, and the wrong way round.": when(
             [longer, root],
-            "These are factors, and the wrong way round.",
             "How large is the error that they multiply, and which errors can cancel?",
         ),
-        otherwise=Wrong(
-            "How many times as long is the second chain?",
-            "One of the errors grows in proportion to that number, the other like its root.",
+        "How many times as long is the second chain?": otherwise(
+            "One of the errors grows in proportion to that number, the other like its root."
         ),
-        within=0.06 * first,
-    )
+    }
+    yield Part([first * root, first * longer], hints, within=0.06 * first)
 
 
 @exercise(
     "6.3",
-    fields={"joints": ""},
-    expects="a number of joints",
+    "a number of joints",
     because="Each product saves 17 operations, and the conversion costs 24, once.",
+    fields={"joints": ""},
 )
 def joints_of_an_arm() -> Iterator[Part]:
     """Yield the number of joints from which on quaternions are cheaper."""
@@ -144,31 +111,26 @@ def joints_of_an_arm() -> Iterator[Part]:
 
     shorter = OperationCount(24, 15)
     enough = next(joints for joints in count(1) if saved(joints) > 0)
-    yield Part(
-        enough,
-        Mistake(
-            enough - 1,
-            "That many joints do not save quite enough.",
-            "How many products does a chain of that many rotations have?",
+    hints = {
+        "That many joints do not save quite enough.": when(
+            enough - 1, "How many products does a chain of that many rotations have?"
         ),
-        Mistake(
+        "With one joint fewer, quaternions are already cheaper.": when(
             next(joints for joints in count(1) if saved(joints, shorter) > 0),
-            "With one joint fewer, quaternions are already cheaper.",
             "Take the product of matrices with the cost in the starter cell.",
         ),
-        otherwise=Wrong(
-            "The answer is the smallest whole number of joints that will do. Compare the totals for"
-            " a whole number and for one joint fewer.",
+        "The answer is the smallest whole number of joints that will do. Compare the totals for"
+        " a whole number and for one joint fewer.": otherwise(
             "The points cost the same on both sides. What does each product save, and what does"
-            " the conversion cost?",
+            " the conversion cost?"
         ),
-        within=0,
-    )
+    }
+    yield Part(enough, hints, within=0)
 
 
 @exercise(
     "6.4",
-    expects="four numbers: three times in minutes and one in days",
+    "four numbers: three times in minutes and one in days",
     because="An error that is repeated wins over one that cancels.",
     # Of logarithms, because every mistake is a factor. A negative time becomes hardly any.
     read=lambda answer: np.log(numbers(4)(answer).clip(1e-9)),
@@ -183,81 +145,61 @@ def hours_of_a_game() -> Iterator[Part]:
     ratio = 1e-3 / 1e-6
     minutes, per_day = np.array(steps) / 60 / 60, 60 * 3600 * 24
     days = 3000 * ratio**2 / per_day
-    yield Part(
-        np.log(minutes),
-        Mistake(
+    hints = {
+        "Not all of your times are positive.": when(
             lambda times: times.min() < np.log(1e-8),
-            "Not all of your times are positive.",
             "The length falls to 0.999 if that of a step is below 1, and otherwise grows to 1.001.",
             example=[-minutes[0], *minutes[1:], days],
         ),
-        Mistake(
-            np.log(60 * minutes),
-            "Are your times in seconds, or steps divided by 60?",
-            "There are 60 steps in a second and 60 seconds in a minute.",
+        "Are your times in seconds, or steps divided by 60?": when(
+            np.log(60 * minutes), "There are 60 steps in a second and 60 seconds in a minute."
         ),
-        Mistake(
-            np.log(3600 * minutes),
-            "These are numbers of steps.",
-            "How many steps are there in a minute?",
+        "These are numbers of steps.": when(
+            np.log(3600 * minutes), "How many steps are there in a minute?"
         ),
-        Mistake(
-            np.log(minutes / 60),
-            "Are your first times in hours?",
-            "The exercise asks for minutes.",
+        "Are your first times in hours?": when(
+            np.log(minutes / 60), "The exercise asks for minutes."
         ),
-        Mistake(
-            np.log(2 * minutes),
-            "Is your bound on the square of the length?",
-            "The length itself is to be wrong by one part in a thousand.",
+        "Is your bound on the square of the length?": when(
+            np.log(2 * minutes), "The length itself is to be wrong by one part in a thousand."
         ),
-        Mistake(
-            np.log(minutes / 2),
-            "Is your length a square?",
-            "The length of a quaternion is the root of the sum of its squares.",
+        "Is your length a square?": when(
+            np.log(minutes / 2), "The length of a quaternion is the root of the sum of its squares."
         ),
-        Mistake(
+        "The first time is right. Each step has an error of its own.": when(
             lambda times: close(times[0], np.log(minutes[0]), 0.03),
-            "The first time is right. Each step has an error of its own.",
             "Round each of the three steps to 32 bits, and measure each length.",
             example=[minutes[0]] * 3 + [days],
         ),
-        otherwise=Wrong(
-            "The length of the stored step is not quite 1. Have you rounded it to 32 bits?",
+        "The length of the stored step is not quite 1. Have you rounded it to 32 bits?": otherwise(
             "If s has the length L, n steps have the length L to the power n. The logarithm gives"
-            " n; compute it in 64 bits.",
+            " n; compute it in 64 bits."
         ),
-        item=slice(3),
-        within=0.03,
-    )
-    yield Part(
-        np.log(days),
-        Mistake(
+    }
+    yield Part(np.log(minutes), hints, item=slice(3), within=0.03)
+    hints = {
+        "Random errors do not grow in proportion to the number of steps.": when(
             np.log(days / ratio),
-            "Random errors do not grow in proportion to the number of steps.",
             "They grow like its square root. How does the number depend on the error then?",
         ),
-        Mistake(
+        "You took a root where you need its inverse.": when(
             np.log(days * ratio**-1.5),
-            "You took a root where you need its inverse.",
             "If the error is the square root of the number, the number is ...",
         ),
-        Mistake(
-            np.log(24 * 60 * days), "Is your last time in minutes?", "The exercise asks for days."
+        "Is your last time in minutes?": when(
+            np.log(24 * 60 * days), "The exercise asks for days."
         ),
-        otherwise=Wrong(
-            "The minutes are right, but the days are not yet.",
+        "The minutes are right, but the days are not yet.": otherwise(
             "How many times as large must the error become, and how many times as many steps does"
-            " that take?",
+            " that take?"
         ),
-        item=3,
-        within=0.03,
-    )
+    }
+    yield Part(np.log(days), hints, item=3, within=0.03)
 
 
 @exercise(
     "6.5",
-    expects="two angles in degrees",
+    "two angles in degrees",
     because="For two rotations the claim holds, so a test with two would have missed this.",
 )
 def two_ways_to_average() -> Iterator[Part]:
@@ -275,31 +217,24 @@ def two_ways_to_average() -> Iterator[Part]:
         "Take the sum of matrices to the nearest rotation, and divide the sum of quaternions by its"
         " length."
     )
-    yield Part(
-        right,
-        Mistake(
+    hints = {
+        "Is your second angle in radians?": when(
             lambda angles: radians_for_degrees(angles[1], three),
-            "Is your second angle in radians?",
             "The exercise asks for degrees.",
             example=(two, np.deg2rad(three)),
         ),
-        Mistake(
+        "Is that the angle between two quaternions?": when(
             [two, three / 2],
-            "Is that the angle between two quaternions?",
             "It is only part of the angle of the turn from one rotation to the other.",
         ),
-        Mistake(
+        "The first angle is right. The two averages of all three rotations do differ.": when(
             [two, two],
-            "The first angle is right. The two averages of all three rotations do differ.",
             "Have you taken the sum of matrices to the nearest rotation, and the sum of"
             " quaternions to length 1?",
         ),
-        Mistake(
-            lambda angles: close(angles[0], two, 0.1),
-            "The first angle is right, but the second is not yet.",
-            how,
-            example=(two, 5),
+        "The first angle is right, but the second is not yet.": when(
+            lambda angles: close(angles[0], two, 0.1), how, example=(two, 5)
         ),
-        otherwise=Wrong("For two rotations the averages agree. Do yours?", how),
-        within=0.1,
-    )
+        "For two rotations the averages agree. Do yours?": otherwise(how),
+    }
+    yield Part(right, hints, within=0.1)

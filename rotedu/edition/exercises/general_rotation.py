@@ -7,20 +7,16 @@ from typing import Any
 import numpy as np
 
 from rotedu._vectors import Array
-from rotedu.edition.exercises.judging import (
-    YOUR_RADIANS,
-    Mistake,
-    Part,
-    Wrong,
+from rotedu.edition.exercises.answers import (
     as_array,
     close,
-    exercise,
     numbers,
     parts,
     radians_for_degrees,
     same_turn,
     word,
 )
+from rotedu.edition.exercises.judging import Part, angle_in_radians, exercise, otherwise, when
 from rotedu.general_rotation import (
     euler_angles,
     matrix_from_euler_angles,
@@ -35,31 +31,26 @@ from rotedu.general_rotation import (
 
 @exercise(
     "4.1",
-    fields={"U": "", "V": "", "W": ""},
-    expects="a point, three numbers",
+    "a point, three numbers",
     because="The second turn is about W itself.",
+    fields={"U": "", "V": "", "W": ""},
 )
 def end_of_v() -> Iterator[Part]:
     """Yield the end of the chain, then those of the other order and the other sense."""
     u, w = (turn(np.pi / 2)[:3, :3] for turn in (rotation_u, rotation_w))
     v = [0, 1, 0]
-    yield Part(
-        w @ u @ v,
-        Mistake(
-            u @ w @ v,
-            "You turned about W first.",
-            "In a product that acts on a column, which factor acts first?",
+    hints = {
+        "You turned about W first.": when(
+            u @ w @ v, "In a product that acts on a column, which factor acts first?"
         ),
-        Mistake(
-            w.T @ u.T @ v,
-            "You turned clockwise.",
-            "Seen from the tip of U, the shortest way from V goes to which axis?",
+        "You turned clockwise.": when(
+            w.T @ u.T @ v, "Seen from the tip of U, the shortest way from V goes to which axis?"
         ),
-        otherwise=Wrong(
-            "V ends elsewhere.", "Follow V through the first turn alone, then go on from there."
+        "V ends elsewhere.": otherwise(
+            "Follow V through the first turn alone, then go on from there."
         ),
-        within=1e-3,
-    )
+    }
+    yield Part(w @ u @ v, hints, within=1e-3)
 
 
 def with_or_without_a_fourth(answer: Any) -> Array:
@@ -72,7 +63,7 @@ def with_or_without_a_fourth(answer: Any) -> Array:
 
 @exercise(
     "4.2",
-    expects="two times three numbers",
+    "two times three numbers",
     because="A translation moves points and leaves directions alone.",
     read=parts(*2 * [with_or_without_a_fourth]),
 )
@@ -82,49 +73,43 @@ def point_and_direction() -> Iterator[Part]:
     turned_round = scaling(2) @ translation([5, 0, 0])
     moved, only_scaled = ((chain @ [1, 2, 3, last])[:3] for last in (1, 0))
     moved_first = (turned_round @ [1, 2, 3, 1])[:3]
-    yield Part(
-        lambda point, direction: len(point) == len(direction) == 3,
-        otherwise=Wrong(
-            "The fourth coordinates are known: 1 for the point and 0 for the direction.",
+    hints = {
+        "The fourth coordinates are known: 1 for the point and 0 for the direction.": otherwise(
             "Answer with the first three coordinates of each.",
-        ),
-        example=(chain @ [1, 2, 3, 1], chain @ [1, 2, 3, 0]),
-    )
-    yield Part(
-        lambda point, direction: close(point, moved),
-        Mistake(
+            example=(chain @ [1, 2, 3, 1], chain @ [1, 2, 3, 0]),
+        )
+    }
+    yield Part(lambda point, direction: len(point) == len(direction) == 3, hints)
+    hints = {
+        "The point was moved before it was made larger.": when(
             lambda point, direction: close(point, moved_first),
-            "The point was moved before it was made larger.",
             "In a product that acts on a column, which factor acts first?",
             example=(moved_first, only_scaled),
         ),
-        Mistake(
+        "Point and direction are exchanged.": when(
             lambda point, direction: close(point, only_scaled) and close(direction, moved),
-            "Point and direction are exchanged.",
             "Which one has a place?",
             example=(only_scaled, moved),
         ),
-        otherwise=Wrong("The point goes elsewhere.", "Do the two steps one after the other."),
-        example=([6, 2, 3], only_scaled),
-    )
-    yield Part(
-        only_scaled,
-        Mistake(
-            moved,
-            "You treated the direction as a point.",
-            "What is the fourth coordinate of a direction?",
+        "The point goes elsewhere.": otherwise(
+            "Do the two steps one after the other.", example=([6, 2, 3], only_scaled)
         ),
-        otherwise=Wrong(
-            "The direction goes elsewhere.",
-            "Multiply out the first row of the matrix by the column of the direction.",
+    }
+    yield Part(lambda point, direction: close(point, moved), hints)
+    hints = {
+        "You treated the direction as a point.": when(
+            moved, "What is the fourth coordinate of a direction?"
         ),
-        item=1,
-    )
+        "The direction goes elsewhere.": otherwise(
+            "Multiply out the first row of the matrix by the column of the direction."
+        ),
+    }
+    yield Part(only_scaled, hints, item=1)
 
 
 @exercise(
     "4.3",
-    expects='three letters such as "VWU", an axis of three numbers, and an angle in degrees',
+    'three letters such as "VWU", an axis of three numbers, and an angle in degrees',
     because="What acts first stands on the right.",
     read=parts(word(*map("".join, permutations("uvw"))), numbers(3), numbers()),
 )
@@ -137,42 +122,32 @@ def order_of_a_product() -> Iterator[Part]:
         first, second, third = (turns[letter] for letter in letters)
         return first @ second @ third
 
-    yield Part(
-        lambda letters: close(product(letters), product("uvw")),
-        Mistake(
+    hints = {
+        "This product turns about U first.": when(
             lambda letters: close(product(letters), product("wvu")),
-            "This product turns about U first.",
             "The column comes on the right of the product. Which matrix does it meet first?",
             example=("WVU", w, 180),
         ),
-        otherwise=Wrong(
-            "The letters are in another order.",
-            "Which of the turns comes first, and which comes last?",
+        "The letters are in another order.": otherwise(
+            "Which of the turns comes first, and which comes last?", example=("UWV", w, 180)
         ),
-        item=0,
-        example=("UWV", w, 180),
-    )
+    }
+    yield Part(lambda letters: close(product(letters), product("uvw")), hints, item=0)
     single = matrix_from_euler_angles(np.pi, np.pi, 0)
-    yield Part(
-        lambda *turn: same_turn(turn, single, 1e-2),
-        Mistake(
-            lambda axis, degrees: radians_for_degrees(abs(degrees), 180),
-            *YOUR_RADIANS,
-            example=("UVW", w, np.pi),
+    hints = {
+        **angle_in_radians(
+            lambda axis, degrees: radians_for_degrees(abs(degrees), 180), example=("UVW", w, np.pi)
         ),
-        Mistake(
+        "This turns nothing.": when(
             lambda axis, degrees: close(degrees % 360, 0, 0.1),
-            "This turns nothing.",
             "Angles about different axes do not add up. Where does the tip of U end?",
             example=("UVW", w, 360),
         ),
-        otherwise=Wrong(
-            "The two half turns make another rotation.",
-            "Follow the tips of U, V and W. Which one comes back?",
+        "The two half turns make another rotation.": otherwise(
+            "Follow the tips of U, V and W. Which one comes back?", example=("UVW", u + v, 180)
         ),
-        item=slice(1, 3),
-        example=("UVW", u + v, 180),
-    )
+    }
+    yield Part(lambda *turn: same_turn(turn, single, 1e-2), hints, item=slice(1, 3))
 
 
 THERE = np.array([0.4, 0.7, -1.1])
@@ -180,7 +155,7 @@ THERE = np.array([0.4, 0.7, -1.1])
 
 @exercise(
     "4.4",
-    expects="a matrix, shape (4, 4)",
+    "a matrix, shape (4, 4)",
     because="The last step has to be undone first.",
     read=lambda back: numbers(4, 4)(back) @ matrix_from_euler_angles(*THERE),
 )
@@ -188,36 +163,31 @@ def way_back() -> Iterator[Part]:
     """Yield products of a way back and the way there."""
     u, v, w = THERE
     there = matrix_from_euler_angles(u, v, w)
-    yield Part(
-        np.eye(4),
-        Mistake(there @ there, "This is the way there, not the way back.", "What undoes one turn?"),
-        Mistake(
+    hints = {
+        "This is the way there, not the way back.": when(there @ there, "What undoes one turn?"),
+        "Changing the signs is not enough.": when(
             matrix_from_euler_angles(-u, -v, -w) @ there,
-            "Changing the signs is not enough.",
             "You put on socks, then shoes. What do you take off first?",
         ),
-        Mistake(
+        "Reversing the order is not enough.": when(
             rotation_u(u) @ rotation_v(v) @ rotation_w(w) @ there,
-            "Reversing the order is not enough.",
             "What undoes a single turn about U?",
         ),
-        Mistake(
+        "Multiplied by the matrix of the way there, yours is nearly the unit matrix.": when(
             lambda both: close(both, np.eye(4), 2e-2),
-            "Multiplied by the matrix of the way there, yours is nearly the unit matrix.",
             "Answer with the matrix as it is computed, not rounded.",
             example=there.T.round(2),
         ),
-        otherwise=Wrong(
-            "Multiplied by the matrix of the way there, yours is not the unit matrix.",
-            "Write the product (4-1) out, and undo one factor at a time.",
+        "Multiplied by the matrix of the way there, yours is not the unit matrix.": otherwise(
+            "Write the product (4-1) out, and undo one factor at a time.", example=np.eye(4)
         ),
-        example=np.eye(4),
-    )
+    }
+    yield Part(np.eye(4), hints)
 
 
 @exercise(
     "4.5",
-    expects="three triples of angles in radians, shape (3, 3)",
+    "three triples of angles in radians, shape (3, 3)",
     because="The angles need not be those that went in.",
     read=numbers(3, 3),
 )
@@ -234,70 +204,61 @@ def angles_of_a_matrix() -> Iterator[Part]:
         return close(matrix_from_euler_angles(*angles.T)[which], targets[which], within)
 
     every, first, first_two = slice(3), slice(1), slice(2)
-    yield Part(
-        lambda found: reaches(found, every),
-        Mistake(
+    hints = {
+        "Your angles are in degrees.": when(
             lambda found: reaches(np.deg2rad(found), every),
-            "Your angles are in degrees.",
             "Arctangents give radians: leave them so.",
             example=np.rad2deg(found),
         ),
-        Mistake(
+        "The matrices are close to the given ones, but not to 1e-12.": when(
             lambda found: reaches(found, every, within=2e-2),
-            "The matrices are close to the given ones, but not to 1e-12.",
             "Answer with the angles as your function returns them, not rounded.",
             example=found.round(2),
         ),
-        Mistake(
+        "Your angles are in the order W, V, U.": when(
             lambda found: reaches(found[:, ::-1], every),
-            "Your angles are in the order W, V, U.",
             "(4-1) begins with U.",
             example=found[:, ::-1],
         ),
-        Mistake(
+        "Your triples are the columns.": when(
             lambda found: reaches(found.T, every),
-            "Your triples are the columns.",
             "Each row should hold the three angles of one matrix.",
             example=found.T,
         ),
-        Mistake(
+        "The triple at gimbal lock gives another matrix.": when(
             lambda found: reaches(found, first_two),
-            "The triple at gimbal lock gives another matrix.",
             "Where the cosine of the second angle is 0, which four entries are left?",
             example=[*found[:2], (0, np.pi / 2, 0)],
         ),
-        Mistake(
+        "The second triple gives another matrix.": when(
             lambda found: reaches(found, first),
-            "The second triple gives another matrix.",
             "Your second angle lies between -90° and 90°. Does its cosine have the right sign?",
             example=found[[0, 0, 2]],
         ),
-        Mistake(
+        "Your angles belong to the transposed matrices.": when(
             lambda found: reaches(found, every, np.swapaxes(targets, 1, 2)),
-            "Your angles belong to the transposed matrices.",
             "In which corner of (4-2) does the sine of the second angle stand alone?",
             example=np.transpose(euler_angles(np.swapaxes(targets, 1, 2))),
         ),
-        otherwise=Wrong(
-            "Even the first triple gives another matrix.",
+        "Even the first triple gives another matrix.": otherwise(
             "Which entries of (4-2) contain only the second angle, or only that and one other?",
+            example=-triples,
         ),
-        example=-triples,
-    )
-    yield Part(
-        # The matrix at gimbal lock tells only a difference of angles.
-        lambda found: np.isclose(found[2, [0, 2]], 0).any(),
-        otherwise=Wrong(
-            "At gimbal lock neither of your outer angles is 0.",
+    }
+    yield Part(lambda found: reaches(found, every), hints)
+    # The matrix at gimbal lock tells only a difference of angles.
+    hints = {
+        "At gimbal lock neither of your outer angles is 0.": otherwise(
             "Many triples give this matrix, among them the one that went in. Choose.",
-        ),
-        example=triples,
-    )
+            example=triples,
+        )
+    }
+    yield Part(lambda found: np.isclose(found[2, [0, 2]], 0).any(), hints)
 
 
 @exercise(
     "4.6",
-    expects="three matrices, each of shape (3, 3)",
+    "three matrices, each of shape (3, 3)",
     because="Rotations and unequal scalings already shear.",
     read=parts(*3 * [numbers(3, 3)]),
 )
@@ -309,63 +270,52 @@ def shear_by_rotations() -> Iterator[Part]:
     last, first = np.linalg.det(last) * last, np.linalg.det(first) * first
     stretch = np.diag(sizes)
 
-    yield Part(
-        lambda middle: close(middle, np.diag(np.diag(middle)), 1e-14),
-        otherwise=Wrong(
-            "The matrix in the middle does not stretch along the axes.",
-            "np.diag makes a diagonal matrix of three numbers.",
-        ),
-        item=1,
-        example=(last, last, first),
-    )
+    hints = {
+        "The matrix in the middle does not stretch along the axes.": otherwise(
+            "np.diag makes a diagonal matrix of three numbers.", example=(last, last, first)
+        )
+    }
+    yield Part(lambda middle: close(middle, np.diag(np.diag(middle)), 1e-14), hints, item=1)
     sides = {"left": 0, "right": 2}
     for side, item in sides.items():
-        yield Part(
-            lambda matrix: close(matrix.T @ matrix, np.eye(3), 1e-12),
-            Mistake(
+        hints = {
+            f"The matrix on the {side} is nearly orthogonal.": when(
                 lambda matrix: close(matrix.T @ matrix, np.eye(3), 2e-2),
-                f"The matrix on the {side} is nearly orthogonal.",
                 "Answer with the matrices as they are computed, not rounded.",
                 example=(last, stretch, first.round(2))
                 if item
                 else (last.round(2), stretch, first),
             ),
-            otherwise=Wrong(
-                f"The matrix on the {side} is not orthogonal.",
+            f"The matrix on the {side} is not orthogonal.": otherwise(
                 "A rotation keeps lengths. Multiply the matrix by its transpose.",
+                example=(last, stretch, 2 * first) if item else (2 * last, stretch, first),
             ),
-            item=item,
-            example=(last, stretch, 2 * first) if item else (2 * last, stretch, first),
-        )
+        }
+        yield Part(lambda matrix: close(matrix.T @ matrix, np.eye(3), 1e-12), hints, item=item)
     for side, item in sides.items():
-        yield Part(
-            lambda matrix: np.linalg.det(matrix) > 0,
-            otherwise=Wrong(
-                f"The matrix on the {side} mirrors.",
+        hints = {
+            f"The matrix on the {side} mirrors.": otherwise(
                 "What happens to a determinant if the sign of a 3 × 3 matrix changes?",
-            ),
-            item=item,
-            example=(last, stretch, -first) if item else (-last, stretch, first),
-        )
-    yield Part(
-        lambda left, middle, right: close(left @ middle @ right, shear, 1e-14),
-        Mistake(
+                example=(last, stretch, -first) if item else (-last, stretch, first),
+            )
+        }
+        yield Part(lambda matrix: np.linalg.det(matrix) > 0, hints, item=item)
+    hints = {
+        "The factor on the right is transposed.": when(
             lambda left, middle, right: close(left @ middle @ right.T, shear, 1e-12),
-            "The factor on the right is transposed.",
             "Which of its factors does np.linalg.svd return already transposed?",
             example=(last, stretch, first.T),
         ),
-        Mistake(
+        "The three matrices are in the wrong order.": when(
             lambda left, middle, right: close(right @ middle @ left, shear, 1e-12),
-            "The three matrices are in the wrong order.",
             "Write the product as it is computed.",
             example=(first, stretch, last),
         ),
-        otherwise=Wrong(
-            "The product is not the shear.", "Multiply the three matrices and compare."
+        "The product is not the shear.": otherwise(
+            "Multiply the three matrices and compare.", example=(np.eye(3), stretch, np.eye(3))
         ),
-        example=(np.eye(3), stretch, np.eye(3)),
-    )
+    }
+    yield Part(lambda left, middle, right: close(left @ middle @ right, shear, 1e-14), hints)
 
 
 # What is known of the spoon of Exercise 4.7, by least and greatest coordinates, with its sign for
@@ -390,7 +340,7 @@ def as_photograph(answer: Any) -> tuple[Array, Array, Array, Array, Array]:
 
 @exercise(
     "4.7",
-    expects="a matrix of shape (4, 4), triangles of shape (n, 3, 3), and an order of n numbers",
+    "a matrix of shape (4, 4), triangles of shape (n, 3, 3), and an order of n numbers",
     because="Near parts hide far ones.",
     read=as_photograph,
 )
@@ -402,127 +352,112 @@ def photograph_of_a_spoon() -> Iterator[Part]:
     turned = matrix_from_euler_angles(0.3, 0.5, 0.7)
     camera = projection @ turned
 
-    yield Part(
-        lambda camera: not close(camera[3, :3], np.zeros(3)),
-        otherwise=Wrong(
-            "This camera has no perspective.",
+    hints = {
+        "This camera has no perspective.": otherwise(
             "Look at the last row. What must it contain to make far things small?",
-        ),
-        item=0,
-        example=(turned, triangles, near_last),
-    )
+            example=(turned, triangles, near_last),
+        )
+    }
+    yield Part(lambda camera: not close(camera[3, :3], np.zeros(3)), hints, item=0)
+    hints = {
+        "The camera projects before the scene has moved into place.": otherwise(
+            "What acts last comes first in the product.",
+            example=(turned @ projection, triangles, near_last),
+        )
+    }
     yield Part(
         lambda camera: close(np.cross(camera[3, :3], camera[2, :3]), np.zeros(3), 1e-2),
-        otherwise=Wrong(
-            "The camera projects before the scene has moved into place.",
-            "What acts last comes first in the product.",
-        ),
+        hints,
         item=0,
-        example=(turned @ projection, triangles, near_last),
     )
-    yield Part(
-        lambda camera: camera[3, :3] @ camera[2, :3] < 0,
-        otherwise=Wrong(
-            "In this camera far things look larger.", "Compare the sign in (0, 0, -1/d, 1)."
-        ),
-        item=0,
-        example=(np.linalg.inv(projection) @ turned, triangles, near_last),
-    )
-    yield Part(
-        lambda camera: not close(camera[3, :2], np.zeros(2)),
-        otherwise=Wrong(
-            "You look at the spoon from straight above.",
+    hints = {
+        "In this camera far things look larger.": otherwise(
+            "Compare the sign in (0, 0, -1/d, 1).",
+            example=(np.linalg.inv(projection) @ turned, triangles, near_last),
+        )
+    }
+    yield Part(lambda camera: camera[3, :3] @ camera[2, :3] < 0, hints, item=0)
+    hints = {
+        "You look at the spoon from straight above.": otherwise(
             "Tilt the scene, after you have turned it about W.",
-        ),
-        item=0,
-        example=(projection, triangles, near_last),
-    )
-    yield Part(
-        lambda camera: np.linalg.det(camera) > 0,
-        otherwise=Wrong(
-            "Your matrix mirrors the spoon.",
+            example=(projection, triangles, near_last),
+        )
+    }
+    yield Part(lambda camera: not close(camera[3, :2], np.zeros(2)), hints, item=0)
+    hints = {
+        "Your matrix mirrors the spoon.": otherwise(
             "Turns, translations and a perspective have determinant 1. Which step has another?",
-        ),
-        item=0,
-        example=(camera @ scaling([1, 1, -1]), triangles, near_last),
-    )
-    yield Part(
-        lambda photo: not close(ends_of(photo), ENDS, 1e-3),
-        otherwise=Wrong(
-            "Your triangles are still where the spoon was.",
+            example=(camera @ scaling([1, 1, -1]), triangles, near_last),
+        )
+    }
+    yield Part(lambda camera: np.linalg.det(camera) > 0, hints, item=0)
+    hints = {
+        "Your triangles are still where the spoon was.": otherwise(
             "Transform the points by the matrix before you take those of each triangle.",
-        ),
-        item=4,
-        example=(camera, [[ENDS[0], ENDS[0], ENDS[1]]], [0]),
-    )
-    yield Part(
-        lambda depth, order: close(np.sort(order), np.arange(len(depth))),
-        otherwise=Wrong(
-            "The order does not name each triangle once.",
+            example=(camera, [[ENDS[0], ENDS[0], ENDS[1]]], [0]),
+        )
+    }
+    yield Part(lambda photo: not close(ends_of(photo), ENDS, 1e-3), hints, item=4)
+    hints = {
+        "The order does not name each triangle once.": otherwise(
             "np.argsort gives the numbers, np.sort only the depths.",
-        ),
-        item=slice(1, 3),
-        example=(camera, triangles, np.zeros(20)),
-    )
+            example=(camera, triangles, np.zeros(20)),
+        )
+    }
     yield Part(
-        lambda depth, order: (np.diff(depth[order]) >= -1e-9).all(),
-        Mistake(
+        lambda depth, order: close(np.sort(order), np.arange(len(depth))), hints, item=slice(1, 3)
+    )
+    hints = {
+        "You fill the near triangles first.": when(
             lambda depth, order: (np.diff(depth[order]) <= 1e-9).all(),
-            "You fill the near triangles first.",
             "What is filled later hides what is there. Is a larger depth nearer or farther?",
             example=(camera, triangles, near_last[::-1]),
         ),
-        Mistake(
+        "You have already sorted the triangles, and your order sorts them again.": when(
             lambda depth, order: (np.diff(depth) >= -1e-9).all(),
-            "You have already sorted the triangles, and your order sorts them again.",
             "Give the triangles in the spoon's own order; your numbers then say which comes when.",
             example=(camera, triangles[near_last], near_last),
         ),
-        otherwise=Wrong(
-            "The triangles are not sorted by depth.",
+        "The triangles are not sorted by depth.": otherwise(
             "Give each triangle one depth, the mean of its corners, and sort by it.",
+            example=(camera, triangles, np.arange(20)),
         ),
-        item=slice(1, 3),
-        example=(camera, triangles, np.arange(20)),
-    )
-    yield Part(
-        lambda back: (back[..., 3] > 0).all(),
-        otherwise=Wrong(
-            "Some of your triangles are behind the eye.",
+    }
+    yield Part(lambda depth, order: (np.diff(depth[order]) >= -1e-9).all(), hints, item=slice(1, 3))
+    hints = {
+        "Some of your triangles are behind the eye.": otherwise(
             "Compute the divisors, the fourth coordinates. All must be positive.",
-        ),
-        item=3,
-        example=(camera, triangles - [0, 0, 9], near_last),
-    )
-    yield Part(
-        lambda back: back[..., 3].max() > 1.2 * back[..., 3].min(),
-        otherwise=Wrong(
-            "The perspective hardly shows: your divisors are all about the same.",
+            example=(camera, triangles - [0, 0, 9], near_last),
+        )
+    }
+    yield Part(lambda back: (back[..., 3] > 0).all(), hints, item=3)
+    hints = {
+        "The perspective hardly shows: your divisors are all about the same.": otherwise(
             "Go nearer with the eye, or turn the spoon until one end is farther away.",
-        ),
-        item=3,
-        example=(camera, triangles / 100, near_last),
-    )
-    yield Part(
-        # A triangle twice is one triangle, whichever of its corners comes first.
-        lambda back: len(np.unique(back.mean(axis=1).round(6), axis=0)) == TRIANGLES == len(back),
-        otherwise=Wrong(
-            "These are not all the triangles of the spoon.",
+            example=(camera, triangles / 100, near_last),
+        )
+    }
+    yield Part(lambda back: back[..., 3].max() > 1.2 * back[..., 3].min(), hints, item=3)
+    # A triangle twice is one triangle, whichever of its corners comes first.
+    hints = {
+        "These are not all the triangles of the spoon.": otherwise(
             "Keep those that others hide, too, since filling them in order hides them.",
-        ),
+            example=(camera, triangles, near_last),
+        )
+    }
+    yield Part(
+        lambda back: len(np.unique(back.mean(axis=1).round(6), axis=0)) == TRIANGLES == len(back),
+        hints,
         item=3,
-        example=(camera, triangles, near_last),
     )
     many = np.random.default_rng(0).uniform(-1, 1, size=(TRIANGLES, 3, 3))
-    yield Part(
-        lambda back: is_spoon(back[..., :3] / back[..., 3:]),
-        otherwise=Wrong(
-            "The matrix does not leave the spoon's triangles like this.",
+    hints = {
+        "The matrix does not leave the spoon's triangles like this.": otherwise(
             "Transform the points by this matrix, then take those of each triangle.",
-        ),
-        item=3,
-        example=(camera, many, np.argsort(many[:, :, 2].mean(axis=1))),
-    )
+            example=(camera, many, np.argsort(many[:, :, 2].mean(axis=1))),
+        )
+    }
+    yield Part(lambda back: is_spoon(back[..., :3] / back[..., 3:]), hints, item=3)
 
 
 def is_spoon(corners: Array) -> bool:

@@ -6,13 +6,8 @@ from itertools import combinations
 import numpy as np
 
 from rotedu.cost import count
-from rotedu.edition.exercises.judging import (
-    YOUR_RADIANS,
-    Mistake,
-    Part,
-    Wrong,
+from rotedu.edition.exercises.answers import (
     close,
-    exercise,
     numbers,
     parts,
     radians_for_degrees,
@@ -20,34 +15,30 @@ from rotedu.edition.exercises.judging import (
     unit,
     word,
 )
+from rotedu.edition.exercises.judging import Part, angle_in_radians, exercise, otherwise, when
 from rotedu.ordinary_rotation import rotation_matrix
 from rotedu.quaternions import Quaternion
 
 
-@exercise("1.1", expects="a matrix, shape (3, 3)", because="The columns say where the axes go.")
+@exercise("1.1", "a matrix, shape (3, 3)", because="The columns say where the axes go.")
 def axes_in_turn() -> Iterator[Part]:
     """Yield the matrix whose columns are V, W and U."""
     right = np.roll(np.eye(3), 1, axis=0)
-    yield Part(
-        right,
-        Mistake(
-            right.T,
-            "Your matrix turns the other way: it takes V to U.",
-            "Are the images of the axes the rows of a matrix, or its columns?",
+    hints = {
+        "Your matrix turns the other way: it takes V to U.": when(
+            right.T, "Are the images of the axes the rows of a matrix, or its columns?"
         ),
-        Mistake(
-            np.eye(3), "This matrix leaves every axis where it is.", "Multiply it by the axis U."
+        "This matrix leaves every axis where it is.": when(np.eye(3), "Multiply it by the axis U."),
+        "At least one axis does not go where it should.": otherwise(
+            "Multiply your matrix by the column (1, 0, 0), and see which part of it you get."
         ),
-        otherwise=Wrong(
-            "At least one axis does not go where it should.",
-            "Multiply your matrix by the column (1, 0, 0), and see which part of it you get.",
-        ),
-    )
+    }
+    yield Part(right, hints)
 
 
 @exercise(
     "1.2",
-    expects='an axis of three numbers, an angle in degrees, and "same", "inverse" or "another"',
+    'an axis of three numbers, an angle in degrees, and "same", "inverse" or "another"',
     because="All four signs together make no difference.",
     read=parts(numbers(3), numbers(), word("same", "inverse", "another")),
 )
@@ -55,61 +46,51 @@ def quaternion_of_a_friend() -> Iterator[Part]:
     """Accept every axis and angle of the rotation."""
     friend = Quaternion(0.6, [0, 0, -0.8])
     right = np.rad2deg(friend.axis_angle()[1])
-    yield Part(
-        unit,
-        otherwise=Wrong(
-            "Your axis does not have length 1.",
+    hints = {
+        "Your axis does not have length 1.": otherwise(
             "The vector in the quaternion is the axis times a sine. Divide by that sine.",
-        ),
-        item=0,
-        example=([0, 0, -0.8], 106.26, "same"),
-    )
-    yield Part(
-        lambda *turn: same_turn(turn, friend, 2e-3),
-        Mistake(
+            example=([0, 0, -0.8], 106.26, "same"),
+        )
+    }
+    yield Part(unit, hints, item=0)
+    hints = {
+        **angle_in_radians(
             lambda n, degrees: radians_for_degrees(abs(degrees), right),
-            *YOUR_RADIANS,
             example=([0, 0, -1], 1.8546, "same"),
         ),
-        Mistake(
+        "You found half the angle.": when(
             lambda n, degrees: close(abs(degrees), right / 2, 0.1),
-            "You found half the angle.",
             "Of which angle is 0.6 the cosine?",
             example=([0, 0, -1], 53.13, "same"),
         ),
-        Mistake(
+        "Your angle is close. It needs more digits.": when(
             lambda *turn: same_turn(turn, friend, 2e-2),
-            "Your angle is close. It needs more digits.",
             "Double the angle before you round it, not after.",
             example=([0, 0, -1], 106, "same"),
         ),
-        Mistake(
+        "This turns in the opposite sense.": when(
             lambda *turn: same_turn(turn, friend.conjugate(), 2e-3),
-            "This turns in the opposite sense.",
             "If the sine is positive, the sign of -0.8 can only be that of the axis.",
             example=([0, 0, 1], 106.26, "same"),
         ),
-        otherwise=Wrong(
-            "Your axis and angle do not give this quaternion.",
+        "Your axis and angle do not give this quaternion.": otherwise(
             "Compare the cosine and the sine of half your angle with the four numbers.",
+            example=([0, 0, -1], 120, "same"),
         ),
-        item=slice(2),
-        example=([0, 0, -1], 120, "same"),
-    )
-    yield Part(
-        lambda judgement: judgement == "same",
-        otherwise=Wrong(
-            "You are wrong about the second quaternion.",
+    }
+    yield Part(lambda *turn: same_turn(turn, friend, 2e-3), hints, item=slice(2))
+    hints = {
+        "You are wrong about the second quaternion.": otherwise(
             "Find its axis and its angle as well, and turn a point by both.",
-        ),
-        item=2,
-        example=([0, 0, -1], 106.26, "inverse"),
-    )
+            example=([0, 0, -1], 106.26, "inverse"),
+        )
+    }
+    yield Part(lambda judgement: judgement == "same", hints, item=2)
 
 
 @exercise(
     "1.3",
-    expects="a column of three numbers, a pair of counts, and a matrix of shape (3, 3)",
+    "a column of three numbers, a pair of counts, and a matrix of shape (3, 3)",
     because="Two columns are enough, and the corner is not.",
     read=parts(numbers(3), numbers(2), numbers(3, 3)),
 )
@@ -117,67 +98,56 @@ def columns_left_out() -> Iterator[Part]:
     """Yield the third column, its cost, and a test of the other rotation with the same corner."""
     first, second = np.array([[0.36, 0.8, 0.48], [-0.48, 0.6, -0.64]])
     third = np.cross(first, second)
-    yield Part(
-        third,
-        Mistake(
-            -third,
-            "With this third column the matrix mirrors.",
-            "It is perpendicular to the others. In which order did you multiply them?",
+    hints = {
+        "With this third column the matrix mirrors.": when(
+            -third, "It is perpendicular to the others. In which order did you multiply them?"
         ),
-        otherwise=Wrong(
-            "The third column does not complete a rotation matrix.",
-            "The right one has length 1 and is perpendicular to both of the others.",
+        "The third column does not complete a rotation matrix.": otherwise(
+            "The right one has length 1 and is perpendicular to both of the others."
         ),
-        item=0,
-    )
+    }
+    yield Part(third, hints, item=0)
     cost = count(np.cross, first, second)
-    yield Part(
-        [cost.multiplications, cost.additions],
-        Mistake(
-            [cost.additions, cost.multiplications],
-            "The two counts have changed places.",
-            "Multiplications come first.",
+    hints = {
+        "The two counts have changed places.": when(
+            [cost.additions, cost.multiplications], "Multiplications come first."
         ),
-        otherwise=Wrong(
-            "The counts are not those of the cheapest way.",
-            "Write out one entry of the third column and count, with a subtraction as an addition.",
+        "The counts are not those of the cheapest way.": otherwise(
+            "Write out one entry of the third column and count, with a subtraction as an addition."
         ),
-        item=1,
-    )
+    }
+    yield Part([cost.multiplications, cost.additions], hints, item=1)
     given = np.column_stack([first, second, third])
 
-    yield Part(
-        lambda another: close(another[:2, :2], given[:2, :2]),
-        otherwise=Wrong(
-            "Your other matrix has another corner.",
+    hints = {
+        "Your other matrix has another corner.": otherwise(
             "Keep the four entries in the upper left, and change signs among the other five.",
-        ),
-        item=2,
-        example=(third, (6, 3), np.eye(3)),
-    )
-    yield Part(
-        lambda another: not close(another, given),
-        otherwise=Wrong(
-            "Your other matrix is the one that you have completed.",
-            "Does the same corner force the same third row?",
-        ),
-        item=2,
-        example=(third, (6, 3), given),
-    )
+            example=(third, (6, 3), np.eye(3)),
+        )
+    }
+    yield Part(lambda another: close(another[:2, :2], given[:2, :2]), hints, item=2)
+    hints = {
+        "Your other matrix is the one that you have completed.": otherwise(
+            "Does the same corner force the same third row?", example=(third, (6, 3), given)
+        )
+    }
+    yield Part(lambda another: not close(another, given), hints, item=2)
+    hints = {
+        "Your other matrix is not a rotation.": otherwise(
+            "Its columns must be perpendicular and of length 1, and its determinant must be 1.",
+            example=(third, (6, 3), given @ np.diag([1, 1, -1])),
+        )
+    }
     yield Part(
         lambda another: close(another.T @ another, np.eye(3)) and np.linalg.det(another) > 0,
-        otherwise=Wrong(
-            "Your other matrix is not a rotation.",
-            "Its columns must be perpendicular and of length 1, and its determinant must be 1.",
-        ),
+        hints,
         item=2,
-        example=(third, (6, 3), given @ np.diag([1, 1, -1])),
     )
 
 
 @exercise(
     "1.4",
-    expects="choices of three row numbers from 0 to 8, an array of shape (number of choices, 3)",
+    "choices of three row numbers from 0 to 8, an array of shape (number of choices, 3)",
     because="Length 1 ties the entries of each row and of each column.",
     read=lambda answer: {frozenset(choice) for choice in numbers(None, 3)(answer)},
 )
@@ -193,35 +163,30 @@ def never_free() -> Iterator[Part]:
         for mask in (~free.any(axis=0), free.any(axis=0))
     )
     rows = np.arange(9).reshape(3, 3)
-    yield Part(
-        lambda chosen: chosen == never,
-        Mistake(
+    hints = {
+        "These are the choices that are free.": when(
             lambda chosen: chosen == ever,
-            "These are the choices that are free.",
             "The question asks for the others.",
             example=threes[free.any(axis=0)],
         ),
-        Mistake(
+        "One of your choices names a row twice.": when(
             lambda chosen: min(map(len, chosen)) < 3,
-            "One of your choices names a row twice.",
             "Choose three different rows; itertools.combinations does so.",
             example=[*rows, [0, 0, 1]],
         ),
-        Mistake(
+        "A row number is too large.": when(
             lambda chosen: max(map(max, chosen)) > 8,
-            "A row number is too large.",
             "The nine rows have the numbers 0 to 8.",
             example=rows + 1,
         ),
-        Mistake(
+        "All of these belong to the list, but some are missing.": when(
             lambda chosen: chosen < never,
-            "All of these belong to the list, but some are missing.",
             "What holds for a matrix often holds for its transpose as well.",
             example=rows,
         ),
-        otherwise=Wrong(
-            "At least one of these choices can be free.",
+        "At least one of these choices can be free.": otherwise(
             "A choice belongs to the list if its rank is below 3 at every one of the rotations.",
+            example=[*rows, *rows.T, [0, 4, 8]],
         ),
-        example=[*rows, *rows.T, [0, 4, 8]],
-    )
+    }
+    yield Part(lambda chosen: chosen == never, hints)

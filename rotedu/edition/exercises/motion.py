@@ -5,14 +5,8 @@ from collections.abc import Iterator
 import numpy as np
 
 from rotedu._vectors import Array
-from rotedu.edition.exercises.judging import (
-    RADIANS,
-    Mistake,
-    Part,
-    Wrong,
-    as_rotation,
-    exercise,
-)
+from rotedu.edition.exercises.answers import as_rotation
+from rotedu.edition.exercises.judging import Part, exercise, in_radians, otherwise, when
 from rotedu.motion import (
     angular_velocity,
     integrate,
@@ -22,154 +16,115 @@ from rotedu.motion import (
 )
 from rotedu.ordinary_rotation import axis_angle, rotation_matrix
 
-__all__: list[str] = []
-
-DEGREES = Wrong("Are these degrees?", "The exercise asks for radians.")
-
 
 @exercise(
     "A.1",
-    fields={"U": "", "V": "", "W": ""},
-    expects="a rotation vector, three numbers in radians",
+    "a rotation vector, three numbers in radians",
     because="Of all vectors that lead to a matrix, the logarithm is the shortest.",
+    fields={"U": "", "V": "", "W": ""},
 )
 def shortest_rotation_vector() -> Iterator[Part]:
     """Yield the logarithm of three quarters of a turn, then what other choices lead to."""
     about_w = np.array([0, 0, 1])
     right = rotation_vector(rotation_matrix(about_w, 1.5 * np.pi))
-    yield Part(
-        right,
-        Mistake(
+    hints = {
+        "This vector leads to the matrix, but a shorter one does, too.": when(
             1.5 * np.pi * about_w,
-            "This vector leads to the matrix, but a shorter one does, too.",
             "The same end is reached the other way round. By which angle, about which axis?",
         ),
-        Mistake(
-            -right,
-            "This is the length, but not the direction.",
-            "Where does U go in each of the two turns?",
+        "This is the length, but not the direction.": when(
+            -right, "Where does U go in each of the two turns?"
         ),
-        Mistake(np.rad2deg(right), *DEGREES),
-        Mistake(270 * about_w, *DEGREES),
-        Mistake(
-            right / 2,
-            "This is half of the angle.",
-            "A quaternion halves the angle, a rotation vector does not.",
+        "Are these degrees?": when(
+            np.rad2deg(right), "The exercise asks for radians.", also=270 * about_w
         ),
-        Mistake(
-            -about_w,
-            "This is the axis, of length 1.",
-            "The length of a rotation vector is the angle of the turn.",
+        "This is half of the angle.": when(
+            right / 2, "A quaternion halves the angle, a rotation vector does not."
         ),
-        otherwise=Wrong(
-            "This vector does not lead to the matrix.",
-            "Multiply the axis by the angle. Is the angle the smallest that will do?",
+        "This is the axis, of length 1.": when(
+            -about_w, "The length of a rotation vector is the angle of the turn."
         ),
-        within=1e-2,
-    )
+        "This vector does not lead to the matrix.": otherwise(
+            "Multiply the axis by the angle. Is the angle the smallest that will do?"
+        ),
+    }
+    yield Part(right, hints, within=1e-2)
 
 
 @exercise(
     "A.2",
-    fields={"first axis": "rad/s", "second axis": "rad/s", "third axis": "rad/s"},
-    expects="three numbers, in radians a second",
+    "three numbers, in radians a second",
     because="It is the same vector, described along axes that have turned.",
+    fields={"first axis": "rad/s", "second axis": "rad/s", "third axis": "rad/s"},
 )
 def rates_of_a_gyroscope() -> Iterator[Part]:
     """Yield an angular velocity in the body's frame, then what other frames lead to."""
     turned, omega = rotation_matrix([0, 0, 1], np.pi / 2), np.array([0, 2, 0])
     right = turned.T @ omega
-    yield Part(
-        right,
-        Mistake(
-            omega,
-            "This is what is seen from the ground.",
-            "Which of the drone's own axes points along V now?",
+    hints = {
+        "This is what is seen from the ground.": when(
+            omega, "Which of the drone's own axes points along V now?"
         ),
-        Mistake(
+        "You have turned the vector along with the drone.": when(
             turned @ omega,
-            "You have turned the vector along with the drone.",
             "The columns of R are the drone's axes. Multiply so that each is compared with the"
             " vector.",
         ),
-        Mistake(
-            -omega,
-            "The drone's second axis does not point along V any more.",
-            "Which of its axes does, after the quarter turn?",
+        "The drone's second axis does not point along V any more.": when(
+            -omega, "Which of its axes does, after the quarter turn?"
         ),
-        Mistake(
-            [0, 0, 2],
-            "This is a turn about the drone's third axis, which is still W.",
-            "The quarter turn is over. About which axis does it turn now?",
+        "This is a turn about the drone's third axis, which is still W.": when(
+            [0, 0, 2], "The quarter turn is over. About which axis does it turn now?"
         ),
-        Mistake(
-            right / 2,
-            "Half of the rate belongs to the derivative of the quaternion.",
-            "A gyroscope says how fast the body turns, whatever describes it.",
+        "Half of the rate belongs to the derivative of the quaternion.": when(
+            right / 2, "A gyroscope says how fast the body turns, whatever describes it."
         ),
-        Mistake(
-            np.rad2deg(right),
-            "Are these degrees a second?",
-            "The exercise asks for radians a second.",
+        "Are these degrees a second?": when(
+            np.rad2deg(right), "The exercise asks for radians a second."
         ),
-        otherwise=Wrong(
-            "The length of the vector is 2, and it lies along one of the drone's axes.",
-            "Find where each of the three axes points after the quarter turn.",
+        "The length of the vector is 2, and it lies along one of the drone's axes.": otherwise(
+            "Find where each of the three axes points after the quarter turn."
         ),
-        within=1e-2,
-    )
+    }
+    yield Part(right, hints, within=1e-2)
 
 
 @exercise(
     "A.3",
-    fields={"matrix": "", "quaternion": ""},
-    expects="two factors",
+    "two factors",
     because="The quaternion grows less, because its rate has half the length.",
+    fields={"matrix": "", "quaternion": ""},
 )
 def what_a_step_stretches() -> Iterator[Part]:
     """Yield the factors of one step of Euler's method, then what other formulas lead to."""
     step = 0.2
     factors = np.sqrt(1 + np.array([step, step / 2]) ** 2)
     matrix, quaternion = factors
-    yield Part(
-        factors,
-        Mistake(
-            factors[::-1],
-            "You have the two the wrong way round.",
-            "In which of the two formulas does the rate have the factor one half?",
+    hints = {
+        "You have the two the wrong way round.": when(
+            factors[::-1], "In which of the two formulas does the rate have the factor one half?"
         ),
-        Mistake(
-            factors**2,
-            "These are the squares.",
-            "Pythagoras gives the square of a length.",
+        "These are the squares.": when(factors**2, "Pythagoras gives the square of a length."),
+        "The second factor is not right yet.": when(
+            [matrix, matrix], "By how much of its length does a step move the quaternion?"
         ),
-        Mistake(
-            [matrix, matrix],
-            "The second factor is not right yet.",
-            "By how much of its length does a step move the quaternion?",
-        ),
-        Mistake(
+        "The first factor is not right yet.": when(
             [quaternion, quaternion],
-            "The first factor is not right yet.",
             "By how much of its length does a step move a vector at right angles to the axis?",
         ),
-        Mistake(
-            [1 + step, 1 + step / 2],
-            "You have added the lengths.",
-            "What is added is at right angles to what was there.",
+        "You have added the lengths.": when(
+            [1 + step, 1 + step / 2], "What is added is at right angles to what was there."
         ),
-        Mistake(
+        "So it would be for the exponential.": when(
             [1, 1],
-            "So it would be for the exponential.",
             "A straight step leaves the circle along its tangent. How far from the centre does it"
             " end?",
         ),
-        otherwise=Wrong(
-            "One of the factors is different.",
-            "A step adds something at right angles to what was there. Draw the triangle.",
+        "One of the factors is different.": otherwise(
+            "A step adds something at right angles to what was there. Draw the triangle."
         ),
-        within=6e-4,
-    )
+    }
+    yield Part(factors, hints, within=6e-4)
 
 
 def gyroscope() -> Array:
@@ -180,7 +135,7 @@ def gyroscope() -> Array:
 
 @exercise(
     "A.4",
-    expects="a rotation: a matrix, a unit quaternion, or an axis and an angle in radians",
+    "a rotation: a matrix, a unit quaternion, or an axis and an angle in radians",
     because="Seen from the body, the room turns the other way.",
     read=as_rotation,
 )
@@ -189,44 +144,34 @@ def orientation_by_gyroscope() -> Iterator[Part]:
     rates, start, dt = np.deg2rad(gyroscope()), np.eye(3), 0.01
     right = integrate(start, -rates, dt)[-1].T
     as_if_fixed = integrate(start, rates, dt)[-1]
-    yield Part(
-        right,
-        Mistake(
+    hints = {
+        "Are your rates in degrees?": when(
             integrate(start, gyroscope(), dt)[-1],
-            "Are your rates in degrees?",
             "The log is in degrees a second, and integrate expects radians.",
         ),
-        Mistake(
+        "You have taken the rates for those of the fixed frame.": when(
             as_if_fixed,
-            "You have taken the rates for those of the fixed frame.",
             "A gyroscope turns with the body. From which side must each small turn come?",
         ),
-        Mistake(
-            right.T,
-            "This takes the room's axes to the body's coordinates.",
-            "The columns of the answer are the body's axes as seen from the room.",
+        "This takes the room's axes to the body's coordinates.": when(
+            right.T, "The columns of the answer are the body's axes as seen from the room."
         ),
-        Mistake(
-            as_if_fixed.T,
-            "You have transposed, but something is missing.",
-            "While R turns, R^T turns the other way. Which sign have its rates?",
+        "You have transposed, but something is missing.": when(
+            as_if_fixed.T, "While R turns, R^T turns the other way. Which sign have its rates?"
         ),
-        Mistake(
+        "You have turned by degrees as if they were radians.": when(
             integrate(start, -np.rad2deg(rates), dt)[-1].T,
-            "You have turned by degrees as if they were radians.",
             "The functions of this book take radians; np.deg2rad converts.",
         ),
-        Mistake(
+        "You have added the rotation vectors.": when(
             matrix_from_rotation_vector(dt * rates.sum(axis=0)),
-            "You have added the rotation vectors.",
             "Turns about different axes do not add. Multiply the small ones, one after another.",
         ),
-        otherwise=Wrong(
-            "The body ends elsewhere.",
-            "Compare with a loop that multiplies each small turn from the right.",
+        "The body ends elsewhere.": otherwise(
+            "Compare with a loop that multiplies each small turn from the right."
         ),
-        within=5e-3,
-    )
+    }
+    yield Part(right, hints, within=5e-3)
 
 
 def wobbling(n: int, part: float) -> Array:
@@ -239,9 +184,9 @@ def wobbling(n: int, part: float) -> Array:
 
 @exercise(
     "A.5",
-    fields={"beginning": "steps", "middle": "steps"},
-    expects="two numbers of steps, powers of 2",
+    "two numbers of steps, powers of 2",
     because="Twice as many steps halve the one error and quarter the other.",
+    fields={"beginning": "steps", "middle": "steps"},
 )
 def steps_that_suffice() -> Iterator[Part]:
     """Yield how many steps are enough, then what other questions lead to."""
@@ -254,56 +199,43 @@ def steps_that_suffice() -> Iterator[Part]:
         return n
 
     begin, middle = enough(0), enough(1 / 2)
-    yield Part(
-        [begin, middle],
-        Mistake(
-            [middle, begin],
-            "You have the two the wrong way round.",
-            "Which of the two errors falls faster?",
+    hints = {
+        "You have the two the wrong way round.": when(
+            [middle, begin], "Which of the two errors falls faster?"
         ),
-        Mistake(
-            [begin, begin],
-            "The second number is not the smallest.",
-            "Try fewer steps with the velocity in the middle.",
+        "The second number is not the smallest.": when(
+            [begin, begin], "Try fewer steps with the velocity in the middle."
         ),
-        Mistake(
+        "The first number is not enough.": when(
             [middle, middle],
-            "The first number is not enough.",
             "Does your velocity at the beginning differ from the one in the middle?",
         ),
-        Mistake(
+        "Is your bound in radians?": when(
             [enough(0, np.rad2deg(degrees)), enough(1 / 2, np.rad2deg(degrees))],
-            "Is your bound in radians?",
             "The angle of axis_angle is in radians, and the bound is half a degree.",
         ),
-        Mistake(
-            [begin / 2, middle],
-            "The first number is too small: there the error is still beyond the bound.",
-            "Double it once more.",
+        "The first number is too small: there the error is still beyond the bound.": when(
+            [begin / 2, middle], "Double it once more."
         ),
-        Mistake(
-            [begin, middle / 2],
-            "The second number is too small: there the error is still beyond the bound.",
-            "Double it once more.",
+        "The second number is too small: there the error is still beyond the bound.": when(
+            [begin, middle / 2], "Double it once more."
         ),
-        Mistake(
+        "With so many steps both are still beyond the bound.": when(
             [begin / 2, middle / 2],
-            "With so many steps both are still beyond the bound.",
             "Double the steps until the error is at most 0.5°, and print it each time.",
         ),
-        otherwise=Wrong(
-            "Measure the error at the end, for 1, 2, 4, 8 ... steps, against very many.",
-            "The error is the angle of truth.T @ found, in degrees.",
+        "Measure the error at the end, for 1, 2, 4, 8 ... steps, against very many.": otherwise(
+            "The error is the angle of truth.T @ found, in degrees."
         ),
-        within=0,
-    )
+    }
+    yield Part([begin, middle], hints, within=0)
 
 
 @exercise(
     "A.6",
-    fields={"camera": "°/s", "about its sight": "°/s"},
-    expects="two speeds in degrees a second",
+    "two speeds in degrees a second",
     because="Most of the turning keeps the picture upright.",
+    fields={"camera": "°/s", "about its sight": "°/s"},
 )
 def following_an_aeroplane() -> Iterator[Part]:
     """Yield how fast the camera turns and spins, then what other measures lead to."""
@@ -315,44 +247,29 @@ def following_an_aeroplane() -> Iterator[Part]:
     strides = np.rad2deg(np.linalg.norm(np.diff(directions, axis=0), axis=-1)) / dt
     spins = np.sum(rates * directions[:-1], axis=-1)
     right = np.array([np.linalg.norm(rates, axis=-1).max(), np.abs(spins).max()])
-    yield Part(
-        right,
-        Mistake(np.deg2rad(right), *RADIANS),
-        Mistake(
-            right[::-1],
-            "You have the two the wrong way round.",
-            "A part of a velocity is not longer than the whole.",
+    hints = {
+        **in_radians(np.deg2rad(right)),
+        "You have the two the wrong way round.": when(
+            right[::-1], "A part of a velocity is not longer than the whole."
         ),
-        Mistake(
-            right * dt,
-            "These are the angles of one step.",
-            "A step takes 20 milliseconds.",
-        ),
-        Mistake(
+        "These are the angles of one step.": when(right * dt, "A step takes 20 milliseconds."),
+        "Your first speed is that of the line of sight alone.": when(
             [strides.max(), right[1]],
-            "Your first speed is that of the line of sight alone.",
             "The camera also turns about its line of sight. Take the velocity of the orientation.",
         ),
-        Mistake(
+        "Your second speed is that of the line of sight itself.": when(
             [right[0], strides.max()],
-            "Your second speed is that of the line of sight itself.",
             "You need the part of the angular velocity that lies along the line of sight.",
         ),
-        Mistake(
-            [right[0], -right[1]],
-            "A speed has no sign.",
-            "Give the largest magnitude.",
-        ),
-        Mistake(
+        "A speed has no sign.": when([right[0], -right[1]], "Give the largest magnitude."),
+        "Your second speed is the one about the vertical.": when(
             [right[0], np.abs(rates[:, 2]).max()],
-            "Your second speed is the one about the vertical.",
             "Which column of the camera is its line of sight? Take the part of the velocity along"
             " it.",
         ),
-        otherwise=Wrong(
-            "One of the speeds is different.",
+        "One of the speeds is different.": otherwise(
             "Make an orientation of each position by look_at, ask for the angular velocities, and"
-            " take their part along the line of sight.",
+            " take their part along the line of sight."
         ),
-        within=0.1,
-    )
+    }
+    yield Part(right, hints, within=0.1)

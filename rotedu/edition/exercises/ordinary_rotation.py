@@ -6,15 +6,8 @@ from typing import Any
 import numpy as np
 
 from rotedu._vectors import Array
-from rotedu.edition.exercises.judging import (
-    NOT_THE_TRUTH,
-    YOUR_RADIANS,
-    Mistake,
-    Part,
-    Wrong,
+from rotedu.edition.exercises.answers import (
     close,
-    degrees_for_radians,
-    exercise,
     numbers,
     parts,
     radians_for_degrees,
@@ -23,52 +16,50 @@ from rotedu.edition.exercises.judging import (
     unit,
     word,
 )
+from rotedu.edition.exercises.judging import (
+    Part,
+    angle_in_radians,
+    exercise,
+    otherwise,
+    the_truth,
+    when,
+)
 from rotedu.ordinary_rotation import axis_angle, rotate, rotation_matrix
 
 
 @exercise(
     "3.1",
-    fields={"U": "", "V": "", "W": ""},
-    expects="a point, three numbers",
+    "a point, three numbers",
     because="What lies along the axis stays where it is.",
+    fields={"U": "", "V": "", "W": ""},
 )
 def quarter_turn_of_a_point() -> Iterator[Part]:
     """Yield the turned point, then what other senses, angles and axes lead to."""
     point, w = [1, 2, 3], [0, 0, 1]
-    yield Part(
-        rotate(point, w, np.pi / 2),
-        Mistake(
-            rotate(point, w, -np.pi / 2),
-            "This turns clockwise.",
-            "Seen from the tip of W, where does U go first?",
+    hints = {
+        "This turns clockwise.": when(
+            rotate(point, w, -np.pi / 2), "Seen from the tip of W, where does U go first?"
         ),
-        Mistake(
-            rotate(point, w, 90),
-            "You turned by 90 radians.",
-            "The functions of this book take radians; np.deg2rad converts.",
+        "You turned by 90 radians.": when(
+            rotate(point, w, 90), "The functions of this book take radians; np.deg2rad converts."
         ),
-        Mistake(rotate(point, w, np.pi), "This is a half turn.", "A full turn has 360 degrees."),
-        Mistake(
-            rotate(point, [1, 0, 0], np.pi / 2),
-            "You turned about U.",
-            "Which coordinate must not change?",
+        "This is a half turn.": when(rotate(point, w, np.pi), "A full turn has 360 degrees."),
+        "You turned about U.": when(
+            rotate(point, [1, 0, 0], np.pi / 2), "Which coordinate must not change?"
         ),
-        Mistake(
-            rotate(point, [0, 1, 0], np.pi / 2),
-            "You turned about V.",
-            "Which coordinate must not change?",
+        "You turned about V.": when(
+            rotate(point, [0, 1, 0], np.pi / 2), "Which coordinate must not change?"
         ),
-        otherwise=Wrong(
-            "The point has gone elsewhere.",
-            "One coordinate stays. The other two change places, and one of them its sign.",
+        "The point has gone elsewhere.": otherwise(
+            "One coordinate stays. The other two change places, and one of them its sign."
         ),
-        within=1e-3,
-    )
+    }
+    yield Part(rotate(point, w, np.pi / 2), hints, within=1e-3)
 
 
 @exercise(
     "3.2",
-    expects="an axis of three numbers and an angle in degrees",
+    "an axis of three numbers and an angle in degrees",
     because="The trace shows the angle, and three differences show the axis.",
     read=parts(numbers(3), numbers()),
 )
@@ -78,50 +69,44 @@ def axis_and_angle_of_a_matrix() -> Iterator[Part]:
     right = np.rad2deg(axis_angle(matrix)[1])
     one_third = np.rad2deg(np.arccos(matrix.trace() / 3))
     n = np.ones(3) / np.sqrt(3)
-    yield Part(
-        lambda axis, degrees: unit(axis, 1e-2) and same_turn((axis, degrees), matrix, 2e-3),
-        Mistake(
-            lambda axis, degrees: radians_for_degrees(abs(degrees), right),
-            *YOUR_RADIANS,
-            example=(n, np.pi / 3),
+    hints = {
+        **angle_in_radians(
+            lambda axis, degrees: radians_for_degrees(abs(degrees), right), example=(n, np.pi / 3)
         ),
-        Mistake(
+        "This is the inverse rotation.": when(
             lambda *turn: same_turn(turn, matrix.T, 2e-3),
-            "This is the inverse rotation.",
             "In each difference, which of the two entries comes first?",
             example=(-n, 60),
         ),
-        Mistake(
+        "The trace is not three times the cosine.": when(
             lambda axis, degrees: close(abs(degrees), one_third, 0.1),
-            "The trace is not three times the cosine.",
             "What is the trace of (3-3)?",
             example=(n, 48.19),
         ),
-        Mistake(
+        "The angle is not that of the matrix.": when(
             lambda axis, degrees: (
                 not close(abs(degrees), right, 0.1) and not same_turn((axis, degrees), matrix, 2e-3)
             ),
-            "The angle is not that of the matrix.",
             "The trace is the sum of the diagonal. How does it depend on the angle?",
             example=(n, 30),
         ),
-        Mistake(
+        "Your axis does not have length 1.": when(
             lambda axis, degrees: not unit(axis, 1e-2),
-            "Your axis does not have length 1.",
             "The differences give a multiple of the axis. Divide by its length.",
             example=([1, 1, 1], 60),
         ),
-        otherwise=Wrong(
-            "The axis is not that of the matrix.",
-            "Multiply the matrix by your axis: it should not change.",
+        "The axis is not that of the matrix.": otherwise(
+            "Multiply the matrix by your axis: it should not change.", example=([1, 0, 0], 60)
         ),
-        example=([1, 0, 0], 60),
+    }
+    yield Part(
+        lambda axis, degrees: unit(axis, 1e-2) and same_turn((axis, degrees), matrix, 2e-3), hints
     )
 
 
 @exercise(
     "3.3",
-    expects=(
+    (
         'two words, the first for -turn, the second for -diagonal, each of them "same",'
         ' "negative", "transpose" or "identity"'
     ),
@@ -145,31 +130,28 @@ def turned_back() -> Iterator[Part]:
         pairs = zip(words, changed, strict=True)
         return [word for word, matrix in pairs if not close(named[word], matrix)]
 
-    yield Part(
-        lambda *words: not wrong(*words),
-        Mistake(
+    hints = {
+        "The negative of a rotation matrix mirrors.": when(
             lambda *words: "negative" in wrong(*words),
-            "The negative of a rotation matrix mirrors.",
             "(3-3) is a sum of three matrices. Which of them changes its sign?",
             example=("negative", "negative"),
         ),
-        Mistake(
+        "One of the two matrices still turns points.": when(
             lambda *words: "identity" in wrong(*words),
-            "One of the two matrices still turns points.",
             "Turning forward and then back gives the identity, but here you turn only once.",
             example=("identity", "transpose"),
         ),
-        otherwise=Wrong(
-            "A matrix that you call the same does change.",
+        "A matrix that you call the same does change.": otherwise(
             "Where does the sine change its sign, and where does the axis appear once, not twice?",
+            example=("transpose", "same"),
         ),
-        example=("transpose", "same"),
-    )
+    }
+    yield Part(lambda *words: not wrong(*words), hints)
 
 
 @exercise(
     "3.4",
-    expects="two pairs, each of an axis and an angle in degrees",
+    "two pairs, each of an axis and an angle in degrees",
     because="Angles do not add up when the axes differ.",
     read=parts(*2 * [parts(numbers(3), numbers())]),
 )
@@ -180,49 +162,42 @@ def two_turns_in_a_row() -> Iterator[Part]:
         [rotation_matrix(axis, angle) for axis in (u, v)] for angle in (np.pi, np.pi / 2)
     )
 
-    yield Part(
-        lambda halves, quarters: same_turn(halves, v2 @ u2, 1e-2),
-        Mistake(
+    hints = {
+        "Your angles are in radians.": when(
             lambda halves, quarters: (
                 same_rotation(halves, v2 @ u2, 1e-2) and same_rotation(quarters, v4 @ u4, 1e-2)
             ),
-            "Your angles are in radians.",
             "A full turn has 360 degrees.",
             example=((w, np.pi), ([1, 1, -1], 2 * np.pi / 3)),
         ),
-        otherwise=Wrong(
-            "The two half turns make another rotation.",
+        "The two half turns make another rotation.": otherwise(
             "Follow the tip of each axis through both turns. Which axis comes back?",
+            example=(([1, 1, 0], 180), ([1, 1, -1], 120)),
         ),
-        example=(([1, 1, 0], 180), ([1, 1, -1], 120)),
-    )
-    yield Part(
-        lambda *turn: same_turn(turn, v4 @ u4, 1e-2),
-        Mistake(
+    }
+    yield Part(lambda halves, quarters: same_turn(halves, v2 @ u2, 1e-2), hints)
+    hints = {
+        "For the quarter turns, V came before U.": when(
             lambda *turn: same_turn(turn, u4 @ v4, 1e-2),
-            "For the quarter turns, V came before U.",
             "In a product that acts on a column, which factor acts first?",
             example=((w, 180), ([1, 1, 1], 120)),
         ),
-        Mistake(
+        "The quarter turns go backwards.": when(
             lambda *turn: same_turn(turn, (v4 @ u4).T, 1e-2),
-            "The quarter turns go backwards.",
             "Reverse the axis or the angle.",
             example=((w, 180), ([-1, -1, 1], 120)),
         ),
-        Mistake(
+        "The quarter turns make another angle.": when(
             lambda axis, degrees: close(abs(degrees), 180, 0.1) or close(abs(degrees), 90, 0.1),
-            "The quarter turns make another angle.",
             "Do it with a book: how often must you repeat both turns until it is back?",
             example=((w, 180), ([1, 1, -1], 180)),
         ),
-        otherwise=Wrong(
-            "The two quarter turns make another rotation.",
+        "The two quarter turns make another rotation.": otherwise(
             "Multiply the two matrices, and give the product to axis_angle.",
+            example=((w, 180), ([1, 0, -1], 120)),
         ),
-        item=1,
-        example=((w, 180), ([1, 0, -1], 120)),
-    )
+    }
+    yield Part(lambda *turn: same_turn(turn, v4 @ u4, 1e-2), hints, item=1)
 
 
 def as_printed(n: Any, angle: float) -> Any:
@@ -233,9 +208,9 @@ def as_printed(n: Any, angle: float) -> Any:
 
 @exercise(
     "3.5",
-    fields={"largest entry": ""},
-    expects="a number",
+    "a number",
     because="It is more than three times the error of the axis, and the formula gives no warning.",
+    fields={"largest entry": ""},
 )
 def axis_too_long() -> Iterator[Part]:
     """Yield the residual, then other residuals."""
@@ -245,50 +220,37 @@ def axis_too_long() -> Iterator[Part]:
         return np.abs(matrix.T @ matrix - np.eye(3)).max()
 
     bent = as_printed(1.001 * n, np.pi / 2)
-    yield Part(
-        residual(bent),
-        Mistake(
-            residual(as_printed(1.001 * n, 90)),
-            "You turned by 90 radians.",
-            "np.deg2rad converts an angle.",
+    hints = {
+        "You turned by 90 radians.": when(
+            residual(as_printed(1.001 * n, 90)), "np.deg2rad converts an angle."
         ),
-        Mistake(
+        "This is how far the matrix is from the right one.": when(
             np.abs(bent - as_printed(n, np.pi / 2)).max(),
-            "This is how far the matrix is from the right one.",
             "The question is how far it is from being a rotation at all.",
         ),
-        Mistake(
-            np.abs(bent - np.eye(3)).max(),
-            "This compares the matrix with the identity, but it turns by 90°.",
-            "Multiply the matrix by its transpose first.",
+        "This compares the matrix with the identity, but it turns by 90°.": when(
+            np.abs(bent - np.eye(3)).max(), "Multiply the matrix by its transpose first."
         ),
-        Mistake(
-            0.001,
-            "This is the error of the axis.",
-            "Compute the matrix first, then what its transpose times itself should be.",
+        "This is the error of the axis.": when(
+            0.001, "Compute the matrix first, then what its transpose times itself should be."
         ),
-        Mistake(
-            0.003,
-            "The number is close, but not to two digits.",
-            "Three times the error of the axis is only a guess. Compute the matrix.",
+        "The number is close, but not to two digits.": when(
+            0.003, "Three times the error of the axis is only a guess. Compute the matrix."
         ),
-        Mistake(
-            0,
-            "This axis was scaled to length 1.",
-            "Use the function of the starter cell, which leaves the axis as it is.",
+        "This axis was scaled to length 1.": when(
+            0, "Use the function of the starter cell, which leaves the axis as it is."
         ),
-        otherwise=Wrong(
-            "This is not the size of the largest entry.",
+        "This is not the size of the largest entry.": otherwise(
             "Let M be `as_printed(too_long, np.pi / 2)`. Take the largest of the absolute values of"
-            " MᵀM − I.",
+            " MᵀM − I."
         ),
-        within=6e-5,
-    )
+    }
+    yield Part(residual(bent), hints, within=6e-5)
 
 
 @exercise(
     "3.6",
-    expects="an axis of three numbers and an angle in radians",
+    "an axis of three numbers and an angle in radians",
     because="Thousands of vertices average out the noise of each.",
     read=parts(numbers(3), numbers()),
 )
@@ -303,40 +265,32 @@ def rotation_of_a_spoon() -> Iterator[Part]:
         axis, angle = axis_angle(rotation_matrix(axis, angle))
         return close(angle, turn, np.deg2rad(0.1)) and close(axis, n, 1e-2)
 
-    yield Part(
-        lambda axis, angle: unit(axis, 1e-2) and right(axis, angle),
-        Mistake(
-            lambda axis, angle: degrees_for_radians(abs(angle), turn),
-            "Your angle is in degrees.",
+    hints = {
+        "Your angle is in degrees.": when(
+            lambda axis, angle: close(abs(angle), np.rad2deg(turn), 0.1),
             "axis_angle gives radians, and so should you.",
             example=(n, np.rad2deg(turn)),
         ),
-        Mistake(
+        "You turn the spoon back.": when(
             lambda axis, angle: same_rotation((axis, angle), truth.T, 2e-2),
-            "You turn the spoon back.",
             "The matrix in the hint has the points after the turn on the left.",
             example=(n, -turn),
         ),
-        Mistake(
+        "Your axis does not have length 1.": when(
             lambda axis, angle: not unit(axis, 1e-2),
-            "Your axis does not have length 1.",
             "Divide it by its length.",
             example=(2 * n, turn),
         ),
-        Mistake(
+        "You are close, but not within 0.1° and 0.01.": when(
             lambda axis, angle: same_rotation((axis, angle), truth, 3e-2),
-            "You are close, but not within 0.1° and 0.01.",
             "Use all the vertices, and round at the end, if at all.",
             example=(n, turn.round(2)),
         ),
-        otherwise=Wrong(
-            "The spoon does not arrive where it was measured.",
+        "The spoon does not arrive where it was measured.": otherwise(
             "Turn the points by your axis and angle. The rest should be as small as the noise.",
+            example=(n, turn + 0.1),
         ),
-        example=(n, turn + 0.1),
-    )
-    yield Part(
-        lambda *turn: not same_rotation(turn, truth, 1e-5),
-        otherwise=NOT_THE_TRUTH,
-        example=(n, turn),
-    )
+    }
+    yield Part(lambda axis, angle: unit(axis, 1e-2) and right(axis, angle), hints)
+    hints = {**the_truth(example=(n, turn))}
+    yield Part(lambda *turn: not same_rotation(turn, truth, 1e-5), hints)

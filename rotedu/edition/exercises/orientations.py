@@ -8,70 +8,50 @@ import numpy as np
 from rotedu._vectors import Array
 from rotedu.arcs import angle_between, arc_axis, slerp
 from rotedu.closed_curve import closed_curve
-from rotedu.edition.exercises.judging import (
-    RADIANS,
-    Mistake,
-    Part,
-    Wrong,
-    as_rotation,
-    close,
-    exercise,
-    numbers,
-    radians_for_degrees,
-)
+from rotedu.edition.exercises.answers import as_rotation, close, numbers, radians_for_degrees
+from rotedu.edition.exercises.judging import Part, exercise, in_radians, otherwise, when
 from rotedu.errors import DegenerateError
 from rotedu.ordinary_rotation import axis_angle, rotation_matrix
 from rotedu.orientations import slerp_rotations
 from rotedu.quaternions import Quaternion
 
-__all__: list[str] = []
-
 
 @exercise(
     "5.17",
-    expects="a turn: a matrix, shape (3, 3), or a unit quaternion",
+    "a turn: a matrix, shape (3, 3), or a unit quaternion",
     because="The axis of this turn belongs to the camera, not to the room.",
     read=as_rotation,
 )
 def turn_between_cameras() -> Iterator[Part]:
     """Yield the turn from one orientation to another."""
     r1, r2 = rotation_matrix([[1, 0, 0], [0, 1, 0]], np.pi / 2)
-    yield Part(
-        r1.T @ r2,
-        Mistake(
+    hints = {
+        "Your turn leads from the first to the second if it stands on the left.": when(
             r2 @ r1.T,
-            "Your turn leads from the first to the second if it stands on the left.",
             "Here it stands on the right: R1 T = R2. From which side do you multiply by the"
             " inverse of R1?",
         ),
-        Mistake(
-            r2.T @ r1,
-            "Your turn leads from the second to the first.",
-            "Multiply R1 by your matrix. Which of the two has to be undone?",
+        "Your turn leads from the second to the first.": when(
+            r2.T @ r1, "Multiply R1 by your matrix. Which of the two has to be undone?"
         ),
-        Mistake(
-            r1 @ r2,
-            "You do both turns and undo neither.",
-            "T has to take back the first turn before it does the second.",
+        "You do both turns and undo neither.": when(
+            r1 @ r2, "T has to take back the first turn before it does the second."
         ),
-        Mistake(
-            r1 @ r2.T,
-            "You undo the second turn in place of the first.",
-            "Solve R1 T = R2 for T. The inverse of a rotation is its transpose.",
+        "You undo the second turn in place of the first.": when(
+            r1 @ r2.T, "Solve R1 T = R2 for T. The inverse of a rotation is its transpose."
         ),
-        otherwise=Wrong(
-            "R1 times your turn is not R2.",
-            "Solve R1 T = R2 for T. The inverse of a rotation is its transpose.",
+        "R1 times your turn is not R2.": otherwise(
+            "Solve R1 T = R2 for T. The inverse of a rotation is its transpose."
         ),
-        within=2e-3,
-    )
+    }
+    yield Part(r1.T @ r2, hints, within=2e-3)
 
 
 @exercise(
     "5.18",
-    fields={"as they stand": "°", "sign changed": "°", "matrices": "°"},
-    expects="three angles in degrees",
+    "three angles in degrees",
     because="The sign chooses the way of slerp; two matrices alone give the shorter turn.",
+    fields={"as they stand": "°", "sign changed": "°", "matrices": "°"},
 )
 def halfway_in_three_ways() -> Iterator[Part]:
     """Yield the place halfway along two ways round."""
@@ -88,45 +68,37 @@ def halfway_in_three_ways() -> Iterator[Part]:
 
     as_they_stand, changed = by_slerp(q2), by_slerp(-q2)
     right = np.array([as_they_stand, changed, turned(slerp_rotations(*ends, 1 / 2))])
-    signs = Wrong(
-        "A change of sign leads round the other way.",
-        "How large is the turn from one end to the other, in each of the two directions?",
-    )
-    yield Part(
-        right,
-        Mistake([as_they_stand] * 3, *signs),
-        Mistake([changed] * 3, *signs),
-        Mistake(
+    hints = {
+        "A change of sign leads round the other way.": when(
+            [as_they_stand] * 3,
+            "How large is the turn from one end to the other, in each of the two directions?",
+            also=[changed] * 3,
+        ),
+        "You have the two signs the wrong way round.": when(
             [changed, as_they_stand, changed],
-            "You have the two signs the wrong way round.",
             "The sign of the dot product tells which way slerp goes. It is the cosine of half"
             " the angle.",
         ),
-        Mistake(
+        "The third way is not right yet.": when(
             [as_they_stand, changed, as_they_stand],
-            "The third way is not right yet.",
             "The matrix of a turn by 300° is also that of a shorter turn. By which angle?",
         ),
-        Mistake(
-            right / 2,
-            "These are the angles in the quaternions.",
-            "A quaternion holds half the angle by which it turns.",
+        "These are the angles in the quaternions.": when(
+            right / 2, "A quaternion holds half the angle by which it turns."
         ),
-        Mistake(np.deg2rad(right), *RADIANS),
-        otherwise=Wrong(
-            "Halfway is half of the turn. Which turn is it in each of the three?",
-            "The body can turn to the same end by 300° or by the rest of a full turn backwards.",
+        **in_radians(np.deg2rad(right)),
+        "Halfway is half of the turn. Which turn is it in each of the three?": otherwise(
+            "The body can turn to the same end by 300° or by the rest of a full turn backwards."
         ),
-        within=0.1,
-        period=360,
-    )
+    }
+    yield Part(right, hints, within=0.1, period=360)
 
 
 @exercise(
     "5.19",
-    fields={"angle": "°"},
-    expects="an angle in degrees",
+    "an angle in degrees",
     because="It is the area of the triangle, as an angle.",
+    fields={"angle": "°"},
 )
 def carried_platform() -> Iterator[Part]:
     """Yield the turn of a platform that is carried round a triangle, counterclockwise."""
@@ -137,45 +109,30 @@ def carried_platform() -> Iterator[Part]:
         trip = rotation_matrix(arc_axis(start, end), angle_between(start, end)) @ trip
     _, turn = axis_angle(trip)
     right = np.rad2deg(turn)
-    yield Part(
-        right,
-        Mistake(
-            -right,
-            "The platform has turned the other way.",
-            "Follow its front edge round the triangle, and look from above.",
+    hints = {
+        "The platform has turned the other way.": when(
+            -right, "Follow its front edge round the triangle, and look from above."
         ),
-        Mistake(
-            180 + right,
-            "That is the sum of the angles of the triangle.",
-            "The area is the excess of this sum over the sum in the plane.",
+        "That is the sum of the angles of the triangle.": when(
+            180 + right, "The area is the excess of this sum over the sum in the plane."
         ),
-        Mistake(
-            np.deg2rad(right),
-            "Is this an angle in radians?",
-            "The exercise asks for degrees.",
+        "Is this an angle in radians?": when(np.deg2rad(right), "The exercise asks for degrees."),
+        "That the platform was never turned about its vertical does not answer the question.": when(
+            0, "Which way does a mark on it point on the equator, and which way when it is back?"
         ),
-        Mistake(
-            0,
-            "That the platform was never turned about its vertical does not answer the question.",
-            "Which way does a mark on it point on the equator, and which way when it is back?",
+        "That is the answer for an eighth of the sphere.": when(
+            90, "How large is the angle of this triangle at the pole?"
         ),
-        Mistake(
-            90,
-            "That is the answer for an eighth of the sphere.",
-            "How large is the angle of this triangle at the pole?",
+        "Find the three angles of the triangle first.": otherwise(
+            "Two are between a meridian and the equator. By how much does the sum exceed 180°?"
         ),
-        otherwise=Wrong(
-            "Find the three angles of the triangle first.",
-            "Two are between a meridian and the equator. By how much does the sum exceed 180°?",
-        ),
-        within=0.1,
-        period=360,
-    )
+    }
+    yield Part(right, hints, within=0.1, period=360)
 
 
 @exercise(
     "5.20",
-    expects="two whole numbers from 0 to 32",
+    "two whole numbers from 0 to 32",
     because="After an odd number of full turns, signs agree only on a second round.",
 )
 def choices_of_signs() -> Iterator[Part]:
@@ -192,35 +149,25 @@ def choices_of_signs() -> Iterator[Part]:
         else:
             turning += close(Quaternion(curve[:, 0], curve[:, 1:]).matrix(), steady)
     drawn = 32 - refused
-    yield Part(
-        [refused, turning],
-        Mistake(
-            [refused, drawn],
-            "A curve that is drawn need not be the steady turn.",
-            "Convert its quaternions to matrices and compare them with `steady`.",
+    hints = {
+        "A curve that is drawn need not be the steady turn.": when(
+            [refused, drawn], "Convert its quaternions to matrices and compare them with `steady`."
         ),
-        Mistake(
-            [drawn, turning],
-            "You count the choices that are not refused.",
-            "A choice is refused if the function raises an error.",
+        "You count the choices that are not refused.": when(
+            [drawn, turning], "A choice is refused if the function raises an error."
         ),
-        Mistake(
-            [0, turning],
-            "Some of the choices raise an error.",
-            "Catch DegenerateError and count it.",
+        "Some of the choices raise an error.": when(
+            [0, turning], "Catch DegenerateError and count it."
         ),
-        Mistake(
-            [refused / 2, turning],
-            "Have you tried all 32? If all signs change, the rotations stay the same.",
-            "Such a pair counts as two choices here.",
+        "Have you tried all 32? If all signs change, the rotations stay the same.": when(
+            [refused / 2, turning], "Such a pair counts as two choices here."
         ),
-        otherwise=Wrong(
-            "These numbers do not count what happens.",
+        "These numbers do not count what happens.": otherwise(
             "Let each sign agree with the one before. Does the fifth then agree with the first? And"
-            " what becomes of that if you change a single sign?",
+            " what becomes of that if you change a single sign?"
         ),
-        within=0,
-    )
+    }
+    yield Part([refused, turning], hints, within=0)
 
 
 def columns_of_flights(answer: Any) -> tuple[Array, Array, Array]:
@@ -231,7 +178,7 @@ def columns_of_flights(answer: Any) -> tuple[Array, Array, Array]:
 
 @exercise(
     "5.21",
-    expects="four rows of three numbers, shape (4, 3)",
+    "four rows of three numbers, shape (4, 3)",
     because="The steeper the line of sight, the more a level horizon costs.",
     read=columns_of_flights,
 )
@@ -245,70 +192,49 @@ def upright_flights() -> Iterator[Part]:
         angle_between(start, end) / axis_angle(standing(start).T @ standing(end))[1]
         for start, end in pairs
     ]
-    yield Part(
-        rolls,
-        Mistake(
+    hints = {
+        **in_radians(
             lambda given: radians_for_degrees(given, rolls),
-            *RADIANS,
             example=np.transpose([np.deg2rad(rolls), turned, uneven]),
         ),
-        Mistake(
+        "On the shortest turn the camera does not stay upright.": when(
             np.zeros(4),
-            "On the shortest turn the camera does not stay upright.",
             "Compare the camera on its way with an upright one that looks the same way.",
         ),
-        Mistake(
-            np.roll(rolls, -1),
-            "Your flights begin at the wrong sight.",
-            "The first flight leads from the first sight to the second.",
+        "Your flights begin at the wrong sight.": when(
+            np.roll(rolls, -1), "The first flight leads from the first sight to the second."
         ),
-        otherwise=Wrong(
-            "The rolls, in the first column, are not right yet.",
+        "The rolls, in the first column, are not right yet.": otherwise(
             "At many moments, make an upright camera with the same line of sight. The turn"
-            " from it to the camera is the roll.",
+            " from it to the camera is the roll."
         ),
-        item=0,
-        within=0.5,
-    )
-    yield Part(
-        turned,
-        Mistake(
-            by_sight,
-            "Your second column is about the line of sight alone.",
-            "The camera also turns about it. Add up the small turns of the camera.",
+    }
+    yield Part(rolls, hints, item=0, within=0.5)
+    hints = {
+        "Your second column is about the line of sight alone.": when(
+            by_sight, "The camera also turns about it. Add up the small turns of the camera."
         ),
-        Mistake(
-            1 / turned,
-            "Your second column is upside down.",
-            "No motion turns less than the shortest one.",
+        "Your second column is upside down.": when(
+            1 / turned, "No motion turns less than the shortest one."
         ),
-        otherwise=Wrong(
-            "The second column is not right yet.",
+        "The second column is not right yet.": otherwise(
             "Add up the small turns from moment to moment, and divide by the turn that leads"
-            " straight from the first orientation to the last.",
+            " straight from the first orientation to the last."
         ),
-        item=1,
-        within=0.02,
-    )
-    yield Part(
-        uneven,
-        Mistake(
-            np.ones(4),
-            "The line of sight moves evenly, but the camera does not turn evenly.",
-            "Compare the small turns of the upright camera from moment to moment.",
+    }
+    yield Part(turned, hints, item=1, within=0.02)
+    hints = {
+        "The line of sight moves evenly, but the camera does not turn evenly.": when(
+            np.ones(4), "Compare the small turns of the upright camera from moment to moment."
         ),
-        Mistake(
-            1 / uneven,
-            "Your third column is upside down.",
-            "Divide the greatest speed by the least.",
+        "Your third column is upside down.": when(
+            1 / uneven, "Divide the greatest speed by the least."
         ),
-        otherwise=Wrong(
-            "The third column is not right yet.",
-            "Take enough moments on the way, a thousand or so, at equal distances.",
+        "The third column is not right yet.": otherwise(
+            "Take enough moments on the way, a thousand or so, at equal distances."
         ),
-        item=2,
-        within=0.1,
-    )
+    }
+    yield Part(uneven, hints, item=2, within=0.1)
 
 
 def standing(sight: Array) -> Array:

@@ -4,9 +4,10 @@ The notation follows the equations: p and q are unit vectors, theta is the angle
 t is the fraction of the arc from p to q. Only the forms with an axis need three dimensions; the
 others work in any number of dimensions. For unit vectors with four components, read as quaternions,
 `slerp` is the slerp of computer graphics.
-"""
 
-from __future__ import annotations
+Antipodal points, to half of the digits, are refused with a `DegenerateError`, because many arcs
+join them; bad arguments, as everywhere in `rotedu`, with a `ValueError`.
+"""
 
 import numpy as np
 
@@ -31,11 +32,6 @@ def angle_between(p: Unit, q: Unit) -> Number:
     -------
     ndarray, shape (...)
         Angles in radians, from 0 to pi. In float64 the error stays below 1e-15.
-
-    Raises
-    ------
-    ValueError
-        If an argument is not finite, has the wrong shape, or is zero.
 
     Notes
     -----
@@ -71,17 +67,13 @@ def arc_axis(p: Unit3, q: Unit3) -> Vector:
 
     Raises
     ------
-    ValueError
-        If an argument is not finite, has the wrong shape, or is zero.
     rotedu.errors.DegenerateError
-        If p and q coincide (to within rounding) or are antipodal (to half of the digits), because
-        many axes would do.
+        If p and q coincide (to within rounding) or are antipodal, because many axes would do.
 
     Notes
     -----
-    The equations (5-1), (5-6), (5-9), (5-12) and (5-15) all have this form. In (5-9) the paper has
-    the operands in the wrong order, which reverses the axis (erratum E2): the arc runs from the
-    reflected point to P_{i+1}, so the reflected point must come first.
+    In (5-9) the paper has the operands in the wrong order, which reverses the axis (erratum E2):
+    the arc runs from the reflected point to P_{i+1}, so the reflected point must come first.
 
     References
     ----------
@@ -117,15 +109,8 @@ def slerp(p: Unit, q: Unit, t: Number) -> Vector:
 
     Raises
     ------
-    ValueError
-        If an argument is not finite or has the wrong shape, or if p or q is zero.
     rotedu.errors.DegenerateError
-        If p and q are antipodal (to half of the digits).
-
-    See Also
-    --------
-    slerp_by_rotation : the same point by (5-3).
-    nlerp : follows the chord instead.
+        If p and q are antipodal.
 
     Notes
     -----
@@ -134,11 +119,9 @@ def slerp(p: Unit, q: Unit, t: Number) -> Vector:
     ``cos((t - 1/2) theta) m + sin((t - 1/2) theta) c``. Since m and c are perpendicular, nothing
     cancels.
 
-    The formula is slerp. Although the paper says that slerp has no matrix form like (5-3) (erratum
-    E7), (5-3) is such a form for points of the sphere.
-
-    If p and q are unit quaternions, the arc is the shorter turn as long as p . q is positive; if
-    it is negative, use -q, which is the same rotation.
+    Although the paper says that slerp has no matrix form like (5-3) (erratum E7), (5-3) is such a
+    form for points of the sphere. If p and q are unit quaternions, the arc is the shorter turn as
+    long as p . q is positive; if it is negative, use -q, which is the same rotation.
 
     References
     ----------
@@ -175,7 +158,7 @@ def slerp_by_rotation(p: Unit3, q: Unit3, t: Number) -> Vector:
     p, q : array_like, shape (..., 3)
         Unit vectors.
     t : array_like, shape (...)
-        Fraction of the arc: 0 gives p, 1 gives q. Beyond them the point follows the great circle.
+        Fraction of the arc, as for `slerp`, which gives the same point with fewer operations.
 
     Returns
     -------
@@ -184,14 +167,8 @@ def slerp_by_rotation(p: Unit3, q: Unit3, t: Number) -> Vector:
 
     Raises
     ------
-    ValueError
-        If an argument is not finite or has the wrong shape, or if p or q is zero.
     rotedu.errors.DegenerateError
-        If p and q are antipodal (to half of the digits).
-
-    See Also
-    --------
-    slerp : the same point by (5-2), with fewer operations and in any dimension.
+        If p and q are antipodal.
 
     References
     ----------
@@ -209,37 +186,26 @@ def slerp_by_rotation(p: Unit3, q: Unit3, t: Number) -> Vector:
 
 @checked
 def nlerp(p: Unit, q: Unit, t: Number) -> Vector:
-    """Return a point of the chord from p to q, projected onto the sphere.
+    """Return a point of the chord from p to q, projected: normalised linear interpolation.
 
     Parameters
     ----------
     p, q : array_like, shape (..., d)
         Unit vectors of any dimension.
     t : array_like, shape (...)
-        Fraction of the chord: 0 gives p, 1 gives q. Beyond them the point follows the line of the
-        chord, and its image on the sphere approaches the direction of that line.
+        Fraction of the chord: 0 gives p, 1 gives q. Beyond them the line goes on.
 
     Returns
     -------
     ndarray, shape (..., d)
-        Unit vectors on the great circle of `slerp`. At t = 0, 1/2 and 1 both functions agree. The
-        speed is greatest in the middle, so `nlerp` is behind before t = 1/2 and ahead after it.
+        Unit vectors on the great circle of `slerp`, which moves at constant speed. At t = 0, 1/2
+        and 1 both agree. Here the speed is greatest in the middle, so `nlerp` is behind before
+        t = 1/2 and ahead after it.
 
     Raises
     ------
-    ValueError
-        If an argument is not finite or has the wrong shape, or if p or q is zero.
     rotedu.errors.DegenerateError
-        If p and q are antipodal (to half of the digits).
-
-    See Also
-    --------
-    slerp : moves at constant speed.
-
-    Notes
-    -----
-    The paper does not use this function, which computer graphics calls normalised linear
-    interpolation.
+        If p and q are antipodal.
 
     Examples
     --------

@@ -1,6 +1,8 @@
-"""Section 5, page 5 III: de Casteljau's arcs of arcs, and the closed curve made of them."""
+"""Section 5, page 5 III: de Casteljau's arcs of arcs, and the closed curve made of them.
 
-from __future__ import annotations
+Antipodal points, to half of the digits, are refused with a `DegenerateError`, because many arcs
+join them; bad arguments, as everywhere in `rotedu`, with a `ValueError`.
+"""
 
 import warnings
 from collections.abc import Callable
@@ -37,15 +39,9 @@ def de_casteljau(control: Control, u: Number) -> Vector:
 
     Raises
     ------
-    ValueError
-        If an argument is not finite or has the wrong shape, or if a control point is zero.
     rotedu.errors.DegenerateError
-        If an arc has antipodal ends (to half of the digits). For u from 0 to 1 this can happen
-        only between two control points, because no later arc is longer than the longest of theirs.
-
-    See Also
-    --------
-    de_casteljau_levels : returns all points of the construction.
+        If an arc has antipodal ends. For u from 0 to 1 this can happen only between two control
+        points, because no later arc is longer than the longest of theirs.
 
     References
     ----------
@@ -66,21 +62,14 @@ def de_casteljau_levels(control: Control, u: Number) -> list[Control]:
 
     Parameters
     ----------
-    control : array_like, shape (..., m + 1, d)
-        Control points of a curve of degree m, unit vectors of any dimension.
-    u : array_like, shape (...)
-        Parameter, as for `de_casteljau`.
+    control, u : array_like, shapes (..., m + 1, d) and (...)
+        Control points and parameter, as for `de_casteljau`, with its error.
 
     Returns
     -------
     list of ndarray, shapes (..., m + 1, d), (..., m, d) ... (..., 1, d)
         The control points, then the points on the arcs between them, and so on down to the point
         of the curve.
-
-    Raises
-    ------
-    ValueError, rotedu.errors.DegenerateError
-        As for `de_casteljau`.
 
     Notes
     -----
@@ -116,8 +105,7 @@ def closed_curve(points: ClosedPoints, samples: Count = 100, fraction: Fraction 
     Parameters
     ----------
     points : array_like, shape (..., n, d)
-        At least 3 unit vectors P_0 ... P_{n-1} of any dimension. Do not repeat the first point at
-        the end (erratum E12).
+        At least 3 unit vectors P_0 ... P_{n-1} of any dimension, the first not repeated at the end.
     samples : int
         Number of points on each segment, at u = 0, 1/samples, 2/samples ...
     fraction : float
@@ -131,7 +119,7 @@ def closed_curve(points: ClosedPoints, samples: Count = 100, fraction: Fraction 
 
     Raises
     ------
-    ValueError, rotedu.errors.DegenerateError
+    rotedu.errors.DegenerateError
         As for `rotedu.control_points.control_points`, and if the two inner control points of a
         segment are antipodal.
 
@@ -176,23 +164,12 @@ def arcs_of_arcs(level: list[Array], u: Array) -> Array:
 def sampled(
     curve: Callable[[list[Array], Array], Array], parts: list[Array], samples: int
 ) -> Array:
-    """Sample the segments of a closed curve.
+    """Sample the n segments of a closed curve at u = 0, 1/samples, 2/samples ...
 
-    Parameters
-    ----------
-    curve : callable
-        Evaluates segments, given their parts, at the parameters u.
-    parts : list of ndarray, shape (..., n)
-        What determines a segment, such as its control points: the first parts of all n segments,
-        then their second ones, and so on, with components first. A value of the curve has the
-        shape of a first part.
-    samples : int
-        Number of points on each segment, at u = 0, 1/samples, 2/samples ...
-
-    Returns
-    -------
-    ndarray, shape (..., n * samples)
-        The samples of one segment after the other.
+    The parts, of shape (..., n) with components first, are what determines a segment, such as its
+    control points: the first parts of all segments, then their second ones, and so on. A value of
+    `curve`, which evaluates segments given their parts, has the shape of a first part. The result,
+    of shape (..., n * samples), has the samples of one segment after the other.
     """
     first, *_ = parts
     u = np.arange(samples, dtype=first.dtype) / samples

@@ -1,9 +1,9 @@
 """Section 5, page 5 II: Double, Bisect and the control points, (5-4) to (5-15).
 
 Each step has two forms: a sum of vectors in any dimension, and a rotation in three dimensions.
+Antipodal points, to half of the digits, have no midpoint and are refused with a `DegenerateError`;
+bad arguments, as everywhere in `rotedu`, with a `ValueError`.
 """
-
-from __future__ import annotations
 
 import numpy as np
 
@@ -28,11 +28,6 @@ def double(p: Unit, q: Unit) -> Vector:
     -------
     ndarray, shape (..., d)
         Unit vectors, 2 cos(theta) q - p. Every pair of points has an answer.
-
-    Raises
-    ------
-    ValueError
-        If an argument is not finite, has the wrong shape, or is zero.
 
     Notes
     -----
@@ -69,15 +64,6 @@ def double_by_rotation(p: Unit3, q: Unit3) -> Vector:
     ndarray, shape (..., 3)
         Unit vectors. Where q is p or -p there is no axis (5-6), and the result is p.
 
-    Raises
-    ------
-    ValueError
-        If an argument is not finite, has the wrong shape, or is zero.
-
-    See Also
-    --------
-    double : the same point as a sum of vectors, in any dimension.
-
     References
     ----------
     Cheng et al. (2023), Eqs. (5-5) with (5-6), (5-14) with (5-15)
@@ -107,16 +93,13 @@ def bisect(p: Unit, q: Unit) -> Vector:
 
     Raises
     ------
-    ValueError
-        If an argument is not finite, has the wrong shape, or is zero.
     rotedu.errors.DegenerateError
-        If p and q are antipodal (to half of the digits).
+        If p and q are antipodal.
 
     Notes
     -----
     The paper's factor, sin(theta / 2) / sin(theta), equals 1 / abs(p + q). It is 0/0 where p = q,
-    which always happens for equally spaced points of a great circle. In text extracted from the
-    paper, the denominators lack the bar that marks the angle between these two points.
+    which always happens for equally spaced points of a great circle.
 
     References
     ----------
@@ -147,19 +130,12 @@ def bisect_by_rotation(p: Unit3, q: Unit3) -> Vector:
 
     Raises
     ------
-    ValueError
-        If an argument is not finite, has the wrong shape, or is zero.
     rotedu.errors.DegenerateError
-        If p and q are antipodal (to half of the digits).
-
-    See Also
-    --------
-    bisect : the same point as a sum of vectors, in any dimension.
+        If p and q are antipodal.
 
     Notes
     -----
-    With the axis (5-9) as printed, (5-8) turns away from P_{i+1} (erratum E2). See
-    `rotedu.arcs.arc_axis`.
+    With the axis (5-9) as printed, (5-8) turns away from P_{i+1} (erratum E2).
 
     References
     ----------
@@ -196,13 +172,10 @@ def control_points(points: ClosedPoints, fraction: Fraction = 1 / 2) -> tuple[Ve
 
     Raises
     ------
-    ValueError
-        If an argument is not finite, has the wrong shape or is out of range, or if a point is
-        zero.
     rotedu.errors.DegenerateError
-        If two points to be bisected are antipodal (to half of the digits). This happens if
-        P_{i+1} is opposite to Double(P_{i-1}, P_i), or if the points go out and back,
-        P_{i+1} = P_{i-1}, and are 90 degrees or more apart. The message names the points.
+        If two points to be bisected are antipodal. This happens if P_{i+1} is opposite to
+        Double(P_{i-1}, P_i), or if the points go out and back, P_{i+1} = P_{i-1}, and are 90
+        degrees or more apart. The message names the points.
 
     Notes
     -----

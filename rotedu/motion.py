@@ -4,9 +4,9 @@ A rotation vector is an axis times an angle, and an angular velocity is one for 
 frames matter: omega has its components in the fixed frame, Omega = R^T omega has those of the same
 vector in the body's frame, which the columns of R span. So R' = [omega] R = R [Omega], where
 [omega] is the matrix of the cross product with omega.
-"""
 
-from __future__ import annotations
+Bad arguments are refused, as everywhere in `rotedu`, with a `ValueError`.
+"""
 
 import numpy as np
 
@@ -54,21 +54,13 @@ def matrix_from_rotation_vector(v: Vector3) -> Rotation:
     Returns
     -------
     ndarray, shape (..., 3, 3)
-        Rotation matrices, the matrix exponentials of [v], where [v] r = v x r.
-
-    Raises
-    ------
-    ValueError
-        If the vector is not finite or has the wrong shape.
-
-    See Also
-    --------
-    rotation_vector : the inverse, for vectors no longer than pi.
+        Rotation matrices, the matrix exponentials of [v], where [v] r = v x r. The inverse is
+        `rotation_vector`, for vectors no longer than pi.
 
     Notes
     -----
     Because [n]^3 = -[n] for a unit vector n, the power series of exp(theta [n]) collapses to
-    I + sin(theta) [n] + (1 - cos(theta)) [n]^2, which is Rodrigues' formula.
+    Rodrigues' formula, I + sin(theta) [n] + (1 - cos(theta)) [n]^2.
 
     References
     ----------
@@ -97,28 +89,12 @@ def rotation_vector(matrix: Rotation) -> Vector3:
     Returns
     -------
     ndarray, shape (..., 3)
-        Rotation vectors, no longer than pi. At a half turn, to within rounding, v and -v are the
-        same rotation, and the result is the one whose first nonzero component is positive.
-
-    Raises
-    ------
-    ValueError
-        If the matrix is not finite, has the wrong shape or is not a rotation.
-
-    See Also
-    --------
-    matrix_from_rotation_vector : the inverse.
-    rotedu.ordinary_rotation.axis_angle : axis and angle apart.
-
-    Notes
-    -----
-    Exp(v) is also Exp of every vector of the same direction whose length differs by a multiple of
-    2 pi, so the logarithm has to choose; the shortest is unique up to half a turn.
+        The shortest rotation vectors, no longer than pi. At a half turn, to within rounding, v and
+        -v are the same rotation, and the result has a positive first nonzero component.
 
     References
     ----------
-    Grassia (1998), "Practical parameterization of rotations using the exponential map", Journal of
-    Graphics Tools 3(3), 29-48
+    Grassia (1998), as for `matrix_from_rotation_vector`
 
     Examples
     --------
@@ -144,27 +120,21 @@ def angular_velocity(rotations: Motion, dt: Step) -> Vector3:
     rotations : array_like, shape (..., n, 3, 3)
         At least 2 rotation matrices R_0 ... R_{n-1}, the orientations of a body at equal intervals.
     dt : float
-        The time from one to the next.
+        The time from one to the next, not zero.
 
     Returns
     -------
     ndarray, shape (..., n - 1, 3)
         One velocity for each interval, in radians per unit of time: Log(R_{k+1} R_k^T) / dt. A
         body that turns with these velocities, each constant for its interval, passes through all
-        the given orientations. In the body's frame they are R_k^T omega_k.
+        the given orientations, as `integrate` follows them. In the body's frame they are
+        R_k^T omega_k.
 
     Raises
     ------
-    ValueError
-        If an argument is not finite or has the wrong shape, if a matrix is not a rotation, or if
-        dt is zero.
     rotedu.errors.DegenerateError
         If two neighbours are half a turn apart (to within rounding), because the turn could go
         either way. The message says which.
-
-    See Also
-    --------
-    integrate : the inverse.
 
     Notes
     -----
@@ -206,35 +176,23 @@ def integrate(rotation: Rotation, velocities: Vectors, dt: Step) -> Matrices:
         Angular velocities in the fixed frame, in radians per unit of time, each of which holds for
         one step.
     dt : float
-        The time that a step takes; negative to go back.
+        The time that a step takes, not zero; negative to go back.
 
     Returns
     -------
     ndarray, shape (..., n + 1, 3, 3)
-        The orientations, beginning with R_0.
-
-    Raises
-    ------
-    ValueError
-        If an argument is not finite or has the wrong shape, if the rotation is not one, or if dt is
-        zero.
-
-    See Also
-    --------
-    angular_velocity : the inverse.
-    matrix_steps, quaternion_steps : Euler's method, for comparison.
+        The orientations, beginning with R_0. The inverse is `angular_velocity`.
 
     Notes
     -----
     The result is exact if the velocity is constant during each step. If it changes, the error after
     a given time is of order dt with the velocity at the beginning of each step and of order dt^2
-    with the velocity in its middle. Rotations stay rotations, up to rounding.
-
-    Velocities in the body's frame act from the right, R_{k+1} = R_k Exp(dt Omega_k).
+    with the velocity in its middle. Rotations stay rotations, up to rounding. Velocities in the
+    body's frame act from the right, R_{k+1} = R_k Exp(dt Omega_k).
 
     References
     ----------
-    Iserles, Munthe-Kaas, Norsett and Zanna (2000), "Lie-group methods", Acta Numerica 9, 215-365
+    Iserles et al. (2000), as for `angular_velocity`
 
     Examples
     --------
@@ -263,25 +221,14 @@ def matrix_steps(matrix: Matrix3, velocities: Vectors, dt: Step) -> Matrices:
     ----------
     matrix : array_like, shape (..., 3, 3)
         The matrix to begin with, a rotation or what Euler's method has made of one.
-    velocities : array_like, shape (..., n, 3)
-        Angular velocities in the fixed frame, in radians per unit of time.
-    dt : float
-        The time that a step takes.
+    velocities, dt : array_like, shape (..., n, 3), and float
+        Angular velocities in the fixed frame and the time of a step, as for `integrate`.
 
     Returns
     -------
     ndarray, shape (..., n + 1, 3, 3)
-        Matrices that are no longer rotations, beginning with the given one.
-
-    Raises
-    ------
-    ValueError
-        If an argument is not finite or has the wrong shape, or if dt is zero.
-
-    See Also
-    --------
-    integrate : stays among the rotations.
-    rotedu.orientations.nearest_rotation : what repairs the result.
+        Matrices that are no longer rotations, beginning with the given one;
+        `rotedu.orientations.nearest_rotation` repairs them.
 
     Notes
     -----
@@ -311,24 +258,13 @@ def quaternion_steps(q: Unit4, velocities: Vectors, dt: Step) -> Quaternions:
     ----------
     q : array_like, shape (..., 4)
         The unit quaternion to begin with, scalar first; any length but zero.
-    velocities : array_like, shape (..., n, 3)
-        Angular velocities in the fixed frame, in radians per unit of time.
-    dt : float
-        The time that a step takes.
+    velocities, dt : array_like, shape (..., n, 3), and float
+        Angular velocities in the fixed frame and the time of a step, as for `integrate`.
 
     Returns
     -------
     ndarray, shape (..., n + 1, 4)
         Quaternions, longer with each step, beginning with the given one at norm 1.
-
-    Raises
-    ------
-    ValueError
-        If an argument is not finite or has the wrong shape, or if q or dt is zero.
-
-    See Also
-    --------
-    integrate : stays among the rotations.
 
     Notes
     -----
@@ -369,17 +305,15 @@ def look_at(direction: Unit3, up: Unit3) -> Rotation:
 
     Raises
     ------
-    ValueError
-        If an argument is not finite or has the wrong shape, or if a vector is zero.
     rotedu.errors.DegenerateError
         If the camera looks straight up or down (to half of the digits), because then every edge of
         the picture is level.
 
     Notes
     -----
-    The matrix takes the camera's coordinates to those of the scene. What is often called the view
-    matrix is its transpose, which takes the scene's coordinates to the camera's. Many programs let
-    a camera look along its third axis backwards, so that the first axis points to the right.
+    The matrix takes the camera's coordinates to those of the scene; what is often called the view
+    matrix is its transpose. Many programs let a camera look along its third axis backwards, so that
+    the first axis points to the right.
 
     Examples
     --------

@@ -3,9 +3,8 @@
 A point of the sphere says where a camera looks, but not how it is turned about its line of sight.
 While the curve of Section 5 consists of points, here the same construction runs on the turns
 between rotation matrices. Two other curves through orientations stand beside it for comparison.
+All refuse bad arguments, as everywhere in `rotedu`, with a `ValueError`.
 """
-
-from __future__ import annotations
 
 from itertools import pairwise
 
@@ -58,8 +57,6 @@ def slerp_rotations(r1: Rotation, r2: Rotation, t: Number) -> Rotation:
 
     Raises
     ------
-    ValueError
-        If an argument is not finite, has the wrong shape or is not a rotation.
     rotedu.errors.DegenerateError
         If R1 and R2 are half a turn apart (to within rounding), because two turns are shortest.
 
@@ -67,10 +64,8 @@ def slerp_rotations(r1: Rotation, r2: Rotation, t: Number) -> Rotation:
     -----
     R1^T R2 is the turn from R1 to R2, and its axis and angle are its logarithm. The exponential
     (3-3) of the same axis and a fraction of the angle is part of that turn. The result is slerp of
-    quaternions without the choice of sign: the turn is always the shorter one. The longer one, by
-    an angle of theta - 2 pi about the same axis, has to be asked for as such. The paper claims
-    that ordinary rotation interpolates orientations, too, but gives no formula: its Section 5
-    interpolates points on the sphere, which are not orientations.
+    quaternions without the choice of sign: the turn is always the shorter one. The paper claims
+    that ordinary rotation interpolates orientations, too, but gives no formula.
 
     References
     ----------
@@ -111,9 +106,6 @@ def closed_rotation_curve(
 
     Raises
     ------
-    ValueError
-        If an argument is not finite, has the wrong shape or is out of range, or if a matrix is
-        not a rotation.
     rotedu.errors.DegenerateError
         If two neighbours are half a turn apart (to within rounding), because two turns are
         shortest, or if the route from Double(R_{i-1}, R_i) to R_{i+1} is a whole turn (to half of
@@ -130,14 +122,12 @@ def closed_rotation_curve(
     The construction is the same as for points, but its arcs are turns, each kept as its axis times
     its angle, from 0 to 360 degrees, and turns in succession become one turn by the half-angle
     rule. The matrices fix the turns between neighbours; everything else follows from these.
-    Joining two matrices directly, as `slerp_rotations` does, would take the shorter way instead of
-    the route by which they were reached, and another curve wherever that route exceeds half a
-    turn.
+    Joining two matrices directly, as `slerp_rotations` does, would lead to another curve wherever
+    the route by which they were reached exceeds half a turn.
 
     As rotations these are the orientations of `rotedu.closed_curve.closed_curve` for quaternions
-    whose signs agree. Where the signs cannot agree all the way round, as when a body turns right
-    round once, the quaternions close after two rounds, q followed by -q, of which this is the
-    first.
+    whose signs agree. Where they cannot agree all the way round, as when a body turns right round
+    once, the quaternions close after two rounds, q followed by -q, of which this is the first.
 
     References
     ----------
@@ -182,7 +172,7 @@ def squad(quaternions: ClosedPoints, samples: Count = 100) -> Vector:
         The signs count: each is reached from the one before by the arc of `rotedu.arcs.slerp`. Do
         not repeat the first one at the end.
     samples : int
-        Number of points on each segment, at u = 0, 1/samples, 2/samples ...
+        Number of points on each segment, as for `closed_rotation_curve`.
 
     Returns
     -------
@@ -191,16 +181,8 @@ def squad(quaternions: ClosedPoints, samples: Count = 100) -> Vector:
 
     Raises
     ------
-    ValueError
-        If an argument is not finite, has the wrong shape or is out of range, or if a quaternion is
-        zero.
     rotedu.errors.DegenerateError
         If an arc has antipodal ends (to half of the digits).
-
-    See Also
-    --------
-    rotedu.closed_curve.closed_curve : needs six arcs for each point.
-    periodic_spline : has no jumps of acceleration.
 
     Notes
     -----
@@ -211,7 +193,8 @@ def squad(quaternions: ClosedPoints, samples: Count = 100) -> Vector:
 
     Here q_i log(q_i* p) is written as the tangent vector that leads from q_i to p, for which no
     quaternion is needed. The curve is C1: its derivative at q_i is half the tangent vector that
-    leads to q_{i+1} minus half the one that leads to q_{i-1}. In general it is not C2.
+    leads to q_{i+1} minus half the one that leads to q_{i-1}. In general it is not C2, as
+    `periodic_spline` is.
 
     References
     ----------
@@ -244,7 +227,7 @@ def periodic_spline(values: ClosedValues, samples: Count = 100) -> Vector:
         At least 3 points of any dimension, also the entries of quaternions or matrices in a row.
         Do not repeat the first one at the end.
     samples : int
-        Number of points on each segment, at u = 0, 1/samples, 2/samples ...
+        Number of points on each segment, as for `closed_rotation_curve`.
 
     Returns
     -------
@@ -253,21 +236,13 @@ def periodic_spline(values: ClosedValues, samples: Count = 100) -> Vector:
         norm 1, and those between rotation matrices are no rotations: divide by the norm, or take
         the `nearest_rotation`.
 
-    Raises
-    ------
-    ValueError
-        If an argument is not finite, has the wrong shape or is out of range.
-
-    See Also
-    --------
-    squad, closed_rotation_curve : where a value moves only the four segments around it.
-
     Notes
     -----
     The rates of change r_i at the given values follow from the requirement that the second
     derivatives agree there: ``r_{i-1} + 4 r_i + r_{i+1} = 3 (v_{i+1} - v_{i-1})``, cyclically. So
-    each value moves the whole curve, although its influence falls to about a quarter with each
-    segment. If two sets of unit quaternions differ by a rotation, so do their normalised curves.
+    each value moves the whole curve, not only the four segments around it, although its influence
+    falls to about a quarter with each segment. If two sets of unit quaternions differ by a
+    rotation, so do their normalised curves.
 
     References
     ----------
@@ -308,17 +283,13 @@ def nearest_rotation(matrix: Matrix3) -> Rotation:
 
     Raises
     ------
-    ValueError
-        If the matrix is not finite or has the wrong shape.
     rotedu.errors.DegenerateError
-        If several rotations are equally near (to half of the digits). This happens if M flattens
-        space to a line or a point, or if M reflects and its smallest singular value is repeated,
-        as for -I.
+        If several rotations are equally near (to half of the digits): if M flattens space to a
+        line or a point, or if it reflects and its smallest singular value is repeated, as for -I.
 
     Notes
     -----
-    Let s1 >= s2 >= s3 be the singular values of M = U S V^T. The answer is U V^T or, if that
-    reflects, U diag(1, 1, -1) V^T. It is unique if s2 + s3 > 0, or s2 - s3 > 0 if M reflects.
+    With M = U S V^T, the answer is U V^T or, if that reflects, U diag(1, 1, -1) V^T.
 
     References
     ----------

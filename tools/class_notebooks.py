@@ -347,7 +347,7 @@ class Classroom:
         yield marked(new_code_cell(answer, id=f"start-{name}"), solution=True)
         test = new_code_cell(TEST.format(number=asked.number), id=f"test-{name}")
         yield marked(test, points=asked.minutes - for_reasons)
-        if for_reasons:
+        if for_reasons and asked.why:
             why = self.markdown(page.name, asked.why.source)
             text = REASONS.format(number=asked.number, why=why)
             reasons = new_markdown_cell(text, id=f"why-{name}")

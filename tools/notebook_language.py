@@ -92,28 +92,31 @@ def blocks(text: str) -> Iterator[Block]:
     """Yield the blocks of a text."""
     lines = text.splitlines()
     tokens = MYST.parse(text)
-    for token, inside in zip(tokens, [*tokens[1:], None], strict=True):
+    for token, inside in zip(tokens, [*tokens[1:], Token("", "", 0)], strict=True):
         if token.level or not token.map:
             continue
         source = "\n".join(lines[slice(*token.map)]).strip()
         directive = DIRECTIVE.fullmatch(token.info)
         if token.type in ("colon_fence", "fence") and directive:
-            options = OPTIONS.match(token.content)[0]
+            options = OPTIONS.findall(token.content)[0]
             body = token.content[len(options) :].strip()
             if directive[1] == "literalinclude":
                 body = (BOOK / directive[2]).read_text("utf-8")
             yield Block(directive[1], source, directive[2], body, dict(OPTION.findall(options)))
         elif token.type == "heading_open":
             yield Block(token.type, source, inside.content, level=int(token.tag[1]))
-        elif token.type == "paragraph_open" and (title := caption_title(bold(inside.children))):
+        elif token.type == "paragraph_open" and (
+            title := caption_title(bold(inside.children or []))
+        ):
             yield Block("caption", source, title)
         else:
             title = token.content if token.type == "myst_target" else ""
             yield Block(token.type, source, title, token.content)
 
 
-def bold(words: list[Token]) -> str:
+def bold(words: list[Token] | None) -> str:
     """Return the words in bold with which a paragraph begins."""
+    words = words or []
     # An empty text stands before a word in bold.
     begins = [token.type for token in words[1:4]] == ["strong_open", "text", "strong_close"]
     return words[2].content if begins and not words[0].content else ""
@@ -122,7 +125,7 @@ def bold(words: list[Token]) -> str:
 def plain(text: str) -> str:
     """Return the words of a text without boxes; each formula becomes one word."""
     written = {"math_inline": "formula", "html_inline": "", "softbreak": " "}
-    texts = [token.children for token in MYST.parse(text) if token.type == "inline"]
+    texts = [token.children or [] for token in MYST.parse(text) if token.type == "inline"]
     return "\n".join("".join(written.get(t.type, t.content) for t in words) for words in texts)
 
 

@@ -36,7 +36,7 @@ if __name__ == "__main__":
     # Draw without a window on every machine, in a kernel that warns of errors alone.
     os.environ["PYVISTA_JUPYTER_BACKEND"] = "still"
     os.environ["JUPYTER_PATH"] = str(Path(__file__).parent / "jupyter")
-    for file in map(Path, sys.argv[1:] or [page.file for page in notebooks()]):
+    for file in [Path(name) for name in sys.argv[1:]] or [page.file for page in notebooks()]:
         print(f"running {file.name}", flush=True)
         run(file)
     derive_all()

@@ -91,8 +91,9 @@ def numpy_files() -> Files:
     with tarfile.open(fileobj=content) as archive:
         for member in archive:
             file = f"/{member.name}".removeprefix(PACKAGES)
-            if member.isfile() and file.startswith("numpy/") and not NEEDLESS.fullmatch(file):
-                yield file, archive.extractfile(member).read()
+            packed_file = archive.extractfile(member)
+            if packed_file and file.startswith("numpy/") and not NEEDLESS.fullmatch(file):
+                yield file, packed_file.read()
 
 
 def rotedu_files() -> Files:

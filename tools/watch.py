@@ -24,7 +24,7 @@ STATIC = HTML / "_static"
 def build() -> None:
     """Build what has changed; whatever is wrong stands in the terminal."""
     jupyter_book = Path(sys.executable).with_name("jupyter-book")
-    command = [jupyter_book, "build", ".", "-W", "--keep-going"]
+    command = [str(jupyter_book), "build", ".", "-W", "--keep-going"]
     # For book/_ext/cache_keys.py.
     subprocess.run(command, cwd=ROOT, env=os.environ | {"ROTEDU_WATCHED": "yes"}, check=False)
 

@@ -58,7 +58,7 @@ class InlineCharts(SphinxPostTransform):
         drawings = "".join(
             inlined(file.read_text(encoding="utf-8"), f"{name}-{i}") for i, file in enumerate(files)
         )
-        width = re.search(r' width="(\d+)"', drawings)[1]
+        width, *_ = re.findall(r' width="(\d+)"', drawings)
         about = f'class="chart" role="img" aria-label="{escape(alt)}" style="--least: {width}px"'
         html = f"<div {about}>{drawings}</div>"
         return chart("", html, format="html")

@@ -83,7 +83,7 @@ class LinkFirstUses(SphinxPostTransform):
         def linked(text: str) -> Iterator[nodes.Node]:
             longest_first = tuple(sorted(unseen, key=len, reverse=True))
             found = finder(longest_first).search(text)
-            if found is None:
+            if found is None or found.lastgroup is None:
                 yield nodes.Text(text)
                 return
             form = longest_first[int(found.lastgroup[1:])]

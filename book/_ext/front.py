@@ -107,7 +107,7 @@ class ShowPages(SphinxPostTransform):
         page = self.env.get_doctree(docname)
         title = nodes.strong("", self.env.titles[docname].astext())
         link = nodes.reference("", "", title, refuri=self.address(docname), internal=True)
-        minutes = nodes.inline("", MINUTES.search(page.astext())[1], classes=["minutes"])
+        minutes = nodes.inline("", MINUTES.findall(page.astext())[0], classes=["minutes"])
         return nodes.container(
             "",
             self.small(next(page.findall(scene_poster))),

@@ -15,8 +15,10 @@ MARKS = re.compile(r"[.,;:!?)\N{RIGHT DOUBLE QUOTATION MARK}]+")
 UNSEEN = re.compile(r"\\textcolor\{[^}]*\}|\\[A-Za-z]+|[\\{}^_\s]")
 # Numbers of equations and of pictures, counts of operations, shapes.
 NUMBERS = re.compile(r"(\(\d-\d+\)|\b[\dA-Z]-[a-z]\b|\d+ [+×] \d+)")
-AROUND = (nodes.paragraph, nodes.caption, nodes.emphasis, nodes.strong)
-AROUND += (nodes.inline, nodes.reference)
+AROUND = (
+    *(nodes.paragraph, nodes.caption, nodes.emphasis, nodes.strong),
+    *(nodes.inline, nodes.reference),
+)
 # On a phone, a longer formula must be able to break.
 SHORT = 16
 

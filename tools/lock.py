@@ -7,7 +7,7 @@ try:
     import fcntl
 except ImportError:
     # Windows has no such lock, and no make that would set up by itself.
-    fcntl = None
+    fcntl = None  # type: ignore[assignment]
 
 ROOT = Path(__file__).parents[1]
 # Tells what the holder starts that it need not wait for its own parent.

@@ -7,7 +7,6 @@ links to names it beside the verdict.
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from functools import partial
 from typing import Any, Literal
 
 from rotedu.edition.notebook import Table, linked
@@ -112,11 +111,12 @@ class Claim:
 
 
 def judged(verdict: Verdict, *details: str, **more: Any) -> Callable[..., Callable[..., Claim]]:
-    """Return a function that makes a claim with a verdict from its words, places and details."""
+    """Return a function of a claim's words, places and details, which waits for number and page."""
 
     def claim(words: str, where: str, *told: str) -> Callable[..., Claim]:
         known = dict(zip(details, told, strict=False)) | more
-        return partial(Claim, claim=words, where=tuple(where.split(", ")), verdict=verdict, **known)
+        places = tuple(where.split(", "))
+        return lambda number, page: Claim(number, words, places, verdict, page, **known)
 
     return claim
 
@@ -477,11 +477,7 @@ ON_PAGE: dict[str, dict[int, Callable[..., Claim]]] = {
 
 CLAIMS = tuple(
     sorted(
-        (
-            claim(number=number, chapter=chapter)
-            for chapter, claims in ON_PAGE.items()
-            for number, claim in claims.items()
-        ),
+        (claim(number, page) for page, some in ON_PAGE.items() for number, claim in some.items()),
         key=lambda claim: claim.number,
     )
 )

@@ -4,12 +4,15 @@ Their tables are made from this list alone, and the test of an equation carries 
 mark, ``@pytest.mark.equation("5-2")``.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, get_args
 
 from rotedu.edition.notebook import Table, linked
 
 __all__ = ["EQUATIONS", "FIGURES", "Equation", "Figure", "equation_table", "figure_table"]
+
+Status = Literal["as printed", "convention", "corrected"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,7 +37,7 @@ class Equation:
     number: str
     words: str
     functions: tuple[str, ...]
-    status: Literal["as printed", "convention", "corrected"]
+    status: Status
     remark: str = ""
 
     @property
@@ -61,222 +64,146 @@ class Figure:
         return f"figure-{self.number}"
 
 
-EQUATIONS = (
-    Equation(
-        "2-1",
+def judged(status: Status) -> Callable[..., Callable[[str], Equation]]:
+    """Return a function of words, functions and remark, which waits for the number."""
+    return lambda words, functions, remark="": (
+        lambda number: Equation(number, words, tuple(functions.split(", ")), status, remark)
+    )
+
+
+as_printed, convention, corrected = map(judged, get_args(Status))
+
+BY_NUMBER = {
+    "2-1": convention(
         "a quaternion is a scalar and a vector",
-        ("quaternions.Quaternion",),
-        "convention",
+        "quaternions.Quaternion",
         "together they make up $\\mathbb R^4$: E1",
     ),
-    Equation(
-        "2-2",
+    "2-2": as_printed(
         "sum and difference, component by component",
-        ("quaternions.Quaternion.__add__", "quaternions.Quaternion.__sub__"),
-        "as printed",
+        "quaternions.Quaternion.__add__, quaternions.Quaternion.__sub__",
     ),
-    Equation(
-        "2-3",
+    "2-3": as_printed(
         "Hamilton's product",
-        ("quaternions.Quaternion.__mul__",),
-        "as printed",
+        "quaternions.Quaternion.__mul__",
         "$\\times$ for the paper's $\\otimes$",
     ),
-    Equation(
-        "2-4",
-        "the inverse",
-        ("quaternions.Quaternion.inverse",),
-        "convention",
-        "not for $q=0$",
-    ),
-    Equation(
-        "2-5",
+    "2-4": convention("the inverse", "quaternions.Quaternion.inverse", "not for $q=0$"),
+    "2-5": convention(
         "the quotient of two quaternions",
-        ("quaternions.Quaternion.__truediv__",),
-        "convention",
+        "quaternions.Quaternion.__truediv__",
         "undoes a product only from the right",
     ),
-    Equation(
-        "2-6",
+    "2-6": corrected(
         "a point is turned about the U axis by a quaternion",
-        ("quaternions.rotate_about_u", "quaternions.Quaternion.rotate"),
-        "corrected",
+        "quaternions.rotate_about_u, quaternions.Quaternion.rotate",
         "a lost comma, and $\\theta_v$ for $\\theta_u$: [glitch](#likely-glitches)",
     ),
-    Equation(
-        "3-1",
+    "3-1": as_printed(
         "Rodrigues' formula: a vector is turned about an axis",
-        ("ordinary_rotation.rotate",),
-        "as printed",
+        "ordinary_rotation.rotate",
         "the code normalises the axis",
     ),
-    Equation(
-        "3-2",
-        "the same as a matrix times a vector",
-        ("ordinary_rotation.transform",),
-        "as printed",
-    ),
-    Equation(
-        "3-3",
+    "3-2": as_printed("the same as a matrix times a vector", "ordinary_rotation.transform"),
+    "3-3": as_printed(
         "the matrix, entry by entry",
-        ("ordinary_rotation.rotation_matrix",),
-        "as printed",
+        "ordinary_rotation.rotation_matrix",
         "the code normalises the axis",
     ),
-    Equation(
-        "4-1",
+    "4-1": convention(
         "three principal rotations, one after the other",
-        ("general_rotation.compose", "general_rotation.matrix_from_euler_angles"),
-        "convention",
+        "general_rotation.compose, general_rotation.matrix_from_euler_angles",
         "U first, then V, then W; the axes stay where they are",
     ),
-    Equation(
-        "4-2",
-        "their product, multiplied out",
-        ("general_rotation.matrix_from_euler_angles",),
-        "as printed",
-    ),
-    Equation(
-        "4-3",
+    "4-2": as_printed("their product, multiplied out", "general_rotation.matrix_from_euler_angles"),
+    "4-3": convention(
         "the axis of the one rotation that replaces the three",
-        ("general_rotation.axis_angle_from_euler_angles",),
-        "convention",
+        "general_rotation.axis_angle_from_euler_angles",
         "0/0 where nothing turns; the code then returns the U axis",
     ),
-    Equation(
-        "4-4",
+    "4-4": as_printed(
         "the numbers $\\alpha,\\beta,\\gamma$ from half angles",
-        ("general_rotation.quaternion_from_euler_angles",),
-        "as printed",
+        "general_rotation.quaternion_from_euler_angles",
     ),
-    Equation(
-        "4-5",
+    "4-5": convention(
         "the sine of half its angle",
-        ("general_rotation.axis_angle_from_euler_angles",),
-        "convention",
+        "general_rotation.axis_angle_from_euler_angles",
         "gives the angle only together with (4-6)",
     ),
-    Equation(
-        "4-6",
-        "the cosine of half its angle",
-        ("general_rotation.quaternion_from_euler_angles",),
-        "as printed",
+    "4-6": as_printed(
+        "the cosine of half its angle", "general_rotation.quaternion_from_euler_angles"
     ),
-    Equation(
-        "4-7",
+    "4-7": as_printed(
         "the matrix (3-3) in homogeneous coordinates",
-        ("general_rotation.homogeneous",),
-        "as printed",
+        "general_rotation.homogeneous",
         "the axis in its text: E8",
     ),
-    Equation(
-        "5-1",
-        "the axis of the arc between two points",
-        ("arcs.arc_axis",),
-        "convention",
-        "for ${0<\\theta<\\pi}$",
+    "5-1": convention(
+        "the axis of the arc between two points", "arcs.arc_axis", "for ${0<\\theta<\\pi}$"
     ),
-    Equation(
-        "5-2",
+    "5-2": convention(
         "a point of the arc from sines (slerp)",
-        ("arcs.slerp",),
-        "convention",
+        "arcs.slerp",
         "for ${0<\\theta<\\pi}$; the code uses an equal form that allows ${\\theta=0}$",
     ),
-    Equation(
-        "5-3",
-        "a point of the arc by rotation",
-        ("arcs.slerp_by_rotation",),
-        "as printed",
-        "the text around it: E7, E9",
+    "5-3": as_printed(
+        "a point of the arc by rotation", "arcs.slerp_by_rotation", "the text around it: E7, E9"
     ),
-    Equation(
-        "5-4",
-        "Double: a point reflected in the next",
-        ("control_points.double",),
-        "as printed",
-        "the text around it: E11",
+    "5-4": as_printed(
+        "Double: a point reflected in the next", "control_points.double", "the text around it: E11"
     ),
-    Equation(
-        "5-5",
-        "Double by rotation",
-        ("control_points.double_by_rotation",),
-        "as printed",
-        "the text around it: E9",
+    "5-5": as_printed(
+        "Double by rotation", "control_points.double_by_rotation", "the text around it: E9"
     ),
-    Equation(
-        "5-6",
+    "5-6": convention(
         "the axis of (5-5)",
-        ("arcs.arc_axis",),
-        "convention",
+        "arcs.arc_axis",
         "for ${0<\\theta_{i-1}<\\pi}$; (5-9) uses the same letter for another axis",
     ),
-    Equation(
-        "5-7",
+    "5-7": corrected(
         "Bisect: midway to the next point",
-        ("control_points.bisect",),
-        "corrected",
+        "control_points.bisect",
         "a bar lost in the denominators: [glitch](#likely-glitches);"
         " for ${0<\\bar\\theta_{i-1}<\\pi}$, the code also for 0",
     ),
-    Equation(
-        "5-8",
+    "5-8": as_printed(
         "Bisect by rotation",
-        ("control_points.bisect_by_rotation",),
-        "as printed",
+        "control_points.bisect_by_rotation",
         "once its axis (5-9) is corrected; the text around it: E9",
     ),
-    Equation(
-        "5-9",
+    "5-9": corrected(
         "the axis of (5-8)",
-        ("arcs.arc_axis",),
-        "corrected",
+        "arcs.arc_axis",
         "E2; also a bar lost: [glitch](#likely-glitches); for ${0<\\bar\\theta_{i-1}<\\pi}$",
     ),
-    Equation(
-        "5-10",
+    "5-10": corrected(
         "the control point $a_i$",
-        ("control_points.bisect", "control_points.control_points"),
-        "corrected",
+        "control_points.bisect, control_points.control_points",
         "a bar lost in the denominators: [glitch](#likely-glitches);"
         " for ${0<\\bar\\theta_i<\\pi}$, the code also for 0",
     ),
-    Equation(
-        "5-11",
-        "$a_i$ by rotation",
-        ("control_points.bisect_by_rotation",),
-        "as printed",
-        "the text around it: E9",
+    "5-11": as_printed(
+        "$a_i$ by rotation", "control_points.bisect_by_rotation", "the text around it: E9"
     ),
-    Equation(
-        "5-12",
+    "5-12": corrected(
         "the axis of (5-11)",
-        ("arcs.arc_axis",),
-        "corrected",
+        "arcs.arc_axis",
         "a bar lost in the denominator: [glitch](#likely-glitches); for ${0<\\bar\\theta_i<\\pi}$",
     ),
-    Equation(
-        "5-13",
-        "the control point $b_i$",
-        ("control_points.double", "control_points.control_points"),
-        "corrected",
-        "E3",
+    "5-13": corrected(
+        "the control point $b_i$", "control_points.double, control_points.control_points", "E3"
     ),
-    Equation(
-        "5-14",
-        "$b_i$ by rotation",
-        ("control_points.double_by_rotation",),
-        "as printed",
-        "the text around it: E9",
+    "5-14": as_printed(
+        "$b_i$ by rotation", "control_points.double_by_rotation", "the text around it: E9"
     ),
-    Equation(
-        "5-15",
+    "5-15": convention(
         "the axis of (5-14)",
-        ("arcs.arc_axis",),
-        "convention",
+        "arcs.arc_axis",
         "for ${0<\\tilde\\theta_i<\\pi}$; the same vector as (5-12)",
     ),
-)
+}
+
+EQUATIONS = tuple(equation(number) for number, equation in BY_NUMBER.items())
 
 FIGURES = (
     Figure(1, "a vector is turned about an axis"),

@@ -16,8 +16,8 @@ BOOK, REPOSITORY = "https://book.example", "https://github.example/somebody/rote
 
 @pytest.fixture
 def checkout(tmp_path: Path) -> Path:
-    (tmp_path / "rotedu").mkdir()
-    for name in ("README.md", "hatch_build.py", "pyproject.toml", "rotedu/__init__.py"):
+    for name in ("README.md", "tools/hatch_build.py", "pyproject.toml", "rotedu/__init__.py"):
+        (tmp_path / name).parent.mkdir(exist_ok=True)
         shutil.copy(ROOT / name, tmp_path / name)
     return tmp_path
 

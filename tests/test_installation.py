@@ -100,7 +100,7 @@ def test_the_metadata_hold_on_a_package_index(wheel: Path) -> None:
     assert links
     assert all(link.startswith("https://") for link in links)
     assert metadata.license_expression == "BSD-3-Clause AND MIT AND OFL-1.1"
-    assert metadata.license_files == ["LICENSE", "LICENSE-VIEWER.txt"]
+    assert metadata.license_files == ["LICENSE", "LICENSES/VIEWER.txt"]
     for name in metadata.license_files:
         assert archive.read(f"{folder}/licenses/{name}") == (ROOT / name).read_bytes()
 
@@ -113,7 +113,7 @@ def test_the_source_distribution_leaves_the_book_out_and_needs_no_git(
     with tarfile.open(source) as archive:
         names = {name.split("/", 1)[1] for name in archive.getnames()}
     assert not [name for name in names if name.startswith("book/")]
-    assert names >= {"LICENSE", "LICENSE-VIEWER.txt", "viewer/build.js", "tools/bundle.py"}
+    assert names >= {"LICENSE", "LICENSES/VIEWER.txt", "viewer/build.js", "tools/bundle.py"}
     run(find_uv_bin(), "venv", "--quiet", "-p", sys.executable, tmp_path / "env", cwd=tmp_path)
     install = ["pip", "install", "--quiet", "--no-deps", "-p", tmp_path / "env", source]
     no_git = os.environ | {"PATH": str(tmp_path)}

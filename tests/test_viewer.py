@@ -28,10 +28,10 @@ def test_the_licences_are_those_of_the_libraries() -> None:
     ]
     code = "\n".join(file.read_text("utf-8") for file in sources if file.name not in NODE_ALONE)
     assert set(re.findall(r"""(?:from|import) *\(?["'](\w[^/"']*)""", code)) == {"katex", "three"}
-    text = (ROOT / "LICENSE-VIEWER.txt").read_text("utf-8")
+    text = (ROOT / "LICENSES" / "VIEWER.txt").read_text("utf-8")
     for name in ("katex", "three"):
         licence = (libraries / name / "LICENSE").read_text("utf-8").strip()
-        assert licence in text, f"LICENSE-VIEWER.txt has another text than the licence of {name}"
+        assert licence in text, f"LICENSES/VIEWER.txt has another text than the licence of {name}"
     fonts = (libraries / "katex" / "dist" / "fonts").glob("*.woff2")
     reserved = set(re.findall(r"KaTeX_\w+", text))
     assert {font.name.partition("-")[0] for font in fonts} == reserved

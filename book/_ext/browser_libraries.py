@@ -22,7 +22,7 @@ from bundle import LIBRARIES, bundle, install
 from lock import hold_checkout
 
 KATEX = LIBRARIES / "katex"
-LICENCES = LIBRARIES.parent / "LICENSE-VIEWER.txt"
+LICENCES = LIBRARIES.parent / "LICENSES" / "VIEWER.txt"
 FONT = LIBRARIES / "@fontsource-variable" / "source-serif-4"
 
 

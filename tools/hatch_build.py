@@ -16,7 +16,7 @@ The viewer for notebooks is missing. Make it in the checkout, then build again:
 LINK_TO_A_FILE = re.compile(r"(!?)\[([^]]*)\]\((?!https?:|#)([^)]+)\)")
 
 
-class BundledViewer(BuildHookInterface):
+class BundledViewer(BuildHookInterface[Any]):
     """Refuses a build without the viewer; an editable installation does without it."""
 
     def initialize(self, version: str, build_data: dict[str, Any]) -> None:

@@ -1,5 +1,6 @@
 """Points of the unit sphere for the tests of Section 5, and checks of such points."""
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -8,6 +9,7 @@ import sympy as sp
 from symbolic import matrix, symbolic
 
 from rotedu.control_points import control_points
+from rotedu.errors import DegenerateError
 from rotedu.ordinary_rotation import rotation_matrix
 
 Array = np.ndarray[Any, Any]
@@ -44,6 +46,13 @@ def close(actual: Any, desired: Any, atol: float = 1e-14, case: object = "") -> 
 
 def on_the_sphere(points: Array, atol: float = 1e-15, case: object = "") -> None:
     close(np.linalg.norm(points, axis=-1), 1, atol, case)
+
+
+def refuses(message: str, function: Callable[..., Any], *given: Any) -> None:
+    """A geometry without an answer is refused, by a message that begins so."""
+    with pytest.raises(DegenerateError) as refusal:
+        function(*given)
+    assert str(refusal.value).startswith(message)
 
 
 PAIRS = random_units(2, 500, 3)

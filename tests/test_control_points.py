@@ -22,6 +22,7 @@ from spheres import (
     great_circle,
     on_the_sphere,
     random_units,
+    refuses,
     where,
 )
 from symbolic import vanishes
@@ -35,7 +36,6 @@ from rotedu.control_points import (
     double,
     double_by_rotation,
 )
-from rotedu.errors import DegenerateError
 from rotedu.ordinary_rotation import rotate, rotation_matrix
 from rotedu.quaternions import Quaternion
 
@@ -54,14 +54,11 @@ class TestDouble:
         close(double(reflected, q), p)
         close(reflected, slerp(p, q, 2), 1e-13)
 
-    def test_both_forms_agree(self) -> None:
-        close(double_by_rotation(*PAIRS), double(*PAIRS), 3e-15)
-
-    def test_no_case_is_without_an_answer(self) -> None:
+    def test_both_forms_agree_and_always_have_an_answer(self) -> None:
         p = PAIRS[0]
         for form in [double, double_by_rotation]:
-            close(form(p, p), p, 1e-15)
-            close(form(p, -p), p, 1e-15)
+            close([form(p, p), form(p, -p)], [p, p], 1e-15)
+        close(double_by_rotation(*PAIRS), double(*PAIRS), 3e-15)
         for rest in [1e-15, 1e-12, 1e-8]:
             q = [-np.cos(rest), np.sin(rest), 0]
             close(double_by_rotation(E1, q), double(E1, q), 1e-15)
@@ -78,20 +75,15 @@ class TestBisect:
         p, q = random_units(2, 500, d)
         middle = bisect(p, q)
         on_the_sphere(middle)
+        close(middle, bisect(q, p), 1e-15)
         # The rounding of the points matters more if they are nearly antipodal.
         rounding = 1e-14 / np.minimum(1, np.pi - angle_between(p, q))
-        assert (np.abs(angle_between(p, middle) - angle_between(p, q) / 2) < rounding).all()
-        assert (np.abs(angle_between(middle, q) - angle_between(p, q) / 2) < rounding).all()
         assert (angle_between(middle, slerp(p, q, 0.5)) < rounding).all()
-        close(middle, bisect(q, p), 1e-15)
 
     def test_both_forms_agree(self) -> None:
         close(bisect_by_rotation(*PAIRS), bisect(*PAIRS), 1e-13)
-
-    def test_coincident(self) -> None:
-        p = PAIRS[0]
-        close(bisect(p, p), p, 3e-16)
-        close(bisect_by_rotation(p, p), p, 3e-16)
+        for form in (bisect, bisect_by_rotation):
+            close(form(PAIRS[0], PAIRS[0]), PAIRS[0], 3e-16)
 
 
 class TestSteps:
@@ -116,14 +108,10 @@ class TestSteps:
     @pytest.mark.equation("5-9")
     def test_5_9_as_printed_turns_away_from_the_next_point(self) -> None:
         gap = angle_between(self.reflected, self.after)
-        printed = arc_axis(self.after, self.reflected)
-        missed = rotate(self.reflected, printed, gap / 2)
+        missed = rotate(self.reflected, arc_axis(self.after, self.reflected), gap / 2)
         close(angle_between(missed, self.middle), gap)
         corrected = rotate(self.reflected, arc_axis(self.reflected, self.after), gap / 2)
         close(corrected, self.middle)
-        octant = rotate(-E1, arc_axis(E3, -E1), np.pi / 4)
-        close(octant, [-(0.5**0.5), 0, -(0.5**0.5)])
-        close(bisect(-E1, E3), [-(0.5**0.5), 0, 0.5**0.5])
 
     @pytest.mark.equation("5-11", "5-12")
     def test_5_10_to_5_12(self) -> None:
@@ -135,7 +123,6 @@ class TestSteps:
     def test_5_13_to_5_15(self) -> None:
         close(double_by_rotation(self.a, self.here), self.b)
         close(arc_axis(self.a, self.here), arc_axis(self.middle, self.here))
-        close(2 * angle_between(self.a, self.here), angle_between(self.middle, self.here))
         close(angle_between(self.b, self.here), angle_between(self.here, self.a))
 
     def test_5_13_as_printed_goes_back_to_the_middle(self) -> None:
@@ -143,48 +130,34 @@ class TestSteps:
 
     @pytest.mark.equation("5-7", "5-10")
     def test_bars_that_are_lost_would_be_noticed(self) -> None:
-        gap, bar = (
-            angle_between(self.before, self.here),
-            angle_between(self.reflected, self.after),
-        )
-        literal = np.sin(bar / 2) / np.sin(gap) * (self.after + self.reflected)
-        close(np.linalg.norm(literal), 1.1547, 1e-4)
-        next_gap, bar = angle_between(self.here, self.after), angle_between(self.middle, self.here)
-        literal = np.sin(bar / 2) / np.sin(next_gap) * (self.here + self.middle)
-        close(np.linalg.norm(literal), 0.9354, 1e-4)
+        def literal(p: Array, q: Array, bar: tuple[Array, Array]) -> Array:
+            return np.sin(angle_between(p, q) / 2) / np.sin(angle_between(*bar)) * (p + q)
+
+        first = literal(self.reflected, self.after, (self.before, self.here))
+        second = literal(self.middle, self.here, (self.here, self.after))
+        close([np.linalg.norm(first), np.linalg.norm(second)], [1.1547, 0.9354], 1e-4)
 
     def test_control_points_do_the_same(self) -> None:
         a, b = control_points([self.before, self.here, self.after])
-        close(a[1], self.a)
-        close(b[1], self.b)
-
-    def test_octant(self) -> None:
+        close([a[1], b[1]], [self.a, self.b])
         a, b = control_points(np.eye(3))
-        close(a[1], [-0.5, 0.5**0.5, 0.5])
-        close(b[1], [0.5, 0.5**0.5, -0.5])
+        close([a[1], b[1]], [[-0.5, 0.5**0.5, 0.5], [0.5, 0.5**0.5, -0.5]])
 
 
 class TestControlPoints:
     @pytest.mark.parametrize(("points", "fraction"), CURVES)
-    def test_as_written(self, points: Array, fraction: float) -> None:
+    def test_as_written_and_backwards(self, points: Array, fraction: float) -> None:
         a, b = control_points(points, fraction)
         for i, (before, here) in enumerate(pairwise([points[-1], *points])):
             middle = bisect(double(before, here), points[(i + 1) % len(points)])
             close(a[i], slerp(here, middle, fraction))
             close(b[i], double(a[i], here))
-        if fraction == 1 / 2:
-            close(a, bisect(points, slerp(points, a, 2)), 1e-13)
         on_the_sphere(a, 1e-15)
         on_the_sphere(b, 3e-15)
+        backwards = control_points(points[::-1], fraction)
+        close(np.flip(backwards, axis=(0, 1)), [a, b], 1e-13)
 
-    @pytest.mark.parametrize(("points", "fraction"), CURVES)
-    def test_reversal_exchanges_them(self, points: Array, fraction: float) -> None:
-        a, b = control_points(points, fraction)
-        reversed_a, reversed_b = control_points(points[::-1], fraction)
-        close(reversed_a[::-1], b, 1e-13)
-        close(reversed_b[::-1], a, 1e-13)
-
-    @pytest.mark.parametrize("n", [3, 4, 5, 6, 7, 8, 12, 100])
+    @pytest.mark.parametrize("n", [3, 4, 5, 8, 100])
     def test_equally_spaced_on_a_great_circle(self, n: int) -> None:
         at = 360 / n * np.arange(n)
         for fraction in FRACTIONS:
@@ -193,19 +166,16 @@ class TestControlPoints:
             close(b, great_circle(at - fraction * 360 / n))
 
     @pytest.mark.parametrize(
-        "gaps", [(20, 50), (100, 10), (90, 90), (179, 1), (120, 179), (179, 179)]
+        ("before", "after", "onward"),
+        [(g, h, (g + h) / 4) for g, h in [(20, 50), (90, 90), (179, 1), (120, 179), (179, 179)]]
+        # Gaps that differ by more than 180 degrees lead to the other side.
+        + [(150, -40, -62.5), (130, -40, 22.5)],
     )
-    def test_on_a_great_circle_the_gaps_are_averaged(self, gaps: tuple[float, float]) -> None:
-        before, after = gaps
+    def test_on_a_great_circle_the_gaps_are_averaged(
+        self, before: float, after: float, onward: float
+    ) -> None:
         a, b = control_points(great_circle(np.array([-before, 0, after])))
-        close(where(a[1]), (before + after) / 4, 1e-11)
-        close(where(b[1]), -(before + after) / 4, 1e-11)
-
-    def test_gaps_that_differ_by_more_than_180_degrees_flip(self) -> None:
-        at = np.array([-150, 0, -40])
-        close(where(control_points(great_circle(at))[0][1]), -62.5, 1e-11)
-        at = np.array([-130, 0, -40])
-        close(where(control_points(great_circle(at))[0][1]), 22.5, 1e-11)
+        close([where(a)[1], where(b)[1]], [onward, -onward], 1e-11)
 
     def test_repeated_points(self) -> None:
         a, b = control_points([E1, E1, E2, E3])
@@ -215,83 +185,51 @@ class TestControlPoints:
         close(control_points([E1, E1, E1])[0], [E1] * 3)
         on_the_sphere(b)
 
-    @pytest.mark.parametrize("gap", [1e-9, 1, 30, 60, 89, 89.9])
+    @pytest.mark.parametrize("gap", [1e-9, 1, 60, 89.9])
     def test_out_and_back_below_90_degrees_stops(self, gap: float) -> None:
         points = great_circle(np.array([0, gap, 0, -gap]))
         a, b = control_points(points)
-        close(a[1], points[1], 1e-12)
-        close(b[1], points[1], 1e-12)
+        close([a[1], b[1]], [points[1], points[1]], 1e-12)
 
-    @pytest.mark.parametrize(
-        ("gap", "pair"),
-        [
-            (90, r"Double\(points\[0\], points\[1\]\) and points\[2\]"),
-            (
-                90 + 1e-6,
-                r"points\[1\] and Bisect\(Double\(points\[0\], points\[1\]\), points\[2\]\)",
-            ),
-            (120, r"points\[1\] and Bisect\(Double\(points\[0\], points\[1\]\), points\[2\]\)"),
-            (179, r"points\[1\] and Bisect\(Double\(points\[0\], points\[1\]\), points\[2\]\)"),
-        ],
-    )
-    def test_out_and_back_from_90_degrees_on(self, gap: float, pair: str) -> None:
+    @pytest.mark.parametrize("gap", [90, 90 + 1e-6, 120, 179])
+    def test_out_and_back_from_90_degrees_on(self, gap: float) -> None:
         out, turn = great_circle(np.array([0, gap]))
         points = [out, turn, out, bisect(out, rotation_matrix([1, 2, 3], 0.8)[2])]
+        pair = "points[1] and Bisect(Double(points[0], points[1]), points[2])"
+        if gap == 90:
+            pair = "Double(points[0], points[1]) and points[2]"
         for f in [control_points, closed_curve]:
-            with pytest.raises(DegenerateError, match=f"^{pair} are antipodal: no unique arc"):
-                f(points)
+            refuses(f"{pair} are antipodal: no unique arc joins them", f, points)
 
     def test_next_point_opposite_to_the_reflected_one(self) -> None:
         points = [BEFORE, HERE, -double(BEFORE, HERE), E3]
-        with pytest.raises(
-            DegenerateError, match=r"^Double\(points\[0\], points\[1\]\) and points\[2\]"
-        ):
-            control_points(points)
-        with pytest.raises(
-            DegenerateError, match=r"^Double\(points\[1, 0\], points\[1, 1\]\) and poi"
-        ):
-            control_points([UNEVEN[:4], points])
-        with pytest.raises(
-            DegenerateError, match=r"^Double\(points\[3\], points\[0\]\) and points\[1\]"
-        ):
-            control_points(np.roll(points, -1, axis=0))
+        for names, given in [
+            ("Double(points[0], points[1]) and points[2]", points),
+            ("Double(points[1, 0], points[1, 1]) and points[1, 2]", [UNEVEN[:4], points]),
+            ("Double(points[3], points[0]) and points[1]", np.roll(points, -1, axis=0)),
+        ]:
+            refuses(f"{names} are antipodal", control_points, given)
 
     def test_antipodal_neighbours_need_no_arc_between_them(self) -> None:
         a, _ = control_points([E1, -E1, E2])
         close(a[1], bisect(-E1, bisect(E1, E2)))
-        curve = closed_curve([E1, -E1, E2], 50)
-        on_the_sphere(curve)
+        on_the_sphere(closed_curve([E1, -E1, E2], 50))
 
-    def test_points_need_not_be_unit(self) -> None:
-        a, b = control_points(UNEVEN * [[1], [2], [3], [1e-200], [1e5]])
-        close(a, control_points(UNEVEN)[0])
-        close(b, control_points(UNEVEN)[1])
-
-    def test_stacks(self) -> None:
+    def test_stacks_of_points_of_any_length(self) -> None:
         points = random_units(2, 3, 5, 3)
-        a, b = control_points(points)
-        assert a.shape == b.shape == (2, 3, 5, 3)
-        close(a[1, 2], control_points(points[1, 2])[0], 1e-15)
-        close(b[0, 1], control_points(points[0, 1])[1], 1e-15)
+        found = control_points(points * [[1], [2], [3], [1e-200], [1e5]])
+        assert found[0].shape == found[1].shape == (2, 3, 5, 3)
+        close([part[1, 2] for part in found], control_points(points[1, 2]), 1e-15)
 
 
 class TestProofs(TwoPoints):
     """The same code, run on symbols."""
 
-    def test_double_is_twice_the_arc(self) -> None:
-        assert vanishes(self.back(double(self.p, self.q)) - self.of_5_2(2))
-        assert vanishes(self.back(double_by_rotation(self.p, self.q)) - self.of_5_2(2))
-
-    def test_bisect_is_half_the_arc(self) -> None:
-        half = self.of_5_2(sp.Rational(1, 2))
-        assert vanishes(self.back(bisect(self.p, self.q)) - half)
-        assert vanishes(self.back(bisect_by_rotation(self.p, self.q)) - half)
-
-    def test_double_in_any_dimension(self) -> None:
-        p, q = sp.Matrix(sp.symbols("p:4")), sp.Matrix(sp.symbols("q:4"))
-        expected = 2 * p.dot(q) * q - p
-        found = sp.Matrix(double(np.array(p)[:, 0], np.array(q)[:, 0]))
-        assert (found - expected).expand() == sp.zeros(4, 1)
+    def test_double_is_twice_and_bisect_half_the_arc(self) -> None:
+        for form in (double, double_by_rotation):
+            assert vanishes(self.back(form(self.p, self.q)) - self.of_5_2(2))
+        for form in (bisect, bisect_by_rotation):
+            assert vanishes(self.back(form(self.p, self.q)) - self.of_5_2(sp.Rational(1, 2)))
 
     def test_double_of_quaternions_is_q_conjugate_p_q(self) -> None:
         w1, x1, y1, z1, w2, x2, y2, z2 = sp.symbols("w1 x1 y1 z1 w2 x2 y2 z2")

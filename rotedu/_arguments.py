@@ -15,7 +15,6 @@ warnings, must not call a public function.
 The package docstring of `rotedu` states how dtypes are chosen and how object arrays are treated.
 """
 
-import math
 import operator
 from collections.abc import Callable
 from contextvars import ContextVar
@@ -30,6 +29,7 @@ import numpy as np
 from rotedu._vectors import Array
 
 Shape = tuple[int | str, ...]
+Preparation = Callable[[str, Array], Array]
 Result = TypeVar("Result")
 
 # What an array of dtype object may contain.
@@ -64,15 +64,14 @@ class Kind:
 
     shapes: tuple[Shape, ...]
     components: int = 0
-    prepare: Callable[[str, Array], Array] = _as_given
+    prepare: Preparation = _as_given
 
     def inside(self, array: Array, axes: int) -> Array:
         """Move components to the front and add enough axes after them to broadcast."""
-        if not self.components or not axes:
+        if not self.components:
             return array
         missing = axes - (array.ndim - self.components)
-        if missing > 0:
-            array = array.reshape((1,) * missing + array.shape)
+        array = array.reshape((1,) * missing + array.shape)
         return array.transpose(*range(axes, array.ndim), *range(axes))
 
     def outside(self, result: Any) -> Array:
@@ -133,36 +132,18 @@ def straightened(matrices: Array, square: Array) -> Array:
     return np.asarray(matrices @ (3 * np.eye(3, dtype=matrices.dtype) - square) / 2)
 
 
-def _three_at_least(name: str, number: int) -> None:
-    if number < 3:
-        raise ValueError(f"{name} must number at least 3 to make a closed curve; got {number}")
+def at_least(
+    number: int, axis: int, prepare: Preparation = _as_given, why: str = ""
+) -> Preparation:
+    """Return a preparation that first refuses arrays with too few entries along an axis."""
 
+    def counted(name: str, array: Array) -> Array:
+        if array.shape[axis] < number:
+            got = array.shape[axis]
+            raise ValueError(f"{name} must number at least {number}{why}; got {got}")
+        return prepare(name, array)
 
-def _points_of_a_closed_curve(name: str, points: Array) -> Array:
-    _three_at_least(name, points.shape[-2])
-    return unit_vectors(name, points)
-
-
-def _values_of_a_closed_curve(name: str, values: Array) -> Array:
-    _three_at_least(name, values.shape[-2])
-    return values
-
-
-def _rotations_of_a_closed_curve(name: str, matrices: Array) -> Array:
-    _three_at_least(name, matrices.shape[-3])
-    return rotations(name, matrices)
-
-
-def _two_rotations_at_least(name: str, matrices: Array) -> Array:
-    if matrices.shape[-3] < 2:
-        raise ValueError(f"{name} must number at least 2; got {matrices.shape[-3]}")
-    return rotations(name, matrices)
-
-
-def _rotations_to_average(name: str, matrices: Array) -> Array:
-    if not matrices.shape[-3]:
-        raise ValueError(f"{name} must have at least one rotation; got none")
-    return rotations(name, matrices)
+    return counted
 
 
 def _shares(name: str, weights: Array) -> Array:
@@ -178,12 +159,6 @@ def _shares(name: str, weights: Array) -> Array:
         raise ValueError(f"{name} must not all be zero; got zeros{place(largest[..., 0] == 0)}")
     scaled = weights / largest
     return np.asarray(scaled / scaled.sum(axis=-1, keepdims=True))
-
-
-def _control_points(name: str, control: Array) -> Array:
-    if not control.shape[-2]:
-        raise ValueError(f"{name} must have at least one point; got none")
-    return unit_vectors(name, control)
 
 
 def _from_zero_to_one(name: str, number: Array) -> Array:
@@ -228,6 +203,7 @@ VECTOR = Kind((("d",),), 1)
 VECTOR3 = Kind(((3,),), 1)
 UNIT = Kind((("d",),), 1, prepare=unit_vectors)
 MATRIX = Kind(((3, 3), (4, 4)), 2)
+TO_CLOSE = " to make a closed curve"
 
 # The annotations of public functions. Numbers have the type Any, because a default is no array.
 Number = Annotated[Any, NUMBER]
@@ -245,16 +221,16 @@ HomogeneousMatrix = Annotated[Array, Kind(((4, 4),), 2)]
 Matrix3 = Annotated[Array, Kind(((3, 3),), 2)]
 Rotation = Annotated[Array, Kind(((3, 3),), 2, prepare=rotations)]
 RotationOrPose = Annotated[Array, Kind(((3, 3), (4, 4)), 2, prepare=_rotation_part)]
-Control = Annotated[Array, Kind((("m", "d"),), 2, prepare=_control_points)]
-ClosedPoints = Annotated[Array, Kind((("n", "d"),), 1, prepare=_points_of_a_closed_curve)]
-ClosedValues = Annotated[Array, Kind((("n", "d"),), 1, prepare=_values_of_a_closed_curve)]
-ClosedRotations = Annotated[Array, Kind((("n", 3, 3),), 2, prepare=_rotations_of_a_closed_curve)]
-Motion = Annotated[Array, Kind((("n", 3, 3),), 2, prepare=_two_rotations_at_least)]
+Control = Annotated[Array, Kind((("m", "d"),), 2, at_least(1, -2, unit_vectors))]
+ClosedPoints = Annotated[Array, Kind((("n", "d"),), 1, at_least(3, -2, unit_vectors, TO_CLOSE))]
+ClosedValues = Annotated[Array, Kind((("n", "d"),), 1, at_least(3, -2, why=TO_CLOSE))]
+ClosedRotations = Annotated[Array, Kind((("n", 3, 3),), 2, at_least(3, -3, rotations, TO_CLOSE))]
+Motion = Annotated[Array, Kind((("n", 3, 3),), 2, at_least(2, -3, rotations))]
 # What is gone through one after another stands in the very first axis.
 Vectors = Annotated[Array, Kind((("n", 3),), 2)]
 Matrices = Annotated[Array, Kind((("n", 3, 3),), 3)]
 Quaternions = Annotated[Array, Kind((("n", 4),), 2)]
-Rotations = Annotated[Array, Kind((("n", 3, 3),), 2, prepare=_rotations_to_average)]
+Rotations = Annotated[Array, Kind((("n", 3, 3),), 2, at_least(1, -3, rotations))]
 Weights = Annotated[Any, Kind((("n",),), prepare=_shares)]
 Count = Annotated[int, "a positive integer"]
 
@@ -277,24 +253,19 @@ def checked(function: Callable[..., Result]) -> Callable[..., Result]:
     kinds = {name: kind for name, hint in hints.items() if (kind := _kind(hint))}
     counts = [name for name, hint in hints.items() if hint == Count]
     parameters = signature(function)
-    names = tuple(parameters.parameters)
     optional = {name for name in kinds if parameters.parameters[name].default is None}
 
     @wraps(function)
     def border(*args: Any, **kwargs: Any) -> Any:
         if _dtype.get() is not None:
             return function(*args, **kwargs)
-        if len(args) == len(names) and not kwargs:
-            # The most frequent case. Binding would take longer than everything that follows.
-            values = dict(zip(names, args, strict=True))
-        else:
-            try:
-                given = parameters.bind(*args, **kwargs)
-            except TypeError:
-                # Python's own message names the function.
-                return function(*args, **kwargs)
-            given.apply_defaults()
-            values = given.arguments
+        try:
+            given = parameters.bind(*args, **kwargs)
+        except TypeError:
+            # Python's own message names the function.
+            return function(*args, **kwargs)
+        given.apply_defaults()
+        values = given.arguments
         left_out = {name for name in optional if values[name] is None}
         arrays = prepared({n: (values[n], kind) for n, kind in kinds.items() if n not in left_out})
         values |= arrays
@@ -323,8 +294,7 @@ def prepared(arguments: dict[str, tuple[Any, Kind]]) -> dict[str, Array]:
         _require_finite(name, array)
         arrays[name] = array = kind.prepare(name, array)
         axes = max(axes, array.ndim - kind.components)
-    if axes:
-        _require_broadcasting(leading, arguments)
+    _require_broadcasting(leading, arguments)
     return {name: kind.inside(arrays[name], axes) for name, (_, kind) in arguments.items()}
 
 
@@ -396,19 +366,13 @@ def _matching(
     """Find the shape that the trailing axes match, and record the length of each letter in it."""
     for shape in shapes:
         trailing = array.shape[max(0, array.ndim - len(shape)) :]
-        if trailing == shape:
-            return shape
-        wanted = tuple(lengths.get(axis, axis) for axis in shape)
-        if len(trailing) == len(shape) and all(map(_fits, wanted, trailing)):
-            lengths |= {axis: n for axis, n in zip(shape, trailing, strict=True) if axis != n}
+        pairs = [(lengths.get(axis, axis), n) for axis, n in zip(shape, trailing, strict=False)]
+        if len(pairs) == len(shape) and all(isinstance(a, str) or a == n for a, n in pairs):
+            lengths.update(zip(shape, trailing, strict=True))
             return shape
     known = (", ".join(["...", *(str(lengths.get(a, a)) for a in shape)]) for shape in shapes)
     wanted_shapes = " or ".join(f"({axes})" for axes in known)
     raise ValueError(f"{name} must have shape {wanted_shapes}; got shape {array.shape}")
-
-
-def _fits(wanted: int | str, length: int) -> bool:
-    return isinstance(wanted, str) or wanted == length
 
 
 def _require_broadcasting(
@@ -425,8 +389,7 @@ def _require_broadcasting(
 
 def _require_finite(name: str, array: Array) -> None:
     """Refuse infinities and NaN, except in object arrays."""
-    # The fastest test: if the sum of squares is finite, so are all numbers.
-    if array.dtype.kind == "O" or math.isfinite(np.vdot(array, array)):
+    if array.dtype.kind == "O":
         return
     finite = np.isfinite(array)
     if not finite.all():
@@ -477,7 +440,7 @@ def _floats_if_numbers(objects: Array) -> Array:
 
 
 def _cast(array: Array, dtype: np.dtype[Any]) -> Array:
-    if array.dtype is dtype or array.dtype.kind == "O":
+    if array.dtype.kind == "O":
         return array
     with np.errstate(over="ignore"):
         return array.astype(dtype, copy=False)

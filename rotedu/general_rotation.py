@@ -1,7 +1,8 @@
 """Section 4: principal rotations, the one rotation that replaces three, and other transforms.
 
 All matrices are 4x4 and act on homogeneous coordinates: a point is the column (r_u, r_v, r_w, 1).
-`compose` multiplies matrices into one, and `rotedu.ordinary_rotation.transform` applies it.
+`compose` multiplies matrices into one, and `rotedu.ordinary_rotation.transform` applies it. Bad
+arguments are refused, as everywhere in `rotedu`, with a `ValueError`.
 """
 
 from __future__ import annotations
@@ -61,11 +62,6 @@ def rotation_u(angle: Number) -> HomogeneousMatrix:
     -------
     ndarray, shape (..., 4, 4)
 
-    Raises
-    ------
-    ValueError
-        If the angle is not finite.
-
     References
     ----------
     Cheng et al. (2023), Section 4, first matrix
@@ -95,11 +91,6 @@ def rotation_v(angle: Number) -> HomogeneousMatrix:
     -------
     ndarray, shape (..., 4, 4)
 
-    Raises
-    ------
-    ValueError
-        If the angle is not finite.
-
     References
     ----------
     Cheng et al. (2023), Section 4, second matrix
@@ -128,11 +119,6 @@ def rotation_w(angle: Number) -> HomogeneousMatrix:
     Returns
     -------
     ndarray, shape (..., 4, 4)
-
-    Raises
-    ------
-    ValueError
-        If the angle is not finite.
 
     References
     ----------
@@ -167,11 +153,6 @@ def matrix_from_euler_angles(
     -------
     ndarray, shape (..., 4, 4)
         ``rotation_w(w) @ rotation_v(v) @ rotation_u(u)``.
-
-    Raises
-    ------
-    ValueError
-        If an angle is not finite, or if the three do not broadcast.
 
     Notes
     -----
@@ -223,11 +204,6 @@ def quaternion_from_euler_angles(
     Quaternion, shape (...)
         The unit quaternion [delta, (alpha, beta, gamma)].
 
-    Raises
-    ------
-    ValueError
-        If an angle is not finite, or if the three do not broadcast.
-
     Notes
     -----
     The paper introduces these four numbers without the word quaternion, but they are the product
@@ -267,16 +243,6 @@ def axis_angle_from_euler_angles(u: Number, v: Number, w: Number) -> tuple[Vecto
         Unit vectors. Where nothing turns, any axis would do, and the axis is (1, 0, 0).
     angle : ndarray, shape (...)
         Angles in radians, from 0 to 2 pi.
-
-    Raises
-    ------
-    ValueError
-        If an angle is not finite, or if the three do not broadcast.
-
-    See Also
-    --------
-    rotedu.ordinary_rotation.rotation_matrix : with `homogeneous`, the matrix (4-7).
-    rotedu.ordinary_rotation.axis_angle : starts from a matrix.
 
     Notes
     -----
@@ -323,18 +289,6 @@ def euler_angles(matrix: RotationOrPose) -> tuple[Number, Number, Number]:
         Angles in radians: v from -pi/2 to pi/2, the others from -pi to pi. At gimbal lock v is
         -pi/2 or pi/2, and only one combination of u and w matters; then w is 0.
 
-    Raises
-    ------
-    ValueError
-        If the matrix is not finite, has the wrong shape, is not orthogonal (to four decimals), is
-        orthogonal but reflects, or is a 4x4 matrix whose fourth row or column differs from the
-        identity. The message says how far off it is.
-
-    See Also
-    --------
-    matrix_from_euler_angles : the inverse.
-    rotedu.ordinary_rotation.axis_angle : finds one axis and one angle.
-
     Notes
     -----
     The first column of (4-2) gives v and w. The code then undoes the turn about W before it reads
@@ -378,11 +332,6 @@ def homogeneous(matrix: Matrix3) -> HomogeneousMatrix:
     -------
     ndarray, shape (..., 4, 4)
 
-    Raises
-    ------
-    ValueError
-        If the matrix is not finite or has the wrong shape.
-
     Notes
     -----
     A point has the fourth coordinate 1, while a direction has 0, so that no translation moves it.
@@ -417,11 +366,6 @@ def translation(v: Vector3) -> HomogeneousMatrix:
     -------
     ndarray, shape (..., 4, 4)
 
-    Raises
-    ------
-    ValueError
-        If the vector is not finite or has the wrong shape.
-
     Examples
     --------
     The point (0, 0, 1) moves; the direction (0, 0, 1) does not:
@@ -445,11 +389,6 @@ def scaling(s: OneOrThree) -> HomogeneousMatrix:
     Returns
     -------
     ndarray, shape (..., 4, 4)
-
-    Raises
-    ------
-    ValueError
-        If a factor is not finite, or if `s` has the wrong shape.
 
     Examples
     --------
@@ -482,11 +421,6 @@ def shearing(
     -------
     ndarray, shape (..., 4, 4)
 
-    Raises
-    ------
-    ValueError
-        If an argument is not finite, or if the arguments do not broadcast.
-
     Examples
     --------
     A pile of cards leans towards U by half of its height along W:
@@ -510,11 +444,6 @@ def reflection(normal: Unit3) -> HomogeneousMatrix:
     -------
     ndarray, shape (..., 4, 4)
         Matrices with determinant -1. No rotation does this, and no unit quaternion q by q r q*.
-
-    Raises
-    ------
-    ValueError
-        If the normal is not finite, has the wrong shape, or is zero.
 
     Examples
     --------
@@ -544,19 +473,11 @@ def perspective(distance: NotZero) -> HomogeneousMatrix:
         After the division by the fourth coordinate, the first two coordinates are the picture and
         the third is a depth, which keeps the order from front to back.
 
-    Raises
-    ------
-    ValueError
-        If the distance is not finite or is zero.
-
-    See Also
-    --------
-    rotedu.ordinary_rotation.transform : divides, and refuses points at the depth of the eye.
-
     Notes
     -----
     Of the transforms in this module, only this one gives a fourth coordinate other than 1. It can
-    be multiplied into one matrix with the others; the division remains as a separate step.
+    be multiplied into one matrix with the others; the division remains as a separate step, which
+    `rotedu.ordinary_rotation.transform` does. It refuses points at the depth of the eye.
 
     Examples
     --------
@@ -581,11 +502,6 @@ def compose(*matrices: npt.ArrayLike) -> Array:
     -------
     ndarray, shape (..., 4, 4)
         The product; the identity if there are no matrices.
-
-    Raises
-    ------
-    ValueError
-        If a matrix is not finite or has the wrong shape, or if the leading axes do not broadcast.
 
     References
     ----------

@@ -1,22 +1,14 @@
 """Section 3: rotation about an axis, as a formula and as a matrix.
 
-The notation follows the equations: r is the vector, n the unit axis, theta the angle.
+The notation follows the equations: r is the vector, n the unit axis, theta the angle. Bad arguments
+are refused, as everywhere in `rotedu`, with a `ValueError`.
 """
 
 from __future__ import annotations
 
 import numpy as np
 
-from rotedu._arguments import (
-    Matrix,
-    Number,
-    Rotation,
-    Unit3,
-    Vector3,
-    checked,
-    place,
-    rounding,
-)
+from rotedu._arguments import Matrix, Number, Rotation, Unit3, Vector3, checked, place, rounding
 from rotedu._vectors import Array, axis_and_length, cross, dot, times
 from rotedu.errors import DegenerateError
 
@@ -39,16 +31,8 @@ def rotate(points: Vector3, axis: Unit3, angle: Number) -> Vector3:
     Returns
     -------
     ndarray, shape (..., 3)
-        The rotated points. The leading axes of the three arguments broadcast.
-
-    Raises
-    ------
-    ValueError
-        If an argument is not finite or has the wrong shape, or if an axis is zero.
-
-    See Also
-    --------
-    rotation_matrix, transform : cheaper for many points and one rotation.
+        The rotated points. The leading axes of the three arguments broadcast. For many points and
+        one rotation, `rotation_matrix` and `transform` are cheaper.
 
     References
     ----------
@@ -87,16 +71,6 @@ def rotation_matrix(axis: Unit3, angle: Number) -> Rotation:
     -------
     ndarray, shape (..., 3, 3)
         Orthogonal matrices with determinant 1, which multiply column vectors.
-
-    Raises
-    ------
-    ValueError
-        If an argument is not finite or has the wrong shape, or if an axis is zero.
-
-    See Also
-    --------
-    axis_angle : the inverse.
-    transform : applies the matrix to points.
 
     Notes
     -----
@@ -153,12 +127,9 @@ def transform(matrix: Matrix, points: Vector3) -> Vector3:
     Returns
     -------
     ndarray, shape (..., 3)
-        The transformed points.
 
     Raises
     ------
-    ValueError
-        If an argument is not finite or has the wrong shape.
     rotedu.errors.DegenerateError
         If the fourth coordinate of a result is zero, that is, if a point goes to infinity.
 
@@ -211,15 +182,6 @@ def sixteen_products(matrix: Rotation) -> Matrix:
         the cosine of half the angle, then the axis times the sine of half the angle. q and -q
         have the same products.
 
-    Raises
-    ------
-    ValueError
-        If the matrix is not finite, has the wrong shape, or is not a rotation.
-
-    See Also
-    --------
-    axis_angle : uses the row with the largest diagonal entry.
-
     References
     ----------
     Shepperd (1978), "Quaternion from rotation matrix", J. Guidance and Control 1(3), 223-224.
@@ -262,12 +224,6 @@ def axis_angle(matrix: Rotation) -> tuple[Vector3, Number]:
         nonzero component is positive.
     angle : ndarray, shape (...)
         Angles in radians, from 0 to pi.
-
-    Raises
-    ------
-    ValueError
-        If the matrix is not finite, has the wrong shape, is not orthogonal (to four decimals), or
-        is orthogonal but reflects. The message says how far off it is.
 
     Notes
     -----

@@ -3,6 +3,9 @@
 The notation follows the equations: a quaternion q = [w, v] has a scalar part w and a vector part
 v. The quaternions form a space of four dimensions, and those of norm 1 form its unit sphere S^3.
 The paper calls the space S^3 and the sphere S^2, one dimension too few in each case (erratum E1).
+
+Where a quaternion stands for a rotation, one whose norm is not 1 is normalised first, and zero is
+refused, like other bad arguments in `rotedu`, with a `ValueError`.
 """
 
 from __future__ import annotations
@@ -37,7 +40,6 @@ from rotedu.errors import DegenerateError
 __all__ = ["Quaternion", "rotate_about_u"]
 
 Result = TypeVar("Result")
-Method = TypeVar("Method", bound=Callable[..., Array])
 
 
 def of_quaternions(
@@ -61,17 +63,6 @@ def of_quaternions(
     return widened
 
 
-def gives_matrices(method: Method) -> Method:
-    """Move the entries of a result to the last axes and give it the quaternion's dtype."""
-
-    @wraps(method)
-    def border(self: Quaternion) -> Array:
-        # To NumPy 1 a single float32 times a Python number is a float64.
-        return np.asarray(MATRIX.outside(method(self)), self.components.dtype)
-
-    return cast(Method, border)
-
-
 @dataclass(frozen=True, slots=True)
 class Quaternion:
     """Quaternion q = [w, v], or an array of quaternions (2-1).
@@ -91,11 +82,6 @@ class Quaternion:
         Vector parts.
     components : ndarray, shape (..., 4)
         All components, scalar first: ``[w, x, y, z]``.
-
-    Raises
-    ------
-    ValueError
-        If an argument is not finite or has the wrong shape.
 
     Notes
     -----
@@ -145,11 +131,6 @@ class Quaternion:
         -------
         Quaternion, shape (...)
 
-        Raises
-        ------
-        ValueError
-            If an argument is not finite or has the wrong shape, or if an axis is zero.
-
         References
         ----------
         Cheng et al. (2023), Section 2.2 (for the U axis)
@@ -177,15 +158,6 @@ class Quaternion:
         -------
         Quaternion, shape (...)
             At a half turn, where w = 0, the first nonzero component of v is positive.
-
-        Raises
-        ------
-        ValueError
-            If the matrix is not finite, has the wrong shape, or is not a rotation.
-
-        See Also
-        --------
-        rotedu.ordinary_rotation.axis_angle : finds the axis and the angle.
 
         Examples
         --------
@@ -325,15 +297,10 @@ class Quaternion:
             Angles in radians, from 0 to 2 pi. The sign of q matters: if q turns about n by an
             angle, then -q turns about -n by the rest of a full turn. Both are the same rotation.
 
-        Raises
-        ------
-        ValueError
-            If a quaternion is zero.
-
         Notes
         -----
         The angle is ``2 * arctan2(abs(v), w)``, because ``2 * arccos(w)`` would lose half of the
-        digits of a small angle. Quaternions whose norm is not 1 are normalised first.
+        digits of a small angle.
 
         Examples
         --------
@@ -355,25 +322,14 @@ class Quaternion:
         points : array_like, shape (..., 3)
             Points or vectors to rotate. Their leading axes broadcast against those of the
             quaternions. To turn n points by each of k quaternions, give the quaternions the
-            shape (k, 1).
+            shape (k, 1). For many points and one rotation, `matrix` is cheaper.
 
         Returns
         -------
         ndarray, shape (..., 3)
 
-        Raises
-        ------
-        ValueError
-            If `points` is not finite or has the wrong shape, or if a quaternion is zero.
-
-        See Also
-        --------
-        matrix : cheaper for many points and one rotation.
-        rotate_about_u : the case that the paper derives.
-
         Notes
         -----
-        Quaternions whose norm is not 1 are normalised first, so the method computes q [0, r] q^-1.
         For a unit quaternion the product is [0, r + 2 w v x r + 2 v x (v x r)].
 
         References
@@ -388,30 +344,18 @@ class Quaternion:
         >>> (-q).rotate([1, 0, 0]).round(15)
         array([0., 1., 0.])
         """
-        (w, v), r = unit_parts_and(self, points)
+        given = {"quaternion": (self.components, UNIT), "points": (points, VECTOR3)}
+        q, r = prepared(given).values()
+        w, v = q[0], q[1:]
         twice = 2 * cross(v, r)
         return np.moveaxis(r + w * twice + cross(v, twice), 0, -1)
 
-    @gives_matrices
     def matrix(self) -> Array:
-        """Return the matrix of the rotation, the same as (3-3).
+        """Return the matrix of the rotation, the same as (3-3), for q as for -q.
 
         Returns
         -------
         ndarray, shape (..., 3, 3)
-
-        Raises
-        ------
-        ValueError
-            If a quaternion is zero.
-
-        See Also
-        --------
-        from_matrix : the inverse.
-
-        Notes
-        -----
-        Quaternions whose norm is not 1 are normalised first. q and -q have the same matrix.
 
         Examples
         --------
@@ -424,13 +368,13 @@ class Quaternion:
         x2, y2, z2 = x + x, y + y, z + z
         xx, yy, zz, xy, xz, yz = x * x2, y * y2, z * z2, x * y2, x * z2, y * z2
         wx, wy, wz = w * x2, w * y2, w * z2
-        return np.array(
-            [
-                [1 - (yy + zz), xy - wz, xz + wy],
-                [xy + wz, 1 - (xx + zz), yz - wx],
-                [xz - wy, yz + wx, 1 - (xx + yy)],
-            ]
-        )
+        rows = [
+            [1 - (yy + zz), xy - wz, xz + wy],
+            [xy + wz, 1 - (xx + zz), yz - wx],
+            [xz - wy, yz + wx, 1 - (xx + yy)],
+        ]
+        # To NumPy 1 a single float32 times a Python number is a float64.
+        return np.asarray(MATRIX.outside(rows), self.components.dtype)
 
 
 @checked
@@ -447,11 +391,6 @@ def rotate_about_u(points: Vector3, angle: Number) -> Vector:
     Returns
     -------
     ndarray, shape (..., 3)
-
-    Raises
-    ------
-    ValueError
-        If an argument is not finite or has the wrong shape.
 
     Notes
     -----
@@ -500,13 +439,6 @@ def refuse_zero(norm: Array) -> None:
 def unit_components(q: Quaternion) -> Array:
     """Return the components of the normalised quaternion, on the first axis."""
     return prepared({"quaternion": (q.components, UNIT)})["quaternion"]
-
-
-def unit_parts_and(q: Quaternion, points: npt.ArrayLike) -> tuple[tuple[Array, Array], Array]:
-    """Return the parts of the normalised quaternion and the points, ready to broadcast."""
-    given = {"quaternion": (q.components, UNIT), "points": (points, VECTOR3)}
-    unit, r = prepared(given).values()
-    return (unit[0], unit[1:]), r
 
 
 def _of(components: Array) -> Quaternion:

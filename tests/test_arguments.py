@@ -402,7 +402,7 @@ BAD: dict[Callable[..., Any], list[tuple[dict[str, Any], str]]] = {
     slerp_by_rotation: [({"p": np.eye(4)[0]}, "p must have shape (..., 3); got shape (4,)")],
     de_casteljau: [
         ({"control": random_units(5, 4, 3), "u": [1, 2]}, "control and u must broadcast over"),
-        ({"control": np.empty((0, 3))}, "control must have at least one point; got none"),
+        ({"control": np.empty((0, 3))}, "control must number at least 1; got 0"),
     ],
     closed_curve: [
         ({"points": np.empty((3, 0))}, "points must not be the zero vector"),
@@ -431,7 +431,7 @@ BAD: dict[Callable[..., Any], list[tuple[dict[str, Any], str]]] = {
         ),
     ],
     mean_rotation: [
-        ({"rotations": np.empty((0, 3, 3))}, "rotations must have at least one rotation; got none"),
+        ({"rotations": np.empty((0, 3, 3))}, "rotations must number at least 1; got 0"),
         ({"weights": [1, 2]}, "weights must have shape (..., 3); got shape (2,)"),
         ({"weights": 1}, "weights must have shape (..., 3); got shape ()"),
         ({"weights": [1, -2, 3]}, "weights must not be negative; got -2.0 at index (1,)"),

@@ -1,6 +1,6 @@
 """Checks of the exercises of page 5 I."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from itertools import count
 
 import numpy as np
@@ -75,6 +75,17 @@ def ends_exchanged() -> Iterator[Part]:
     yield Part([slerp(there, here, 1 - t)] * 2, hints, item=slice(1, 3), within=2e-3)
 
 
+def place(north: float, east: float) -> Array:
+    """Return the point of the sphere at a latitude and a longitude, in degrees."""
+    lat, lon = np.deg2rad(north), np.deg2rad(east)
+    return np.array([np.cos(lat) * np.cos(lon), np.cos(lat) * np.sin(lon), np.sin(lat)])
+
+
+def angle(one: Iterable[float], other: Iterable[float]) -> float:
+    """Return the angle between two places, in radians."""
+    return float(angle_between(place(*one), place(*other)))
+
+
 @exercise(
     "5.3",
     "two numbers: a length in km and a latitude in degrees",
@@ -83,18 +94,9 @@ def ends_exchanged() -> Iterator[Part]:
 )
 def great_circle_flight() -> Iterator[Part]:
     """Yield the length of a flight and its northernmost latitude."""
-    radius = 6371
-    frankfurt, san_francisco = (50.0, 8.6), (37.6, -122.4)
-
-    def place(north: float, east: float) -> Array:
-        lat, lon = np.deg2rad(north), np.deg2rad(east)
-        return np.array([np.cos(lat) * np.cos(lon), np.cos(lat) * np.sin(lon), np.sin(lat)])
-
-    def angle(one: tuple[float, float], other: tuple[float, float]) -> float:
-        return float(angle_between(place(*one), place(*other)))
+    radius, frankfurt, san_francisco = 6371, (50.0, 8.6), (37.6, -122.4)
 
     theta = angle(frankfurt, san_francisco)
-    as_radians = angle(*(tuple(np.rad2deg(city)) for city in (frankfurt, san_francisco)))
     # The axis leans from the pole by as much as the great circle leans from the equator.
     northernmost = np.arccos(abs(arc_axis(place(*frankfurt), place(*san_francisco))[2]))
     hints = {
@@ -106,7 +108,7 @@ def great_circle_flight() -> Iterator[Part]:
             radius * np.rad2deg(theta), "The whole circle has the length 2 pi times the radius."
         ),
         "Your cosines and sines took degrees for radians.": when(
-            radius * as_radians, "np.deg2rad converts an angle."
+            radius * angle(*np.rad2deg([frankfurt, san_francisco])), "np.deg2rad converts an angle."
         ),
         "San Francisco is west of Greenwich.": when(
             radius * angle(frankfurt, (37.6, 122.4)),
@@ -227,24 +229,18 @@ def even_sweep() -> Iterator[Part]:
         return slerp(stations[k], stations[k + 1], fraction)
 
     right = at(np.linspace(0, ends[-1], 1000))
-    hints = {
-        "Some of your directions do not have length 1.": otherwise(
-            "A point between two directions on a straight line is inside the sphere.",
-            example=np.linspace(stations[0], stations[-1], 1000),
-        )
-    }
-    yield Part(
-        lambda directions: close(np.linalg.norm(directions, axis=1), np.ones(1000), 1e-3), hints
-    )
-    hints = {
-        "The sweep should begin at the first station and end at the last.": otherwise(
-            "Both ends are among the 1000 directions, and the sweep does not return.",
-            example=right[::-1],
-        )
-    }
-    yield Part(lambda directions: close(directions[[0, -1]], stations[[0, -1]], 1e-3), hints)
     equal_times = np.interp(np.linspace(0, arcs, 1000), range(arcs + 1), ends)
     hints = {
+        "Some of your directions do not have length 1.": when(
+            lambda directions: not close(np.linalg.norm(directions, axis=1), np.ones(1000), 1e-3),
+            "A point between two directions on a straight line is inside the sphere.",
+            example=np.linspace(stations[0], stations[-1], 1000),
+        ),
+        "The sweep should begin at the first station and end at the last.": when(
+            lambda directions: not close(directions[[0, -1]], stations[[0, -1]], 1e-3),
+            "Both ends are among the 1000 directions, and the sweep does not return.",
+            example=right[::-1],
+        ),
         "Each arc takes the same time, so the speed changes from arc to arc.": when(
             at(equal_times), "Are the arcs equally long? A longer one needs more directions."
         ),
@@ -255,7 +251,8 @@ def even_sweep() -> Iterator[Part]:
         ),
         "The steps are not equal.": otherwise(
             "Find the distance covered in each direction first. Which arc is that on, and how far"
-            " along?"
+            " along?",
+            example=at(ends[-1] * np.linspace(0, 1, 1000) ** 2),
         ),
     }
     yield Part(right, hints, within=1e-9)

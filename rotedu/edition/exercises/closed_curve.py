@@ -154,44 +154,36 @@ def curve_without_jumps() -> Iterator[Part]:
     at_start = normalised([[0.8, -0.4, 0.4], [0.5, 0.8, -0.4], [0.6, 0.7, 0.4], [0.1, 0.4, 0.9]])
     square = normalised([[1, 0.7, 0], [1, 0, 0.7], [1, -0.7, 0], [1, 0, -0.7]])
     hints = {
-        "Your points are not on the sphere.": otherwise(
+        "Your points are not on the sphere.": when(
+            lambda points: (np.abs(np.linalg.norm(points, axis=1) - 1) >= 2e-3).any(),
             "Have you lost a sign or a digit? The cell prints x, y and z of each point.",
             example=2 * square,
-        )
-    }
-    yield Part(lambda points: (np.abs(np.linalg.norm(points, axis=1) - 1) < 2e-3).all(), hints)
-    hints = {
-        "One of your points is more than 60° from the middle of all.": otherwise(
+        ),
+        "One of your points is more than 60° from the middle of all.": when(
+            lambda points: (points @ normalised(points.mean(axis=0)) <= np.cos(SPREAD)).any(),
             "Keep them on the side of the sphere that you look at.",
             example=normalised([[0, 1, 0.1], [1, 0, 0.1], [0, -1, 0.1], [-1, 0, 0.1]]),
-        )
-    }
-    yield Part(
-        lambda points: (points @ normalised(points.mean(axis=0)) > np.cos(SPREAD)).all(), hints
-    )
-    hints = {
-        "Two of your points are less than 40° apart.": otherwise(
+        ),
+        "Two of your points are less than 40° apart.": when(
+            lambda points: np.triu(points @ points.T, 1).max() >= np.cos(APART),
             "They need not be neighbours.",
             example=normalised([[1, 0.3, 0], [1, 0, 0.3], [1, -0.3, 0], [1, 0, -0.3]]),
-        )
-    }
-    yield Part(lambda points: np.triu(points @ points.T, 1).max() < np.cos(APART), hints)
-    hints = {
-        "Your points do not follow each other round their middle.": otherwise(
-            "Seen from above the middle, does the curve cross itself?", example=square[[0, 2, 1, 3]]
-        )
-    }
-    yield Part(goes_round, hints)
-    hints = {
+        ),
+        "Your points do not follow each other round their middle.": when(
+            lambda points: not goes_round(points),
+            "Seen from above the middle, does the curve cross itself?",
+            example=square[[0, 2, 1, 3]],
+        ),
         "These are the points with which Figure 8 begins.": when(
             at_start, "Drag some, and watch the jumps under *More numbers*."
         ),
-        "The curvature still jumps by more than 0.2.": otherwise(
+        "The curvature still jumps by more than 0.2.": when(
+            lambda points: not hardly_jumps(points),
             "Where a jump is large, compare how far away the two neighbours are.",
             example=normalised([[1, 0.9, 0], [1, 0, 0.6], [1, -0.7, 0], [1, 0.3, -0.7]]),
         ),
     }
-    yield Part(hardly_jumps, hints, within=2e-3)
+    yield Part(None, hints, within=2e-3)
 
 
 @exercise(

@@ -16,7 +16,14 @@ from rotedu.edition.exercises.answers import (
     same_turn,
     word,
 )
-from rotedu.edition.exercises.judging import Part, angle_in_radians, exercise, otherwise, when
+from rotedu.edition.exercises.judging import (
+    Mistake,
+    Part,
+    angle_in_radians,
+    exercise,
+    otherwise,
+    when,
+)
 from rotedu.general_rotation import (
     euler_angles,
     matrix_from_euler_angles,
@@ -193,50 +200,46 @@ def way_back() -> Iterator[Part]:
 )
 def angles_of_a_matrix() -> Iterator[Part]:
     """Compare the matrices, not the angles, except at gimbal lock."""
-    degrees = np.array([(10, 20, 30), (10, 160, 30), (40, 90, 10)])
-    triples = np.deg2rad(degrees)
+    triples = np.deg2rad([(10, 20, 30), (10, 160, 30), (40, 90, 10)])
     targets = matrix_from_euler_angles(*triples.T)
     found = np.transpose(euler_angles(targets))
 
     def reaches(
-        angles: Array, which: slice, targets: Array = targets, within: float = 1e-12
+        angles: Array, count: int = 3, targets: Array = targets, within: float = 1e-12
     ) -> bool:
-        return close(matrix_from_euler_angles(*angles.T)[which], targets[which], within)
+        return close(matrix_from_euler_angles(*angles.T)[:count], targets[:count], within)
 
-    every, first, first_two = slice(3), slice(1), slice(2)
     hints = {
         "Your angles are in degrees.": when(
-            lambda found: reaches(np.deg2rad(found), every),
+            lambda found: reaches(np.deg2rad(found)),
             "Arctangents give radians: leave them so.",
             example=np.rad2deg(found),
         ),
         "The matrices are close to the given ones, but not to 1e-12.": when(
-            lambda found: reaches(found, every, within=2e-2),
+            lambda found: reaches(found, within=2e-2),
             "Answer with the angles as your function returns them, not rounded.",
             example=found.round(2),
         ),
         "Your angles are in the order W, V, U.": when(
-            lambda found: reaches(found[:, ::-1], every),
-            "(4-1) begins with U.",
-            example=found[:, ::-1],
+            lambda found: reaches(found[:, ::-1]), "(4-1) begins with U.", example=found[:, ::-1]
         ),
         "Your triples are the columns.": when(
-            lambda found: reaches(found.T, every),
+            lambda found: reaches(found.T),
             "Each row should hold the three angles of one matrix.",
             example=found.T,
         ),
         "The triple at gimbal lock gives another matrix.": when(
-            lambda found: reaches(found, first_two),
+            lambda found: reaches(found, 2),
             "Where the cosine of the second angle is 0, which four entries are left?",
             example=[*found[:2], (0, np.pi / 2, 0)],
         ),
         "The second triple gives another matrix.": when(
-            lambda found: reaches(found, first),
+            lambda found: reaches(found, 1),
             "Your second angle lies between -90° and 90°. Does its cosine have the right sign?",
             example=found[[0, 0, 2]],
         ),
         "Your angles belong to the transposed matrices.": when(
-            lambda found: reaches(found, every, np.swapaxes(targets, 1, 2)),
+            lambda found: reaches(found, targets=np.swapaxes(targets, 1, 2)),
             "In which corner of (4-2) does the sine of the second angle stand alone?",
             example=np.transpose(euler_angles(np.swapaxes(targets, 1, 2))),
         ),
@@ -245,7 +248,7 @@ def angles_of_a_matrix() -> Iterator[Part]:
             example=-triples,
         ),
     }
-    yield Part(lambda found: reaches(found, every), hints)
+    yield Part(lambda found: reaches(found), hints)
     # The matrix at gimbal lock tells only a difference of angles.
     hints = {
         "At gimbal lock neither of your outer angles is 0.": otherwise(
@@ -338,6 +341,65 @@ def as_photograph(answer: Any) -> tuple[Array, Array, Array, Array, Array]:
     return camera, triangles[:, :, 2].mean(axis=1), order.astype(int), back, triangles
 
 
+def faults_of_a_camera(turned: Array, projection: Array, *rest: Any) -> dict[str, Mistake]:
+    """Return the hints for a camera that should turn before it projects."""
+    camera = projection @ turned
+    return {
+        "This camera has no perspective.": when(
+            lambda camera: close(camera[3, :3], np.zeros(3)),
+            "Look at the last row. What must it contain to make far things small?",
+            example=(turned, *rest),
+        ),
+        "The camera projects before the scene has moved into place.": when(
+            lambda camera: not close(np.cross(camera[3, :3], camera[2, :3]), np.zeros(3), 1e-2),
+            "What acts last comes first in the product.",
+            example=(turned @ projection, *rest),
+        ),
+        "In this camera far things look larger.": when(
+            lambda camera: camera[3, :3] @ camera[2, :3] >= 0,
+            "Compare the sign in (0, 0, -1/d, 1).",
+            example=(np.linalg.inv(projection) @ turned, *rest),
+        ),
+        "You look at the spoon from straight above.": when(
+            lambda camera: close(camera[3, :2], np.zeros(2)),
+            "Tilt the scene, after you have turned it about W.",
+            example=(projection, *rest),
+        ),
+        "Your matrix mirrors the spoon.": when(
+            lambda camera: np.linalg.det(camera) <= 0,
+            "Turns, translations and a perspective have determinant 1. Which step has another?",
+            example=(camera @ scaling([1, 1, -1]), *rest),
+        ),
+    }
+
+
+def faults_of_triangles(camera: Array, triangles: Array, near_last: Array) -> dict[str, Mistake]:
+    """Return the hints for triangles that should be led back to those of the spoon."""
+    many = np.random.default_rng(0).uniform(-1, 1, size=(TRIANGLES, 3, 3))
+    return {
+        "Some of your triangles are behind the eye.": when(
+            lambda back: (back[..., 3] <= 0).any(),
+            "Compute the divisors, the fourth coordinates. All must be positive.",
+            example=(camera, triangles - [0, 0, 9], near_last),
+        ),
+        "The perspective hardly shows: your divisors are all about the same.": when(
+            lambda back: back[..., 3].max() <= 1.2 * back[..., 3].min(),
+            "Go nearer with the eye, or turn the spoon until one end is farther away.",
+            example=(camera, triangles / 100, near_last),
+        ),
+        "These are not all the triangles of the spoon.": when(
+            lambda back: not is_complete(back),
+            "Keep those that others hide, too, since filling them in order hides them.",
+            example=(camera, triangles, near_last),
+        ),
+        "The matrix does not leave the spoon's triangles like this.": when(
+            lambda back: not is_spoon(back[..., :3] / back[..., 3:]),
+            "Transform the points by this matrix, then take those of each triangle.",
+            example=(camera, many, np.argsort(many[:, :, 2].mean(axis=1))),
+        ),
+    }
+
+
 @exercise(
     "4.7",
     "a matrix of shape (4, 4), triangles of shape (n, 3, 3), and an order of n numbers",
@@ -352,45 +414,7 @@ def photograph_of_a_spoon() -> Iterator[Part]:
     turned = matrix_from_euler_angles(0.3, 0.5, 0.7)
     camera = projection @ turned
 
-    hints = {
-        "This camera has no perspective.": otherwise(
-            "Look at the last row. What must it contain to make far things small?",
-            example=(turned, triangles, near_last),
-        )
-    }
-    yield Part(lambda camera: not close(camera[3, :3], np.zeros(3)), hints, item=0)
-    hints = {
-        "The camera projects before the scene has moved into place.": otherwise(
-            "What acts last comes first in the product.",
-            example=(turned @ projection, triangles, near_last),
-        )
-    }
-    yield Part(
-        lambda camera: close(np.cross(camera[3, :3], camera[2, :3]), np.zeros(3), 1e-2),
-        hints,
-        item=0,
-    )
-    hints = {
-        "In this camera far things look larger.": otherwise(
-            "Compare the sign in (0, 0, -1/d, 1).",
-            example=(np.linalg.inv(projection) @ turned, triangles, near_last),
-        )
-    }
-    yield Part(lambda camera: camera[3, :3] @ camera[2, :3] < 0, hints, item=0)
-    hints = {
-        "You look at the spoon from straight above.": otherwise(
-            "Tilt the scene, after you have turned it about W.",
-            example=(projection, triangles, near_last),
-        )
-    }
-    yield Part(lambda camera: not close(camera[3, :2], np.zeros(2)), hints, item=0)
-    hints = {
-        "Your matrix mirrors the spoon.": otherwise(
-            "Turns, translations and a perspective have determinant 1. Which step has another?",
-            example=(camera @ scaling([1, 1, -1]), triangles, near_last),
-        )
-    }
-    yield Part(lambda camera: np.linalg.det(camera) > 0, hints, item=0)
+    yield Part(None, faults_of_a_camera(turned, projection, triangles, near_last), item=0)
     hints = {
         "Your triangles are still where the spoon was.": otherwise(
             "Transform the points by the matrix before you take those of each triangle.",
@@ -424,40 +448,13 @@ def photograph_of_a_spoon() -> Iterator[Part]:
         ),
     }
     yield Part(lambda depth, order: (np.diff(depth[order]) >= -1e-9).all(), hints, item=slice(1, 3))
-    hints = {
-        "Some of your triangles are behind the eye.": otherwise(
-            "Compute the divisors, the fourth coordinates. All must be positive.",
-            example=(camera, triangles - [0, 0, 9], near_last),
-        )
-    }
-    yield Part(lambda back: (back[..., 3] > 0).all(), hints, item=3)
-    hints = {
-        "The perspective hardly shows: your divisors are all about the same.": otherwise(
-            "Go nearer with the eye, or turn the spoon until one end is farther away.",
-            example=(camera, triangles / 100, near_last),
-        )
-    }
-    yield Part(lambda back: back[..., 3].max() > 1.2 * back[..., 3].min(), hints, item=3)
+    yield Part(None, faults_of_triangles(camera, triangles, near_last), item=3)
+
+
+def is_complete(back: Array) -> bool:
+    """Tell whether triangles are as many as those of the spoon, and none of them is there twice."""
     # A triangle twice is one triangle, whichever of its corners comes first.
-    hints = {
-        "These are not all the triangles of the spoon.": otherwise(
-            "Keep those that others hide, too, since filling them in order hides them.",
-            example=(camera, triangles, near_last),
-        )
-    }
-    yield Part(
-        lambda back: len(np.unique(back.mean(axis=1).round(6), axis=0)) == TRIANGLES == len(back),
-        hints,
-        item=3,
-    )
-    many = np.random.default_rng(0).uniform(-1, 1, size=(TRIANGLES, 3, 3))
-    hints = {
-        "The matrix does not leave the spoon's triangles like this.": otherwise(
-            "Transform the points by this matrix, then take those of each triangle.",
-            example=(camera, many, np.argsort(many[:, :, 2].mean(axis=1))),
-        )
-    }
-    yield Part(lambda back: is_spoon(back[..., :3] / back[..., 3:]), hints, item=3)
+    return len(np.unique(back.mean(axis=1).round(6), axis=0)) == TRIANGLES == len(back)
 
 
 def is_spoon(corners: Array) -> bool:

@@ -118,31 +118,24 @@ def columns_left_out() -> Iterator[Part]:
     }
     yield Part([cost.multiplications, cost.additions], hints, item=1)
     given = np.column_stack([first, second, third])
-
     hints = {
-        "Your other matrix has another corner.": otherwise(
+        "Your other matrix has another corner.": when(
+            lambda another: not close(another[:2, :2], given[:2, :2]),
             "Keep the four entries in the upper left, and change signs among the other five.",
             example=(third, (6, 3), np.eye(3)),
-        )
-    }
-    yield Part(lambda another: close(another[:2, :2], given[:2, :2]), hints, item=2)
-    hints = {
-        "Your other matrix is the one that you have completed.": otherwise(
-            "Does the same corner force the same third row?", example=(third, (6, 3), given)
-        )
-    }
-    yield Part(lambda another: not close(another, given), hints, item=2)
-    hints = {
-        "Your other matrix is not a rotation.": otherwise(
+        ),
+        "Your other matrix is the one that you have completed.": when(
+            lambda another: close(another, given),
+            "Does the same corner force the same third row?",
+            example=(third, (6, 3), given),
+        ),
+        "Your other matrix is not a rotation.": when(
+            lambda a: not (close(a.T @ a, np.eye(3)) and np.linalg.det(a) > 0),
             "Its columns must be perpendicular and of length 1, and its determinant must be 1.",
             example=(third, (6, 3), given @ np.diag([1, 1, -1])),
-        )
+        ),
     }
-    yield Part(
-        lambda another: close(another.T @ another, np.eye(3)) and np.linalg.det(another) > 0,
-        hints,
-        item=2,
-    )
+    yield Part(None, hints, item=2)
 
 
 @exercise(

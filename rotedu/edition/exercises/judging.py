@@ -89,9 +89,9 @@ class Part:
 
     Attributes
     ----------
-    right : array_like or callable
+    right : array_like or callable, optional
         The right numbers, or a function that tells whether what was read is right; a tuple becomes
-        several arguments.
+        several arguments. Without it, all is right that earns no hint.
     hints : mapping of str to Mistake
         For each hint, by its first stage, `when` it is given. The first that fits counts; the last
         is for all answers `otherwise`.
@@ -113,14 +113,15 @@ class Part:
     either_sign: bool = False
 
     def judge(self, given: Any) -> Hint | None:
-        """Return None if an item is right, else the first hint whose mistake it shows."""
-        if self.fits(given, self.right):
+        """Return None if an item is right, else the first hint that it earns."""
+        if self.right is not None and self.fits(given, self.right):
             return None
-        return next(
+        earned = (
             (first, mistake.second)
             for first, mistake in self.hints.items()
             if any(self.fits(given, result) for result in mistake.results)
         )
+        return next(earned, None)
 
     def fits(self, given: Any, result: Any) -> bool:
         """Tell whether an answer is a result, or has the property that a function tests."""

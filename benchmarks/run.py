@@ -48,7 +48,7 @@ def measure() -> dict[str, Any]:
 
 
 def times(report: dict[str, Any]) -> dict[str, dict[str, float]]:
-    """Return nanoseconds per point, by group and name; memory and import have other units."""
+    """Return nanoseconds per point, by group and name; importing has another unit."""
     groups: dict[str, dict[str, float]] = defaultdict(dict)
     for test in report["benchmarks"]:
         name = test["params"].get("way", "closed_curve") if test["params"] else test["name"]
@@ -75,33 +75,6 @@ def counts() -> dict[str, dict[str, int]]:
     return {name: asdict(operations) for name, operations in found.items()}
 
 
-def ratios(groups: dict[str, dict[str, float]]) -> dict[str, float]:
-    """Compare rotedu with the best of the other packages, and with the limit."""
-    found = {}
-    for group, row in groups.items():
-        if not group.startswith("turning"):
-            continue
-        peers = [
-            time
-            for name, time in row.items()
-            if not name.startswith(("copy", "np.matmul", "rotate", "transform"))
-        ]
-        found[f"{group}: transform / best peer"] = row["transform"] / min(peers)
-    for group, row in groups.items():
-        if group.startswith("layouts"):
-            found[f"{group}: transform / points @ M.T"] = row["transform"] / row["points @ M.T"]
-    curves = groups["closed curve, 500 segments"]
-    for peer in ("the paper's loop", "splines, CatmullRom", "scipy, RotationSpline and apply"):
-        found[f"{peer} / closed_curve"] = curves[peer] / curves["closed_curve"]
-    found["scipy, RotationSpline / closed_rotation_curve"] = (
-        curves["scipy, RotationSpline"] / curves["closed_rotation_curve"]
-    )
-    for n in (4, 50_000):
-        other = groups[f"closed curve, {n} segments"]["closed_curve"]
-        found[f"closed_curve, {n} / 500 segments"] = other / curves["closed_curve"]
-    return {name: float(f"{ratio:.3g}") for name, ratio in found.items()}
-
-
 def main(results: Path) -> None:
     """Measure, print and write."""
     report = measure()
@@ -117,7 +90,6 @@ def main(results: Path) -> None:
         | {name: importlib.metadata.version(name) for name in PACKAGES},
         "nanoseconds a point": groups,
         "operations": counts(),
-        "ratios": ratios(groups),
     }
     results.parent.mkdir(exist_ok=True)
     results.write_text(json.dumps(result, indent=1) + "\n", encoding="utf-8")
@@ -125,9 +97,6 @@ def main(results: Path) -> None:
         print(f"\n{group}")
         for name, value in row.items():
             print(f"  {name:34} {value:12.4g}")
-    print("\nratios")
-    for name, ratio in result["ratios"].items():
-        print(f"  {name:70} {ratio:8.3g}")
     print(f"\nwritten to {results.relative_to(ROOT)}")
 
 

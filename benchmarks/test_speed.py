@@ -7,8 +7,7 @@ group, the tests have the names of the rows in the table of Chapter 6.
 import math
 import subprocess
 import sys
-import tracemalloc
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from itertools import pairwise
 from typing import Any
 
@@ -32,24 +31,18 @@ SIZES = (10**3, 10**4, 10**6, 10**7)
 
 @pytest.fixture
 def measure(benchmark: Any) -> Callable[..., None]:
-    """Time a function that works on a number of points."""
+    """Time a function that works on a number of points, in one thread."""
 
     def run(group: str, points: int, function: Callable[[], object], rounds: int = 0) -> None:
         benchmark.group = group
         benchmark.extra_info["points"] = points
-        if rounds:
-            benchmark.pedantic(function, rounds=rounds)
-        else:
-            benchmark(function)
+        with threadpool_limits(1):
+            if rounds:
+                benchmark.pedantic(function, rounds=rounds)
+            else:
+                benchmark(function)
 
     return run
-
-
-@pytest.fixture(params=["one", "default"])
-def threads(request: pytest.FixtureRequest) -> Iterator[str]:
-    """Compute in one thread, then in as many as the libraries choose."""
-    with threadpool_limits(1 if request.param == "one" else None):
-        yield request.param
 
 
 def turning(points: np.ndarray) -> dict[str, Callable[[], object]]:
@@ -77,35 +70,9 @@ def turning(points: np.ndarray) -> dict[str, Callable[[], object]]:
 
 @pytest.mark.parametrize("way", turning(np.zeros((1, 3))))
 @pytest.mark.parametrize("n", SIZES)
-def test_turning(measure: Callable[..., None], threads: str, n: int, way: str) -> None:
+def test_turning(measure: Callable[..., None], n: int, way: str) -> None:
     points = np.random.default_rng(n).normal(size=(n, 3))
-    measure(f"turning, {n} points, {threads}", n, turning(points)[way])
-
-
-@pytest.mark.parametrize(
-    "layout", ["rows", "columns", "strided", "float32", "affine", "projective"]
-)
-@pytest.mark.parametrize("way", ["points @ M.T", "transform"])
-def test_layouts(measure: Callable[..., None], layout: str, way: str) -> None:
-    n = 10**6
-    points, matrix = np.random.default_rng(n).normal(size=(n, 3)), MATRIX
-    if layout == "columns":
-        points = np.asfortranarray(points)
-    elif layout == "strided":
-        points = np.repeat(points, 2, axis=1)[:, ::2]
-    elif layout == "float32":
-        points, matrix = points.astype("f4"), matrix.astype("f4")
-    elif layout in ("affine", "projective"):
-        matrix = np.eye(4)
-        matrix[:3] = np.column_stack([MATRIX, [1, 2, 3]])
-        matrix[3] = [0, 0, 0, 1] if layout == "affine" else [0.01, 0.02, 0.03, 9]
-    plain = matrix[:3, :3]
-    ways = {
-        "points @ M.T": lambda: points @ plain.T,
-        "transform": lambda: transform(matrix, points),
-    }
-    with threadpool_limits(1):
-        measure(f"layouts, {layout}", n, ways[way])
+    measure(f"turning, {n} points, one", n, turning(points)[way])
 
 
 @pytest.mark.parametrize("way", ["matrix @ point", "scipy, Rotation.apply", "transform"])
@@ -251,18 +218,6 @@ def test_curves(measure: Callable[..., None], way: str) -> None:
 def test_curves_of_other_sizes(measure: Callable[..., None], n: int) -> None:
     points = on_the_sphere(n)
     measure(f"closed curve, {n} segments", 100 * n, lambda: closed_curve(points, 100))
-
-
-def test_memory(benchmark: Any) -> None:
-    """Measure the megabytes that drawing 50,000 segments takes beyond the curve itself."""
-    points = on_the_sphere(50_000)
-    tracemalloc.start()
-    curve = closed_curve(points, 100)
-    _, peak = tracemalloc.get_traced_memory()
-    tracemalloc.stop()
-    benchmark.group = "memory"
-    benchmark.extra_info["megabytes"] = (peak - curve.nbytes) / 2**20
-    benchmark.pedantic(lambda: None, rounds=1)
 
 
 def test_import(benchmark: Any) -> None:

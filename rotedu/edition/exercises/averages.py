@@ -9,6 +9,7 @@ from rotedu.averages import angular_distance, matrix_from_two_columns, mean_rota
 from rotedu.edition.exercises.answers import as_array, as_rotation
 from rotedu.edition.exercises.judging import (
     Part,
+    because,
     exercise,
     in_radians,
     otherwise,
@@ -21,12 +22,8 @@ from rotedu.ordinary_rotation import rotation_matrix
 from rotedu.quaternions import Quaternion
 
 
-@exercise(
-    "B.1",
-    "three distances",
-    because="The two chords of quaternions and a diameter make a right-angled triangle.",
-    fields={"matrices": "", "quaternions": "", "other sign": ""},
-)
+@exercise("B.1", "three distances", fields={"matrices": "", "quaternions": "", "other sign": ""})
+@because("The two chords of quaternions and a diameter make a right-angled triangle.")
 def three_chords() -> Iterator[Part]:
     """Yield the chords between turns by 20 and 80 degrees about one axis."""
     theta = np.deg2rad(60)
@@ -73,12 +70,8 @@ def three_chords() -> Iterator[Part]:
     yield Part(right, hints, within=5e-3)
 
 
-@exercise(
-    "B.2",
-    "two angles in degrees",
-    because="The chord listens less to the one that strays.",
-    fields={"by chord": "°", "by angle": "°"},
-)
+@exercise("B.2", "two angles in degrees", fields={"by chord": "°", "by angle": "°"})
+@because("The chord listens less to the one that strays.")
 def two_means_about_one_axis() -> Iterator[Part]:
     """Yield the mean of turns by 0, 0 and 90 degrees about one axis."""
     by_chord, by_angle = np.degrees(np.arctan2(1, 2)), 30.0
@@ -115,10 +108,10 @@ def two_means_about_one_axis() -> Iterator[Part]:
 @exercise(
     "B.3",
     "five numbers, each 1 or 0",
-    because="What decides is the mean matrix: whether it has one nearest rotation.",
     fields={f"set {k}": "" for k in range(1, 6)},
     read=lambda answer: as_array([float(each) for each in answer], (5,)),
 )
+@because("What decides is the mean matrix: whether it has one nearest rotation.")
 def which_have_a_mean() -> Iterator[Part]:
     """Yield which of five sets of rotations have a unique mean."""
     right = np.array([1, 0, 0, 0, 1])
@@ -158,12 +151,8 @@ def two_trackers() -> tuple[Array, Array]:
     return noise @ rotation_matrix(*TRACKED), errors
 
 
-@exercise(
-    "B.4",
-    "a rotation: a matrix, shape (3, 3), or a unit quaternion",
-    because="Seven coarse measurements still add a little to three fine ones.",
-    read=as_rotation,
-)
+@exercise("B.4", "a rotation: a matrix, shape (3, 3), or a unit quaternion", read=as_rotation)
+@because("Seven coarse measurements still add a little to three fine ones.")
 def weighted_mean() -> Iterator[Part]:
     """Yield the mean of measurements of two qualities."""
     measured, errors = two_trackers()
@@ -209,12 +198,8 @@ def noisy_copies() -> Array:
     return rotation_matrix(seeded.normal(size=(50, 3)), seeded.normal(scale=1.0, size=50))
 
 
-@exercise(
-    "B.5",
-    "three angles in degrees",
-    because="The column that comes first keeps its direction, and the errors of the rest are lost.",
-    fields={"first": "°", "second": "°", "third": "°"},
-)
+@exercise("B.5", "three angles in degrees", fields={"first": "°", "second": "°", "third": "°"})
+@because("The column that comes first keeps its direction, and the errors of the rest are lost.")
 def by_two_columns() -> Iterator[Part]:
     """Yield how far the means by two columns are from the mean, by the column that begins."""
     copies = noisy_copies()
@@ -289,7 +274,6 @@ def halfway_errors() -> Array:
 @exercise(
     "B.6",
     "four angles in degrees",
-    because="A sign that is followed is as good as two columns; a rule for the sign is not.",
     fields={
         "Euler angles": "°",
         "quaternions as they come": "°",
@@ -297,6 +281,7 @@ def halfway_errors() -> Array:
         "two columns": "°",
     },
 )
+@because("A sign that is followed is as good as two columns; a rule for the sign is not.")
 def worst_of_a_table() -> Iterator[Part]:
     """Yield the worst error of a table that is read by linear interpolation, in four forms."""
     errors = halfway_errors()

@@ -10,7 +10,7 @@ from rotedu.arcs import angle_between, arc_axis, slerp
 from rotedu.closed_curve import closed_curve, de_casteljau
 from rotedu.control_points import bisect, control_points, double
 from rotedu.edition.exercises.answers import along_equator, numbers, on_equator, parts, unit, word
-from rotedu.edition.exercises.judging import Part, exercise, in_radians, otherwise, when
+from rotedu.edition.exercises.judging import Part, because, exercise, in_radians, otherwise, when
 from rotedu.errors import DegenerateError
 from rotedu.ordinary_rotation import rotate
 
@@ -22,9 +22,9 @@ SPREAD, APART = np.deg2rad([60.5, 39.5])
 @exercise(
     "5.12",
     "three numbers in degrees: two speeds and an angle",
-    because="The first and the last arc alone decide the velocity at the ends.",
     fields={"leaving": "° per unit", "arriving": "° per unit", "second control point": "°"},
 )
+@because("The first and the last arc alone decide the velocity at the ends.")
 def leaving_and_arriving() -> Iterator[Part]:
     """Yield the speeds at the ends of a piece, and where the next piece must aim."""
     points = on_equator([0, 20, 70, 80])
@@ -64,12 +64,8 @@ def leaving_and_arriving() -> Iterator[Part]:
     yield Part(along_equator(double(points[2], points[3])), hints, item=2, within=0.01, period=360)
 
 
-@exercise(
-    "5.13",
-    "two numbers of arcs",
-    because="Each level has one arc fewer than the one before.",
-    fields={"cubic curve": "arcs", "m = 10": "arcs"},
-)
+@exercise("5.13", "two numbers of arcs", fields={"cubic curve": "arcs", "m = 10": "arcs"})
+@because("Each level has one arc fewer than the one before.")
 def number_of_arcs() -> Iterator[Part]:
     """Yield the number of arcs for one point of a curve."""
     degrees = np.array([3, 10])
@@ -143,12 +139,8 @@ def hardly_jumps(points: Array) -> bool:
         return False
 
 
-@exercise(
-    "5.22",
-    "the four points of your curve, shape (4, 3)",
-    because="With equal gaps, the pieces that meet at one of four points are mirror images.",
-    read=numbers(4, 3),
-)
+@exercise("5.22", "the four points of your curve, shape (4, 3)", read=numbers(4, 3))
+@because("With equal gaps, the pieces that meet at one of four points are mirror images.")
 def curve_without_jumps() -> Iterator[Part]:
     """Test points that were found by hand, to a degree and three decimals."""
     at_start = normalised([[0.8, -0.4, 0.4], [0.5, 0.8, -0.4], [0.6, 0.7, 0.4], [0.1, 0.4, 0.9]])
@@ -186,11 +178,8 @@ def curve_without_jumps() -> Iterator[Part]:
     yield Part(None, hints, within=2e-3)
 
 
-@exercise(
-    "5.14",
-    "a point, shape (3,)",
-    because="Each point is overwritten when nobody needs it any more.",
-)
+@exercise("5.14", "a point, shape (3,)")
+@because("Each point is overwritten when nobody needs it any more.")
 def one_row_of_points() -> Iterator[Part]:
     """Yield the point that a loop in one row finds."""
     wide = np.array([[0.9, 0.3, 0.3], [0.3, 0.9, 0.3], [-0.3, 0.9, -0.3], [-0.9, 0.3, 0.3]])
@@ -216,11 +205,9 @@ def one_row_of_points() -> Iterator[Part]:
 
 
 @exercise(
-    "5.15",
-    "your a_i, shape (4, 3), and a number of checks",
-    because="Whatever a_i is, b_i = Double(a_i, P_i) makes the curve C1.",
-    read=parts(numbers(4, 3), numbers()),
+    "5.15", "your a_i, shape (4, 3), and a number of checks", read=parts(numbers(4, 3), numbers())
 )
+@because("Whatever a_i is, b_i = Double(a_i, P_i) makes the curve C1.")
 def an_error_that_hides() -> Iterator[Part]:
     """Yield control points made with a wrong axis, and how many checks notice it."""
     corners = np.array([[0.8, -0.4, 0.4], [0.5, 0.8, -0.4], [0.6, 0.7, 0.4], [0.1, 0.4, 0.9]])
@@ -268,11 +255,9 @@ def energy(points: Array, fraction: float, samples: int = 100) -> Array:
 
 
 @exercise(
-    "5.16",
-    "a number and True or False",
-    because="The best fraction differs from hexagon to hexagon.",
-    read=parts(numbers(), word("true", "false", "yes", "no")),
+    "5.16", "a number and True or False", read=parts(numbers(), word("true", "false", "yes", "no"))
 )
+@because("The best fraction differs from hexagon to hexagon.")
 def energy_of_one_half() -> Iterator[Part]:
     """Yield a median of energies, and whether one fraction is best."""
     hexagons = np.random.default_rng(35).normal(size=(40, 6, 3))

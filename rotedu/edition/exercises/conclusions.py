@@ -7,7 +7,7 @@ import numpy as np
 
 from rotedu.cost import OperationCount
 from rotedu.edition.exercises.answers import close, numbers, radians_for_degrees
-from rotedu.edition.exercises.judging import Part, exercise, otherwise, when
+from rotedu.edition.exercises.judging import Part, because, exercise, otherwise, when
 from rotedu.ordinary_rotation import axis_angle
 from rotedu.orientations import nearest_rotation
 from rotedu.quaternions import Quaternion
@@ -19,9 +19,9 @@ CONVERSION, POINT = OperationCount(9, 15), OperationCount(9, 6)
 @exercise(
     "6.1",
     "two numbers: multiplications and additions",
-    because="The product is computed once, for all points.",
     fields={"multiplications": "", "additions": ""},
 )
+@because("The product is computed once, for all points.")
 def one_product_for_all() -> Iterator[Part]:
     """Yield the cost of turning points by the product of two matrices."""
 
@@ -52,12 +52,8 @@ def one_product_for_all() -> Iterator[Part]:
     yield Part(numbers(MATRICES + 50 * POINT), hints, within=0)
 
 
-@exercise(
-    "6.2",
-    "two numbers: two errors",
-    because="Errors that cancel grow like a square root; an error that is repeated adds up.",
-    fields={"random turns": "", "one turn repeated": ""},
-)
+@exercise("6.2", "two numbers: two errors", fields={"random turns": "", "one turn repeated": ""})
+@because("Errors that cancel grow like a square root; an error that is repeated adds up.")
 def two_laws_of_growth() -> Iterator[Part]:
     """Yield how errors of a long product grow."""
     first, longer = 1e-6, 27_000 / 3000
@@ -94,12 +90,8 @@ def two_laws_of_growth() -> Iterator[Part]:
     yield Part([first * root, first * longer], hints, within=0.06 * first)
 
 
-@exercise(
-    "6.3",
-    "a number of joints",
-    because="Each product saves 17 operations, and the conversion costs 24, once.",
-    fields={"joints": ""},
-)
+@exercise("6.3", "a number of joints", fields={"joints": ""})
+@because("Each product saves 17 operations, and the conversion costs 24, once.")
 def joints_of_an_arm() -> Iterator[Part]:
     """Yield the number of joints from which on quaternions are cheaper."""
 
@@ -131,10 +123,9 @@ def joints_of_an_arm() -> Iterator[Part]:
 @exercise(
     "6.4",
     "four numbers: three times in minutes and one in days",
-    because="An error that is repeated wins over one that cancels.",
-    # Of logarithms, because every mistake is a factor. A negative time becomes hardly any.
     read=lambda answer: np.log(numbers(4)(answer).clip(1e-9)),
 )
+@because("An error that is repeated wins over one that cancels.")
 def hours_of_a_game() -> Iterator[Part]:
     """Yield how long a product of rounded steps keeps its length; within 3 %."""
     steps = []
@@ -197,11 +188,8 @@ def hours_of_a_game() -> Iterator[Part]:
     yield Part(np.log(days), hints, item=3, within=0.03)
 
 
-@exercise(
-    "6.5",
-    "two angles in degrees",
-    because="For two rotations the claim holds, so a test with two would have missed this.",
-)
+@exercise("6.5", "two angles in degrees")
+@because("For two rotations the claim holds, so a test with two would have missed this.")
 def two_ways_to_average() -> Iterator[Part]:
     """Yield how far two averages of rotations are apart."""
     vote = np.column_stack([np.ones(3), np.random.default_rng(15).normal(size=(3, 3))])

@@ -20,6 +20,7 @@ from rotedu.edition.exercises.judging import (
     Mistake,
     Part,
     angle_in_radians,
+    because,
     exercise,
     otherwise,
     when,
@@ -36,12 +37,8 @@ from rotedu.general_rotation import (
 )
 
 
-@exercise(
-    "4.1",
-    "a point, three numbers",
-    because="The second turn is about W itself.",
-    fields={"U": "", "V": "", "W": ""},
-)
+@exercise("4.1", "a point, three numbers", fields={"U": "", "V": "", "W": ""})
+@because("The second turn is about W itself.")
 def end_of_v() -> Iterator[Part]:
     """Yield the end of the chain, then those of the other order and the other sense."""
     u, w = (turn(np.pi / 2)[:3, :3] for turn in (rotation_u, rotation_w))
@@ -68,12 +65,8 @@ def with_or_without_a_fourth(answer: Any) -> Array:
     return given
 
 
-@exercise(
-    "4.2",
-    "two times three numbers",
-    because="A translation moves points and leaves directions alone.",
-    read=parts(*2 * [with_or_without_a_fourth]),
-)
+@exercise("4.2", "two times three numbers", read=parts(*2 * [with_or_without_a_fourth]))
+@because("A translation moves points and leaves directions alone.")
 def point_and_direction() -> Iterator[Part]:
     """Compare with the images of a point and a direction."""
     chain = translation([5, 0, 0]) @ scaling(2)
@@ -117,9 +110,9 @@ def point_and_direction() -> Iterator[Part]:
 @exercise(
     "4.3",
     'three letters such as "VWU", an axis of three numbers, and an angle in degrees',
-    because="What acts first stands on the right.",
     read=parts(word(*map("".join, permutations("uvw"))), numbers(3), numbers()),
 )
+@because("What acts first stands on the right.")
 def order_of_a_product() -> Iterator[Part]:
     """Compare the product at three angles; the sign of the axis is free."""
     u, v, w = np.eye(3)
@@ -163,9 +156,9 @@ THERE = np.array([0.4, 0.7, -1.1])
 @exercise(
     "4.4",
     "a matrix, shape (4, 4)",
-    because="The last step has to be undone first.",
     read=lambda back: numbers(4, 4)(back) @ matrix_from_euler_angles(*THERE),
 )
+@because("The last step has to be undone first.")
 def way_back() -> Iterator[Part]:
     """Yield products of a way back and the way there."""
     u, v, w = THERE
@@ -192,12 +185,8 @@ def way_back() -> Iterator[Part]:
     yield Part(np.eye(4), hints)
 
 
-@exercise(
-    "4.5",
-    "three triples of angles in radians, shape (3, 3)",
-    because="The angles need not be those that went in.",
-    read=numbers(3, 3),
-)
+@exercise("4.5", "three triples of angles in radians, shape (3, 3)", read=numbers(3, 3))
+@because("The angles need not be those that went in.")
 def angles_of_a_matrix() -> Iterator[Part]:
     """Compare the matrices, not the angles, except at gimbal lock."""
     triples = np.deg2rad([(10, 20, 30), (10, 160, 30), (40, 90, 10)])
@@ -259,12 +248,8 @@ def angles_of_a_matrix() -> Iterator[Part]:
     yield Part(lambda found: np.isclose(found[2, [0, 2]], 0).any(), hints)
 
 
-@exercise(
-    "4.6",
-    "three matrices, each of shape (3, 3)",
-    because="Rotations and unequal scalings already shear.",
-    read=parts(*3 * [numbers(3, 3)]),
-)
+@exercise("4.6", "three matrices, each of shape (3, 3)", read=parts(*3 * [numbers(3, 3)]))
+@because("Rotations and unequal scalings already shear.")
 def shear_by_rotations() -> Iterator[Part]:
     """Test the three factors and their product."""
     shear = shearing(uv=0.8)[:3, :3]
@@ -403,9 +388,9 @@ def faults_of_triangles(camera: Array, triangles: Array, near_last: Array) -> di
 @exercise(
     "4.7",
     "a matrix of shape (4, 4), triangles of shape (n, 3, 3), and an order of n numbers",
-    because="Near parts hide far ones.",
     read=as_photograph,
 )
+@because("Near parts hide far ones.")
 def photograph_of_a_spoon() -> Iterator[Part]:
     """Test the perspective, the order and the spoon; the picture itself is for your eyes."""
     triangles = np.random.default_rng(0).uniform(-1, 1, size=(20, 3, 3))

@@ -24,6 +24,9 @@ LONGEST = 200
 Hint = tuple[str, str]
 """Two stages. Neither gives the answer away."""
 
+State = Callable[[], Iterable["Part"]]
+"""What yields the parts of a check."""
+
 
 class Mistake(NamedTuple):
     """What earns a hint, and the second stage of this hint.
@@ -162,7 +165,7 @@ class Exercise:
     """
 
     number: str
-    state: Callable[[], Iterable[Part]]
+    state: State
     expects: str
     because: str = ""
     read: Callable[[Any], Any] | None = None
@@ -207,19 +210,29 @@ class Verdict:
 
 EXERCISES: dict[str, Exercise] = {}
 
-State = Callable[[], Iterable[Part]]
+REASONS: dict[State, str] = {}
 
 
-def exercise(number: str, *asked: Any, **more: Any) -> Callable[[State], State]:
+def exercise(number: str, expects: str, **more: Any) -> Callable[[State], State]:
     """Register the function below as the check of an exercise; all else is as in `Exercise`."""
 
     def register(state: State) -> State:
         if number in EXERCISES:
             raise ValueError(f"exercise {number} has two checks")
-        EXERCISES[number] = Exercise(number, state, *asked, **more)
+        EXERCISES[number] = Exercise(number, state, expects, REASONS.get(state, ""), **more)
         return state
 
     return register
+
+
+def because(reason: str) -> Callable[[State], State]:
+    """Say, between `exercise` and its check, what a right answer earns."""
+
+    def note(state: State) -> State:
+        REASONS[state] = reason
+        return state
+
+    return note
 
 
 def check(number: str, answer: Any, hint: int = 1) -> Verdict:

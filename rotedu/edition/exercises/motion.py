@@ -6,7 +6,7 @@ import numpy as np
 
 from rotedu._vectors import Array
 from rotedu.edition.exercises.answers import as_rotation
-from rotedu.edition.exercises.judging import Part, exercise, in_radians, otherwise, when
+from rotedu.edition.exercises.judging import Part, because, exercise, in_radians, otherwise, when
 from rotedu.motion import (
     angular_velocity,
     integrate,
@@ -17,12 +17,8 @@ from rotedu.motion import (
 from rotedu.ordinary_rotation import axis_angle, rotation_matrix
 
 
-@exercise(
-    "A.1",
-    "a rotation vector, three numbers in radians",
-    because="Of all vectors that lead to a matrix, the logarithm is the shortest.",
-    fields={"U": "", "V": "", "W": ""},
-)
+@exercise("A.1", "a rotation vector, three numbers in radians", fields={"U": "", "V": "", "W": ""})
+@because("Of all vectors that lead to a matrix, the logarithm is the shortest.")
 def shortest_rotation_vector() -> Iterator[Part]:
     """Yield the logarithm of three quarters of a turn, then what other choices lead to."""
     about_w = np.array([0, 0, 1])
@@ -54,9 +50,9 @@ def shortest_rotation_vector() -> Iterator[Part]:
 @exercise(
     "A.2",
     "three numbers, in radians a second",
-    because="It is the same vector, described along axes that have turned.",
     fields={"first axis": "rad/s", "second axis": "rad/s", "third axis": "rad/s"},
 )
+@because("It is the same vector, described along axes that have turned.")
 def rates_of_a_gyroscope() -> Iterator[Part]:
     """Yield an angular velocity in the body's frame, then what other frames lead to."""
     turned, omega = rotation_matrix([0, 0, 1], np.pi / 2), np.array([0, 2, 0])
@@ -89,12 +85,8 @@ def rates_of_a_gyroscope() -> Iterator[Part]:
     yield Part(right, hints, within=1e-2)
 
 
-@exercise(
-    "A.3",
-    "two factors",
-    because="The quaternion grows less, because its rate has half the length.",
-    fields={"matrix": "", "quaternion": ""},
-)
+@exercise("A.3", "two factors", fields={"matrix": "", "quaternion": ""})
+@because("The quaternion grows less, because its rate has half the length.")
 def what_a_step_stretches() -> Iterator[Part]:
     """Yield the factors of one step of Euler's method, then what other formulas lead to."""
     step = 0.2
@@ -136,9 +128,9 @@ def gyroscope() -> Array:
 @exercise(
     "A.4",
     "a rotation: a matrix, a unit quaternion, or an axis and an angle in radians",
-    because="Seen from the body, the room turns the other way.",
     read=as_rotation,
 )
+@because("Seen from the body, the room turns the other way.")
 def orientation_by_gyroscope() -> Iterator[Part]:
     """Yield where rates in the body's frame lead, then what other readings lead to."""
     rates, start, dt = np.deg2rad(gyroscope()), np.eye(3), 0.01
@@ -183,11 +175,9 @@ def wobbling(n: int, part: float) -> Array:
 
 
 @exercise(
-    "A.5",
-    "two numbers of steps, powers of 2",
-    because="Twice as many steps halve the one error and quarter the other.",
-    fields={"beginning": "steps", "middle": "steps"},
+    "A.5", "two numbers of steps, powers of 2", fields={"beginning": "steps", "middle": "steps"}
 )
+@because("Twice as many steps halve the one error and quarter the other.")
 def steps_that_suffice() -> Iterator[Part]:
     """Yield how many steps are enough, then what other questions lead to."""
     truth, degrees = wobbling(1024, 1 / 2), 0.5
@@ -232,11 +222,9 @@ def steps_that_suffice() -> Iterator[Part]:
 
 
 @exercise(
-    "A.6",
-    "two speeds in degrees a second",
-    because="Most of the turning keeps the picture upright.",
-    fields={"camera": "°/s", "about its sight": "°/s"},
+    "A.6", "two speeds in degrees a second", fields={"camera": "°/s", "about its sight": "°/s"}
 )
+@because("Most of the turning keeps the picture upright.")
 def following_an_aeroplane() -> Iterator[Part]:
     """Yield how fast the camera turns and spins, then what other measures lead to."""
     t, dt = np.arange(-1000, 1001) / 50, 0.02

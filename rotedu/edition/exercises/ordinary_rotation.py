@@ -19,6 +19,7 @@ from rotedu.edition.exercises.answers import (
 from rotedu.edition.exercises.judging import (
     Part,
     angle_in_radians,
+    because,
     exercise,
     otherwise,
     the_truth,
@@ -27,12 +28,8 @@ from rotedu.edition.exercises.judging import (
 from rotedu.ordinary_rotation import axis_angle, rotate, rotation_matrix
 
 
-@exercise(
-    "3.1",
-    "a point, three numbers",
-    because="What lies along the axis stays where it is.",
-    fields={"U": "", "V": "", "W": ""},
-)
+@exercise("3.1", "a point, three numbers", fields={"U": "", "V": "", "W": ""})
+@because("What lies along the axis stays where it is.")
 def quarter_turn_of_a_point() -> Iterator[Part]:
     """Yield the turned point, then what other senses, angles and axes lead to."""
     point, w = [1, 2, 3], [0, 0, 1]
@@ -58,11 +55,9 @@ def quarter_turn_of_a_point() -> Iterator[Part]:
 
 
 @exercise(
-    "3.2",
-    "an axis of three numbers and an angle in degrees",
-    because="The trace shows the angle, and three differences show the axis.",
-    read=parts(numbers(3), numbers()),
+    "3.2", "an axis of three numbers and an angle in degrees", read=parts(numbers(3), numbers())
 )
+@because("The trace shows the angle, and three differences show the axis.")
 def axis_and_angle_of_a_matrix() -> Iterator[Part]:
     """Accept an axis and an angle that are both opposite."""
     matrix = np.array([[2, -1, 2], [2, 2, -1], [-1, 2, 2]]) / 3
@@ -106,13 +101,11 @@ def axis_and_angle_of_a_matrix() -> Iterator[Part]:
 
 @exercise(
     "3.3",
-    (
-        'two words, the first for -turn, the second for -diagonal, each of them "same",'
-        ' "negative", "transpose" or "identity"'
-    ),
-    because="It is the inverse rotation, both times.",
+    'two words, the first for -turn, the second for -diagonal, each of them "same",'
+    ' "negative", "transpose" or "identity"',
     read=parts(*2 * [word("same", "negative", "transpose", "inverse", "identity")]),
 )
+@because("It is the inverse rotation, both times.")
 def turned_back() -> Iterator[Part]:
     """Compute the matrix that each word names, and accept the inverse under its own name."""
     axis, angle = np.array([1, 2, 2]) / 3, 0.7
@@ -152,9 +145,9 @@ def turned_back() -> Iterator[Part]:
 @exercise(
     "3.4",
     "two pairs, each of an axis and an angle in degrees",
-    because="Angles do not add up when the axes differ.",
     read=parts(*2 * [parts(numbers(3), numbers())]),
 )
+@because("Angles do not add up when the axes differ.")
 def two_turns_in_a_row() -> Iterator[Part]:
     """Accept every axis and angle of the two rotations."""
     u, v, w = np.eye(3)
@@ -206,12 +199,8 @@ def as_printed(n: Any, angle: float) -> Any:
     return cos * np.eye(3) + (1 - cos) * np.outer(n, n) + sin * np.cross(n, np.eye(3)).T
 
 
-@exercise(
-    "3.5",
-    "a number",
-    because="It is more than three times the error of the axis, and the formula gives no warning.",
-    fields={"largest entry": ""},
-)
+@exercise("3.5", "a number", fields={"largest entry": ""})
+@because("It is more than three times the error of the axis, and the formula gives no warning.")
 def axis_too_long() -> Iterator[Part]:
     """Yield the residual, then other residuals."""
     n = np.array([0, 0.6, 0.8])
@@ -249,11 +238,9 @@ def axis_too_long() -> Iterator[Part]:
 
 
 @exercise(
-    "3.6",
-    "an axis of three numbers and an angle in radians",
-    because="Thousands of vertices average out the noise of each.",
-    read=parts(numbers(3), numbers()),
+    "3.6", "an axis of three numbers and an angle in radians", read=parts(numbers(3), numbers())
 )
+@because("Thousands of vertices average out the noise of each.")
 def rotation_of_a_spoon() -> Iterator[Part]:
     """Compare with the truth, up to the noise."""
     secret = np.random.default_rng(12)

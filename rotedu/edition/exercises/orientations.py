@@ -9,19 +9,15 @@ from rotedu._vectors import Array
 from rotedu.arcs import angle_between, arc_axis, slerp
 from rotedu.closed_curve import closed_curve
 from rotedu.edition.exercises.answers import as_rotation, close, numbers, radians_for_degrees
-from rotedu.edition.exercises.judging import Part, exercise, in_radians, otherwise, when
+from rotedu.edition.exercises.judging import Part, because, exercise, in_radians, otherwise, when
 from rotedu.errors import DegenerateError
 from rotedu.ordinary_rotation import axis_angle, rotation_matrix
 from rotedu.orientations import slerp_rotations
 from rotedu.quaternions import Quaternion
 
 
-@exercise(
-    "5.17",
-    "a turn: a matrix, shape (3, 3), or a unit quaternion",
-    because="The axis of this turn belongs to the camera, not to the room.",
-    read=as_rotation,
-)
+@exercise("5.17", "a turn: a matrix, shape (3, 3), or a unit quaternion", read=as_rotation)
+@because("The axis of this turn belongs to the camera, not to the room.")
 def turn_between_cameras() -> Iterator[Part]:
     """Yield the turn from one orientation to another."""
     r1, r2 = rotation_matrix([[1, 0, 0], [0, 1, 0]], np.pi / 2)
@@ -50,9 +46,9 @@ def turn_between_cameras() -> Iterator[Part]:
 @exercise(
     "5.18",
     "three angles in degrees",
-    because="The sign chooses the way of slerp; two matrices alone give the shorter turn.",
     fields={"as they stand": "°", "sign changed": "°", "matrices": "°"},
 )
+@because("The sign chooses the way of slerp; two matrices alone give the shorter turn.")
 def halfway_in_three_ways() -> Iterator[Part]:
     """Yield the place halfway along two ways round."""
     total = np.deg2rad(300)
@@ -94,12 +90,8 @@ def halfway_in_three_ways() -> Iterator[Part]:
     yield Part(right, hints, within=0.1, period=360)
 
 
-@exercise(
-    "5.19",
-    "an angle in degrees",
-    because="It is the area of the triangle, as an angle.",
-    fields={"angle": "°"},
-)
+@exercise("5.19", "an angle in degrees", fields={"angle": "°"})
+@because("It is the area of the triangle, as an angle.")
 def carried_platform() -> Iterator[Part]:
     """Yield the turn of a platform that is carried round a triangle, counterclockwise."""
     east = np.deg2rad(40)
@@ -130,11 +122,8 @@ def carried_platform() -> Iterator[Part]:
     yield Part(right, hints, within=0.1, period=360)
 
 
-@exercise(
-    "5.20",
-    "two whole numbers from 0 to 32",
-    because="After an odd number of full turns, signs agree only on a second round.",
-)
+@exercise("5.20", "two whole numbers from 0 to 32")
+@because("After an odd number of full turns, signs agree only on a second round.")
 def choices_of_signs() -> Iterator[Part]:
     """Yield how many choices of signs are refused, and how many give a steady turn."""
     quaternions = Quaternion.from_axis_angle([1, 2, 2], np.arange(5) * 2 * np.pi / 5).components
@@ -176,12 +165,8 @@ def columns_of_flights(answer: Any) -> tuple[Array, Array, Array]:
     return np.abs(rolls), turned, uneven
 
 
-@exercise(
-    "5.21",
-    "four rows of three numbers, shape (4, 3)",
-    because="The steeper the line of sight, the more a level horizon costs.",
-    read=columns_of_flights,
-)
+@exercise("5.21", "four rows of three numbers, shape (4, 3)", read=columns_of_flights)
+@because("The steeper the line of sight, the more a level horizon costs.")
 def upright_flights() -> Iterator[Part]:
     """Yield the roll of the shortest flights and the cost of flying upright."""
     sights = np.array([(1.0, 0.0, -0.2), (0.3, 1.0, 0.2), (0.2, 0.3, 1.0), (0.3, -0.9, 0.3)])

@@ -18,6 +18,7 @@ from rotedu.edition.exercises.answers import (
 from rotedu.edition.exercises.judging import (
     Part,
     angle_in_radians,
+    because,
     exercise,
     otherwise,
     scalar_last,
@@ -30,9 +31,9 @@ from rotedu.quaternions import Quaternion
 @exercise(
     "2.1",
     "a quaternion, four numbers with the scalar part first",
-    because="The norms multiply, too.",
     fields={"scalar part": "", "along U": "", "along V": "", "along W": ""},
 )
+@because("The norms multiply, too.")
 def product_by_hand() -> Iterator[Part]:
     """Yield the product, then products of wrong order and wrong parts."""
     p, q = Quaternion(1, [2, 0, 0]), Quaternion(3, [1, 1, 0])
@@ -64,12 +65,8 @@ def product_by_hand() -> Iterator[Part]:
     yield Part(right, hints)
 
 
-@exercise(
-    "2.2",
-    "a quaternion, four numbers with the scalar part first",
-    because="Its negative would do as well.",
-    read=numbers(4),
-)
+@exercise("2.2", "a quaternion, four numbers with the scalar part first", read=numbers(4))
+@because("Its negative would do as well.")
 def unit_quaternion_of_a_turn() -> Iterator[Part]:
     """Accept either sign."""
     axis, angle = np.array([0, 3, 4]), np.deg2rad(60)
@@ -163,9 +160,9 @@ def axis_and_angle_at_sight() -> Iterator[Part]:
 @exercise(
     "2.4",
     "two quaternions, each of four numbers with the scalar part first",
-    because="For half turns about perpendicular axes the order does not matter.",
     read=parts(numbers(4), numbers(4)),
 )
+@because("For half turns about perpendicular axes the order does not matter.")
 def two_turns_in_a_row() -> Iterator[Part]:
     """Accept either sign of each product."""
     u, v = [1, 0, 0], [0, 1, 0]
@@ -206,9 +203,9 @@ def two_turns_in_a_row() -> Iterator[Part]:
 @exercise(
     "2.5",
     'an angle in degrees, two axes, and "first", "second", "both" or "neither"',
-    because="One axis is given in the room, the other in the object.",
     read=parts(numbers(), numbers(3), numbers(3), word("first", "second", "both", "neither")),
 )
+@because("One axis is given in the room, the other in the object.")
 def between_two_photographs() -> Iterator[Part]:
     """Accept an axis and an angle that are both opposite."""
     photo_1 = Quaternion.from_axis_angle([0, 0, 1], np.deg2rad(90))

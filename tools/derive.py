@@ -3,18 +3,15 @@
 The line **Time** takes its minutes from ``reading_time``. Each notebook begins with the macros for
 the colours of its formulas, JupyterLab gets the paper's numbers of the equations, and what the book
 folds, JupyterLab folds. CITATION.cff gets the addresses of ``tool.rotedu`` in pyproject.toml, the
-version of the package and its date in CHANGELOG; package, archive and paper get its authors.
-``make notebooks`` calls this after it has run the notebooks.
+version of the package and its date in CHANGELOG. ``make notebooks`` calls this after it
+has run the notebooks.
 """
 
-import json
 import re
 import tomllib
 from pathlib import Path
-from typing import Any
 
 import nbformat
-import yaml
 from nbformat import NotebookNode
 from nbformat.v4 import new_markdown_cell
 from notebook_language import Block, Page, blocks, pages, part_of, tags
@@ -122,55 +119,6 @@ def derive_version(root: Path, version: str) -> None:
         file.write_text(re.sub(old, new, file.read_text("utf-8")), "utf-8")
 
 
-def full_name(author: dict[str, str]) -> str:
-    """Return a name as its bearer writes it."""
-    return author.get("name") or f"{author['given-names']} {author['family-names']}"
-
-
-def for_archive(author: dict[str, str]) -> dict[str, str]:
-    """Return an author as Zenodo lists one."""
-    names = ("family-names", "given-names")
-    name = author.get("name") or ", ".join(author[part] for part in names)
-    orcid = {"orcid": author["orcid"].rpartition("/")[2]} if "orcid" in author else {}
-    return {"name": name} | orcid | {k: v for k, v in author.items() if k == "affiliation"}
-
-
-def for_paper(authors: list[dict[str, str]]) -> str:
-    """Return the authors as the journal's front matter lists them."""
-    places = list(dict.fromkeys(a["affiliation"] for a in authors if "affiliation" in a))
-    listed: list[dict[str, Any]] = [
-        {"name": full_name(author)}
-        | {k: v for k, v in for_archive(author).items() if k == "orcid"}
-        | (
-            {"affiliation": places.index(author["affiliation"]) + 1}
-            if "affiliation" in author
-            else {}
-        )
-        for author in authors
-    ]
-    numbered_places = [{"name": name, "index": i} for i, name in enumerate(places, 1)]
-    matter = {"authors": listed} | ({"affiliations": numbered_places} if places else {})
-    return str(yaml.safe_dump(matter, sort_keys=False, allow_unicode=True))
-
-
-def derive_authors(root: Path) -> None:
-    """Name everywhere the authors whom CITATION.cff names."""
-    authors = yaml.safe_load((root / "CITATION.cff").read_text("utf-8"))["authors"]
-    project, archive, paper = (
-        root / "pyproject.toml",
-        root / ".zenodo.json",
-        root / "paper/paper.md",
-    )
-    entries = ", ".join(f'{{ name = "{full_name(author)}" }}' for author in authors)
-    project.write_text(
-        re.sub(r"(?m)^authors = .*$", f"authors = [{entries}]", project.read_text("utf-8")), "utf-8"
-    )
-    record = json.loads(archive.read_text("utf-8")) | {"creators": list(map(for_archive, authors))}
-    archive.write_text(json.dumps(record, indent=2, ensure_ascii=False) + "\n", "utf-8")
-    named = re.compile(r"(?ms)^authors:$.*?(?=^date:)")
-    paper.write_text(named.sub(for_paper(authors), paper.read_text("utf-8"), count=1), "utf-8")
-
-
 def derive_all() -> None:
     """Bring pages and record up to date."""
     for page in pages().values():
@@ -178,7 +126,6 @@ def derive_all() -> None:
     settings = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["tool"]["rotedu"]
     derive_citation(ROOT / "CITATION.cff", settings["book"], settings["repository"])
     derive_version(ROOT, __version__)
-    derive_authors(ROOT)
 
 
 if __name__ == "__main__":

@@ -41,11 +41,6 @@ class Count(NamedTuple):
         return ceil(sum(getattr(self, name) * each for name, each in SECONDS.items()) / 60)
 
     @property
-    def limit(self) -> int:
-        """The most minutes that such a page may take."""
-        return 40 if self.by_hand > 1 else 35
-
-    @property
     def time(self) -> str:
         """The line for the top of the page."""
         exercises = f", {self.exercises} for the exercises" if self.exercises else ""

@@ -1,5 +1,5 @@
 /* Model of page 5 I. */
-import { columns, DEGREES, ORIGIN, spread, turning } from "./parts.js";
+import { columns, DEGREES, IDENTITY, joined, ORIGIN, scaled, spread, turning } from "./parts.js";
 import {
   angleBetween,
   arcAxis,
@@ -29,51 +29,32 @@ const BESIDE = [2.3, 0, 0];
 /** Slerp and nlerp between two points, and what both do to a spoon. */
 export function slerpByHand({ p, q, t, flip }, { antipodal }) {
   [p, q] = [p, q].map(unit);
-  const end = flip ? q.map((x) => -x) : q;
+  const end = flip ? scaled(-1, q) : q;
   const theta = angleBetween(p, end);
   if (theta > Math.PI - SAME) throw new DegenerateError(antipodal);
   const axis = axisAcross(p, q);
-  const held = transpose([p, cross(axis, p), axis]);
   const times = spread(SAMPLES);
   const arc = times.map((x) => slerp(p, end, x));
   const [here, there] = [slerp(p, end, t), nlerp(p, end, t)];
   const tenths = spread(11)
     .slice(1, -1)
-    .map((x) => nlerp(p, end, x));
-
-  /** Where the quaternion of a point v, which is v p*, takes the spoon: tip, side and bowl. */
-  const turned = (point) => {
-    const by = quaternionMatrix([dot(point, p), ...cross(p, point)]);
-    return transpose(product(by, held));
-  };
-  const spoon = (point) => ({ matrix: columns(turned(point), BESIDE) });
-  const aside = (point, reach = 1) => combine(1, BESIDE, reach, point);
-  const tips = arc.map((point) => turned(point)[0]);
-
+    .map((x) => [ORIGIN, nlerp(p, end, x)]);
   const beside = (point, reach, across) => combine(reach, point, across, axis);
   // On the great circle where the arc is not.
   const beyond = (point, distance) =>
     combine(1.06, point, flip ? -distance : distance, cross(axis, point));
-  const last = tips.at(-1);
   const [startWeight, endWeight] = weights(theta, t);
-  const curves = times.map((x) => weights(theta, x));
-  return {
+  const curves = transpose(times.map((x) => weights(theta, x)));
+  const onSphere = {
     parts: {
       arc: { paths: [arc] },
-      tenths: { paths: tenths.map((point) => [ORIGIN, point]) },
+      tenths: { paths: tenths },
       chord: { paths: [[p, end]] },
       p: { at: p },
       q: { at: q },
       end: { at: end },
       slerp: { at: here },
       nlerp: { at: there },
-      circle: { paths: [turning(p, axis, 2 * Math.PI, 96).map((point) => aside(point))] },
-      sweep: { paths: [tips.map((tip) => aside(tip))] },
-      axis: { from: BESIDE, to: aside(axis, 0.5) },
-      "spoon at the start": spoon(p),
-      "spoon at the end": spoon(end),
-      "spoon by slerp": spoon(here),
-      "spoon by nlerp": spoon(there),
     },
     labels: {
       p: beyond(p, -0.17),
@@ -81,8 +62,6 @@ export function slerpByHand({ p, q, t, flip }, { antipodal }) {
       "-q": flip ? beyond(end, 0.17) : null,
       slerp: beside(here, 0.8, 0.1),
       nlerp: beside(there, 1.15, -0.15),
-      start: aside(p, 1.2),
-      "end of turn": angleBetween(p, last) > CLOSE ? aside(last, 1.2) : null,
     },
     grips: { t: { path: arc } },
     outputs: {
@@ -94,8 +73,36 @@ export function slerpByHand({ p, q, t, flip }, { antipodal }) {
       weights_sum: startWeight + endWeight,
     },
     charts: {
-      weights: { start: curves.map(([start]) => start), end: curves.map(([, end]) => end) },
+      weights: { start: curves[0], end: curves[1] },
       speeds: { slerp: times.map(() => 1), nlerp: times.map((x) => speedOfNlerp(theta, x)) },
+    },
+  };
+  return joined(onSphere, spoons(p, axis, arc, here, there));
+}
+
+/** Beside the sphere, spoons that the quaternions of an arc turn. */
+function spoons(p, axis, arc, here, there) {
+  const held = transpose([p, cross(axis, p), axis]);
+  /** Where the quaternion of a point v, which is v p*, takes the spoon: tip, side and bowl. */
+  const turned = (point) =>
+    transpose(product(quaternionMatrix([dot(point, p), ...cross(p, point)]), held));
+  const spoon = (point) => ({ matrix: columns(turned(point), BESIDE) });
+  const aside = (point, reach = 1) => combine(1, BESIDE, reach, point);
+  const tips = arc.map((point) => turned(point)[0]);
+  const last = tips.at(-1);
+  return {
+    parts: {
+      circle: { paths: [turning(p, axis, 2 * Math.PI, 96).map((point) => aside(point))] },
+      sweep: { paths: [tips.map((tip) => aside(tip))] },
+      axis: { from: BESIDE, to: aside(axis, 0.5) },
+      "spoon at the start": spoon(p),
+      "spoon at the end": spoon(arc.at(-1)),
+      "spoon by slerp": spoon(here),
+      "spoon by nlerp": spoon(there),
+    },
+    labels: {
+      start: aside(p, 1.2),
+      "end of turn": angleBetween(p, last) > CLOSE ? aside(last, 1.2) : null,
     },
   };
 }
@@ -104,11 +111,7 @@ export function slerpByHand({ p, q, t, flip }, { antipodal }) {
 function axisAcross(p, q) {
   if (length(cross(p, q)) > SAME) return arcAxis(p, q);
   const sizes = p.map(Math.abs);
-  const least = sizes.indexOf(Math.min(...sizes));
-  return arcAxis(
-    p,
-    sizes.map((_, i) => (i === least ? 1 : 0)),
-  );
+  return arcAxis(p, IDENTITY[sizes.indexOf(Math.min(...sizes))]);
 }
 
 /** The factors of both ends in (5-2); where the ends coincide, their limits. */

@@ -83,11 +83,6 @@ def camera_arcs(
         The directions; they are normalised. The path is closed.
     names : sequence of str
         What the camera sees in each direction.
-
-    Returns
-    -------
-    pyvista.Plotter
-        The scene.
     """
     points = normalised(targets)
 
@@ -128,11 +123,6 @@ def figure_2(
         The ends of the arc; they are normalised.
     t : float
         Fraction of the arc at which to show a point.
-
-    Returns
-    -------
-    pyvista.Plotter
-        The scene.
     """
     first, second = (np.asarray(v, float) / np.linalg.norm(v) for v in (v1, v2))
     n, point = arc_axis(first, second), slerp(first, second, t)
@@ -190,11 +180,6 @@ def slerp_by_hand(state: State) -> pyvista.Plotter:
         Fraction of the way, from 0 to 1.
     flip : bool
         Whether the end is -q instead of q: the opposite point, but the same orientation.
-
-    Returns
-    -------
-    pyvista.Plotter
-        The scene.
 
     Raises
     ------

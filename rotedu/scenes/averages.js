@@ -1,5 +1,5 @@
 /* Model of page B. */
-import { DEGREES, ORIGIN, placing } from "./parts.js";
+import { DEGREES, ORIGIN, placing, shown } from "./parts.js";
 import {
   axisAngle,
   combine,
@@ -47,11 +47,10 @@ export function meanByHand({ poses, flip }, { no_mean }) {
   });
   const outputs = { singular };
   Object.entries(means).forEach(([name, turn], i) => {
-    const hidden = !turn;
     labels[name] = [i ? 0.72 : -0.72, 0, -0.97];
-    parts[name] = hidden ? { hidden } : { matrix: placing(turn, ORIGIN), hidden };
-    parts[`tip by ${name}`] = hidden ? { hidden } : { at: tip(turn), hidden };
-    outputs[`by_${name}`] = hidden ? no_mean : given.map((one) => between(one, turn));
+    parts[name] = shown(turn && { matrix: placing(turn, ORIGIN) });
+    parts[`tip by ${name}`] = shown(turn && { at: tip(turn) });
+    outputs[`by_${name}`] = turn ? given.map((one) => between(one, turn)) : no_mean;
   });
   const { matrices, quaternions } = means;
   outputs.apart = matrices && quaternions ? between(matrices, quaternions) : no_mean;

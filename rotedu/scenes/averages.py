@@ -49,11 +49,6 @@ def mean_by_hand(state: State) -> pyvista.Plotter:
         The orientations as quaternions; they are normalised, but their signs count.
     flip : bool
         Whether the third quaternion is replaced by its opposite.
-
-    Returns
-    -------
-    pyvista.Plotter
-        The scene.
     """
     # From far away, so that spoons in the same pose look the same wherever they are.
     middle = -0.73 * U

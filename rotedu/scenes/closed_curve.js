@@ -1,5 +1,8 @@
-/* Models of page 5 III. */
-import { arcs, columns, DEGREES, ORIGIN, spread } from "./parts.js";
+/**
+ * Models of page 5 III.
+ * @import { Point } from "./rotations.js"
+ */
+import { arcs, columns, DEGREES, joined, ORIGIN, scaled, shown, spread, W } from "./parts.js";
 import {
   angleBetween,
   arcAxis,
@@ -38,35 +41,44 @@ export function closedCurveByHand({ points, u, fraction }, { most }) {
   const control = p.map((point, i) => [point, a[i], b[(i + 1) % n], p[(i + 1) % n]]);
   const segment = Math.min(Math.floor(u * n), n - 1);
   const within = u * n - segment;
-  const levels = deCasteljauLevels(control[segment], within);
+  const [, first, second, [here]] = deCasteljauLevels(control[segment], within);
   const samples = closedCurve(p, 40, fraction);
   const curve = [...samples, samples[0]];
-
-  const polygon = p.flatMap((point, i) => [b[i], point, a[i]]);
-  const [, first, second, [here]] = levels;
-  const parts = {
-    curve: { paths: [curve] },
-    handles: { paths: arcs([...b, ...p], [...p, ...a]) },
-    polygon: {
-      paths: arcs(
-        a,
-        control.map((four) => four[2]),
-      ),
+  const nextB = control.map((four) => four[2]);
+  const construction = {
+    parts: {
+      curve: { paths: [curve] },
+      handles: { paths: arcs([...b, ...p], [...p, ...a]) },
+      polygon: { paths: arcs(a, nextB) },
+      levels: { paths: arcs([first[0], first[1], second[0]], [first[1], first[2], second[1]]) },
+      ...pointsOf(first, 1),
+      ...pointsOf(second, 2),
+      C: { at: here },
     },
-    levels: { paths: arcs([first[0], first[1], second[0]], [first[1], first[2], second[1]]) },
-    ...pointsOf(first, 1),
-    ...pointsOf(second, 2),
-    C: { at: here },
+    grips: { u: { path: curve } },
   };
-  const labels = {};
+  const polygon = p.flatMap((point, i) => [b[i], point, a[i]]);
+  return joined(construction, corners(polygon, most), motionOf(control, segment, within));
+}
+
+/** The points of a closed curve, each between its control points, and their names. */
+function corners(polygon, most) {
   const middle = polygon.reduce((sum, q) => combine(1, sum, 1 / polygon.length, q), ORIGIN);
+  const parts = {};
+  const labels = {};
   for (let i = 0; i < 3 * most; i++) {
     const name = `${"bPa"[i % 3]}_${Math.floor(i / 3)}`;
     const point = polygon[i];
-    parts[name] = point ? { at: point, hidden: false } : { hidden: true };
-    labels[name] = point && (i % 3 === 1 || n <= NAMED) ? beside(polygon, i, middle) : null;
+    const named = point && (i % 3 === 1 || polygon.length <= 3 * NAMED);
+    parts[name] = shown(point && { at: point });
+    labels[name] = named ? beside(polygon, i, middle) : null;
   }
+  return { parts, labels };
+}
 
+/** Speed and curvature along a closed curve and at one place, and how they jump. */
+function motionOf(control, segment, within) {
+  const n = control.length;
   const t = spread(SAMPLES);
   const motions = control.map((four) => t.map((x) => motion(four, x)));
   const ends = motions.map((leaving, i) => [motions.at(i - 1).at(-1), leaving[0]]);
@@ -75,14 +87,11 @@ export function closedCurveByHand({ points, u, fraction }, { most }) {
   const speeds = motions.map((row) => row.map(({ velocity }) => DEGREES * length(velocity)));
   const bends = ends.map(([v, w]) => Math.abs(w.curvature - v.curvature));
   return {
-    parts,
-    labels,
-    grips: { u: { path: curve } },
     outputs: {
       speed: DEGREES * length(now.velocity),
       curvature: now.curvature,
       velocity_jump: DEGREES * Math.max(...jumps),
-      curvature_jump: bends[Math.floor(n * u + 1 / 2) % n],
+      curvature_jump: bends[Math.floor(segment + within + 1 / 2) % n],
       speed_range: [Math.min, Math.max].map((pick) => pick(...speeds.flat())),
       curvature_jumps: bends,
     },
@@ -249,9 +258,13 @@ function motions(legs, path) {
 }
 
 /** The upward direction of the picture of an upright camera. */
-const upright = (ahead) => cross(ahead, arcAxis([0, 0, 1], ahead));
+const upright = (ahead) => cross(ahead, arcAxis(W, ahead));
 
-/** How fast an upright camera turns about its line of sight: by its turn about W. */
+/**
+ * How fast an upright camera turns about its line of sight: by its turn about W.
+ * @param {Point} ahead
+ * @param {Point} velocity
+ */
 function spinOfUpright([x, y, z], [dx, dy]) {
   return (z * (x * dy - y * dx)) / Math.max(x ** 2 + y ** 2, STEP ** 2);
 }
@@ -269,13 +282,8 @@ function carried(up, way) {
 /** The corners of what a camera at the origin sees, where it meets the unit sphere. */
 function picture(ahead, up) {
   const left = cross(up, ahead);
-  const signs = [
-    [1, 1],
-    [1, -1],
-    [-1, -1],
-    [-1, 1],
-  ];
-  return signs.map(([x, y]) => combine(1, ahead, 1, combine(x * WIDTH, left, y * HEIGHT, up)));
+  const corner = (x, y) => combine(1, ahead, 1, combine(x * WIDTH, left, y * HEIGHT, up));
+  return [corner(1, 1), corner(1, -1), corner(-1, -1), corner(-1, 1)];
 }
 
 /** The angle between two velocities; one that is zero makes none. */
@@ -285,7 +293,7 @@ const angle = (v, w) => Math.atan2(length(cross(v, w)), dot(v, w));
 function away(point, middle) {
   const chord = combine(1, point, -1, middle);
   const tangent = combine(1, chord, -dot(chord, point), point);
-  return tangent.map((x) => x / Math.max(length(tangent), STEP));
+  return scaled(1 / Math.max(length(tangent), STEP), tangent);
 }
 
 /** The place of a label, clear of the path and of the upper side of the picture. */

@@ -62,11 +62,6 @@ def figure_8(points: ArrayLike = FIGURE_8, fraction: float = 1 / 2) -> pyvista.P
         At least 3 points P_0 ... P_{n-1}; they are normalised.
     fraction : float
         How far ``a_i`` goes from ``P_i`` towards the midpoint. The paper takes 1/2.
-
-    Returns
-    -------
-    pyvista.Plotter
-        The scene.
     """
     p = normalised(points)
     a, b = control_points(p, fraction)
@@ -138,11 +133,6 @@ def closed_curve_by_hand(state: State) -> pyvista.Plotter:
         Place on the whole curve, from 0 to 1. Each segment takes the same share.
     fraction : float
         How far ``a_i`` goes from ``P_i`` towards the midpoint. The paper takes 1/2.
-
-    Returns
-    -------
-    pyvista.Plotter
-        The scene.
     """
     plotter = sphere_scene(eye=(4.28, 2.42, 2.51))
     looks: dict[str, Look] = {
@@ -213,11 +203,6 @@ def arcs_of_arcs(state: State) -> pyvista.Plotter:
         Control points; they are normalised.
     u : float
         The parameter, from 0 to 1.
-
-    Returns
-    -------
-    pyvista.Plotter
-        The scene.
     """
     plotter = sphere_scene(eye=(4.28, 2.42, 2.51))
     looks: dict[str, Look] = {"curve": Lines(RESULT, 0.014)}
@@ -271,11 +256,6 @@ def camera_by_hand(state: State) -> pyvista.Plotter:
     roll : str
         ``kept upright`` keeps the sides of the picture vertical. ``carried along`` starts upright
         at the door; from there on, nothing turns the camera about its line of sight.
-
-    Returns
-    -------
-    pyvista.Plotter
-        The scene.
     """
     plotter = new_scene((5.1, -0.3, 2.3), (0, 0, 0.02), view_angle=26.5, size=(480, 480))
     add_sphere(plotter)

@@ -1,5 +1,8 @@
-/* Model of Chapter 6. */
-import { CUBE, DEGREES, placing } from "./parts.js";
+/**
+ * Model of Chapter 6.
+ * @import { Matrix, Quaternion } from "./rotations.js"
+ */
+import { box, DEGREES, IDENTITY, placing, scaled } from "./parts.js";
 import {
   axisAngle,
   combine,
@@ -9,7 +12,6 @@ import {
   product,
   quaternionMatrix,
   quaternionProduct,
-  transform,
   transpose,
   unit,
 } from "./rotations.js";
@@ -17,13 +19,8 @@ import {
 // A chart shows every tenth number of turns, and nothing below 1e-8 degrees.
 const EVERY = 10;
 const FLOOR = 1e-8;
-const ACROSS = [0.93, 0.36, 0].map((x) => 0.88 * x);
+const ACROSS = scaled(0.88, [0.93, 0.36, 0]);
 const BELOW = [0, 0, -0.95];
-const IDENTITY = [
-  [1, 0, 0],
-  [0, 1, 0],
-  [0, 0, 1],
-];
 // What is left of a number after every turn.
 const ROUNDED = {
   // Ties, which could go either way, do not occur.
@@ -54,7 +51,7 @@ function* randomTurns(count, small) {
     const square = length([w, ...v]) ** 2;
     if (square <= 0.01 || square > 1) continue;
     found++;
-    yield unit(small ? [1, ...v.map((x) => small * x)] : [w, ...v]);
+    yield unit(small ? [1, ...scaled(small, v)] : [w, ...v]);
   }
 }
 
@@ -70,6 +67,7 @@ function chains(precision, size, { most, sizes }) {
     let exact = [1, 0, 0, 0];
     let matrix = IDENTITY;
     let kept = exact;
+    /** @type {{matrix: Matrix[], quaternion: Quaternion[]}} */
     const worn = { matrix: [], quaternion: [] };
     for (const turn of [...randomTurns(most, sizes[size]), exact]) {
       const back = conjugate(exact);
@@ -102,19 +100,18 @@ export function wornSpoonsByHand({ turns, precision, size, repair }, constants) 
   const k = Math.round(turns);
   const q = worn.quaternion[k];
   const square = length(q) ** 2;
-  const unrepaired = [worn.matrix[k], quaternionMatrix(q).map((row) => row.map((x) => square * x))];
+  const unrepaired = [worn.matrix[k], quaternionMatrix(q).map((row) => scaled(square, row))];
   const rotations = repair ? worn.near(k) : unrepaired;
   const off = worn.off(k);
   const state = { parts: {}, labels: {}, outputs: {}, charts: { off: {} } };
   ["matrix", "quaternion"].forEach((name, i) => {
     const rotation = rotations[i];
-    const place = ACROSS.map((x) => (i ? x : -x));
+    const place = scaled(i ? 1 : -1, ACROSS);
     for (const [part, matrix] of [
       [`${name} at the start`, IDENTITY],
       [name, rotation],
     ]) {
-      const moved = (point) => combine(1, place, 1, transform(matrix, point));
-      state.parts[`box, ${part}`] = { paths: CUBE.map((edge) => edge.map(moved)) };
+      state.parts[`box, ${part}`] = box(matrix, place);
       state.parts[part] = { matrix: placing(matrix, place) };
     }
     state.labels[name] = combine(1, place, 1, BELOW);

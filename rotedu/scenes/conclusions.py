@@ -129,11 +129,6 @@ def worn_spoons_by_hand(state: State) -> pyvista.Plotter:
         Turns of ``any size``, of ``about 2°`` or of ``about 0.02°``.
     repair : bool
         Whether both products are replaced by the nearest rotation at the end.
-
-    Returns
-    -------
-    pyvista.Plotter
-        The scene.
     """
     spoon = teaspoon(stations=61, around=20)
     spoon.points = spoon.points / 2

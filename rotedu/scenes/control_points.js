@@ -1,5 +1,5 @@
 /* Model of page 5 II. */
-import { arcs, DEGREES, lamp, ORIGIN, spread, turning } from "./parts.js";
+import { arcs, DEGREES, joined, lamp, ORIGIN, scaled, shown, spread, turning } from "./parts.js";
 import { angleBetween, arcAxis, combine, cross, dot, slerp, unit } from "./rotations.js";
 
 // Lengths of vectors and angles in radians that look equal.
@@ -19,11 +19,6 @@ export function controlPointsByHand(
   const [before, here, held] = points.map(unit);
   const axis = one_circle && arcAxis(before, here);
   const after = one_circle ? cross(arcAxis(axis, held), axis) : held;
-  const path = (k, [p, q], from, to) => {
-    // What is not yet taken is hidden, and whole: a tube needs a length.
-    const share = step > k ? Math.min(1, step - k) : 1;
-    return SAMPLES.map((t) => slerp(p, q, from + share * t * (to - from)));
-  };
   const reflected = slerp(before, here, 2);
   // About the reversed axis, half of the angle turns away from the next point.
   const half = printed_axis ? -0.5 : 0.5;
@@ -31,73 +26,98 @@ export function controlPointsByHand(
   const a = slerp(middle, here, 0.5);
   const doubled = printed_double ? [here, a] : [a, here];
   const b = slerp(...doubled, 2);
-  const opposite = combine(-1, reflected, 0, ORIGIN);
-
-  const parts = {
-    circle: one_circle
-      ? { paths: [turning(before, axis, 2 * Math.PI, 96)], hidden: false }
-      : { hidden: true },
-    given: { paths: arcs([before, here], [here, after]) },
-    "$P_{i-1}$": { at: before },
-    $P_i$: { at: here },
-    "$P_{i+1}$": { at: after },
-    halved: { paths: arcs([reflected], [after]), hidden: step <= 1 },
-    opposite: { at: opposite, hidden: step < 1 },
+  const errors = errorsOf(here, after, reflected, middle, a, b);
+  /** @param {number[]} test */
+  const tested = ([made, error]) => (step < made ? notYet : lamp(error < SAME));
+  const failed = Object.values(errors).filter(([, error]) => error >= SAME).length;
+  const told = {
+    // The ring stays on the point that it holds.
+    inputs: one_circle ? { points: [before, here, after] } : {},
+    trails: { "way of a": step < 3 ? null : above(a), "way of P": above(after) },
+    outputs: {
+      now: steps[Math.ceil(step)],
+      tests: step < 4 ? "" : verdicts[failed],
+      to_jump: one_circle && step >= 1 ? 180 - DEGREES * angleBetween(reflected, after) : "",
+      ...Object.fromEntries(Object.entries(errors).map(([name, test]) => [name, tested(test)])),
+    },
   };
-  const labels = {
-    "P_{i-1}": beside(before, [here]),
-    P_i: beside(here, [before, after]),
-    "P_{i+1}": beside(after, [here, reflected]),
-    opposite: step < 1 ? null : beside(opposite, [], INWARD),
+  const path = (k, ends, from, to) => {
+    // What is not yet taken is whole, and hidden: a tube needs a length.
+    const share = step > k ? Math.min(1, step - k) : 1;
+    return SAMPLES.map((x) => slerp(...ends, from + share * x * (to - from)));
   };
-  // With (5-13) as printed, b_i comes to the second auxiliary point and its name.
-  const last = printed_double ? FAR : NEAR;
-  const bWrong = printed_axis || printed_double;
-  const ways = [
-    ["\\bar P_{i-1}", [[before, here], 1, 2], inks.cross, false, [], INWARD],
-    ["\\bar P_i", [[reflected, after], 0, half], inks.cross, printed_axis, [here, reflected], NEAR],
-    ["a_i", [[middle, here], 0, 0.5], inks.result, printed_axis, [here, after], NEAR],
-    ["b_i", [doubled, 0, 2], inks.result, bWrong, [here, reflected], last],
-  ];
-  ways.forEach(([name, ends, ink, wrong, others, distance], k) => {
-    const way = path(k, ...ends);
-    const [at, color, hidden] = [way.at(-1), wrong ? inks.wrong : ink, step <= k];
-    parts[`path ${k}`] = { paths: [way], color, hidden };
-    parts[`$${name}$`] = { at, color, hidden };
-    const place = hidden ? null : beside(at, others, distance);
-    labels[name] = wrong ? null : place;
-    labels[`${name} spoiled`] = wrong ? place : null;
-  });
+  const wrong = [false, printed_axis, printed_axis, printed_axis || printed_double];
+  const taken = (k, name, path, ink, others, distance) =>
+    stepTaken(k, name, path, wrong[k] ? inks.wrong : ink, wrong[k], step <= k, others, distance);
+  return joined(
+    given(before, here, after, axis, reflected, step),
+    taken(0, "\\bar P_{i-1}", path(0, [before, here], 1, 2), inks.cross, [], INWARD),
+    taken(1, "\\bar P_i", path(1, [reflected, after], 0, half), inks.cross, [here, reflected]),
+    taken(2, "a_i", path(2, [middle, here], 0, 0.5), inks.result, [here, after]),
+    // With (5-13) as printed, b_i comes to the second auxiliary point and its name.
+    taken(
+      3,
+      "b_i",
+      path(3, doubled, 0, 2),
+      inks.result,
+      [here, reflected],
+      printed_double ? FAR : NEAR,
+    ),
+    told,
+  );
+}
 
+/** The three points, and where a_i jumps. */
+function given(before, here, after, axis, reflected, step) {
+  const opposite = scaled(-1, reflected);
+  return {
+    parts: {
+      circle: shown(axis && { paths: [turning(before, axis, 2 * Math.PI, 96)] }),
+      given: { paths: arcs([before, here], [here, after]) },
+      "$P_{i-1}$": { at: before },
+      $P_i$: { at: here },
+      "$P_{i+1}$": { at: after },
+      halved: { paths: arcs([reflected], [after]), hidden: step <= 1 },
+      opposite: { at: opposite, hidden: step < 1 },
+    },
+    labels: {
+      "P_{i-1}": beside(before, [here]),
+      P_i: beside(here, [before, after]),
+      "P_{i+1}": beside(after, [here, reflected]),
+      opposite: step < 1 ? null : beside(opposite, [], INWARD),
+    },
+  };
+}
+
+/** The k-th step: its path, and the point to which it leads, with one name or another. */
+function stepTaken(k, name, path, color, wrong, hidden, others, distance) {
+  const at = path.at(-1);
+  const place = hidden ? null : beside(at, others, distance);
+  return {
+    parts: {
+      [`path ${k}`]: { paths: [path], color, hidden },
+      [`$${name}$`]: { at, color, hidden },
+    },
+    labels: { [name]: wrong ? null : place, [`${name} spoiled`]: wrong ? place : null },
+  };
+}
+
+/** By how much each test fails, after the step that makes it possible. */
+function errorsOf(here, after, reflected, middle, a, b) {
   const [near, far] = [a, b].map((q) => angleBetween(here, q));
   const span = angleBetween(reflected, after);
   const halves = [angleBetween(reflected, middle), angleBetween(middle, after)];
   const turnsIn = cross(b, here);
-  const errors = {
+  return {
     midway: [2, Math.max(...halves.map((x) => Math.abs(x - span / 2)))],
     on_circle: [4, Math.abs(dot(turnsIn, a))],
     equally_far: [4, Math.abs(near - far)],
     no_corner: [4, -dot(turnsIn, cross(here, a))],
   };
-  const tested = ([made, error]) => (step < made ? notYet : lamp(error < SAME));
-  const failed = Object.values(errors).filter(([, error]) => error >= SAME).length;
-  return {
-    // The ring stays on the point that it holds.
-    inputs: one_circle ? { points: [before, here, after] } : {},
-    parts,
-    labels,
-    trails: { "way of a": step < 3 ? null : above(a), "way of P": above(after) },
-    outputs: {
-      now: steps[Math.ceil(step)],
-      tests: step < 4 ? "" : verdicts[failed],
-      to_jump: one_circle && step >= 1 ? 180 - DEGREES * span : "",
-      ...Object.fromEntries(Object.entries(errors).map(([name, test]) => [name, tested(test)])),
-    },
-  };
 }
 
 /** Where a way is seen over the arcs. */
-const above = (point) => combine(1.05, point, 0, ORIGIN);
+const above = (point) => scaled(1.05, point);
 
 /** The place of a label: next to a point of the sphere, away from others. */
 function beside(point, others, distance = NEAR) {

@@ -114,11 +114,6 @@ def figure_3(points: ArrayLike = NEIGHBOURS) -> pyvista.Plotter:
     ----------
     points : array_like, shape (3, 3)
         P_{i-1}, P_i and P_{i+1}; they are normalised.
-
-    Returns
-    -------
-    pyvista.Plotter
-        The scene.
     """
     shifts = (
         (-0.13, 0.05),
@@ -154,11 +149,6 @@ def figure_4(points: ArrayLike = NEIGHBOURS) -> pyvista.Plotter:
     ----------
     points : array_like, shape (3, 3)
         P_{i-1}, P_i and P_{i+1}; they are normalised.
-
-    Returns
-    -------
-    pyvista.Plotter
-        The scene.
     """
     plotter, p = open_neighbours(
         points,
@@ -185,11 +175,6 @@ def figure_5(points: ArrayLike = NEIGHBOURS) -> pyvista.Plotter:
     ----------
     points : array_like, shape (3, 3)
         P_{i-1}, P_i and P_{i+1}; they are normalised.
-
-    Returns
-    -------
-    pyvista.Plotter
-        The scene.
     """
     plotter, p = open_neighbours(
         points, {AFTER: (0, 0.13), REFLECTED: (0.15, 0.02), MIDDLE: (0.12, 0.06)}
@@ -213,11 +198,6 @@ def figure_6(points: ArrayLike = NEIGHBOURS) -> pyvista.Plotter:
     ----------
     points : array_like, shape (3, 3)
         P_{i-1}, P_i and P_{i+1}; they are normalised.
-
-    Returns
-    -------
-    pyvista.Plotter
-        The scene.
     """
     plotter, p = open_neighbours(
         points,
@@ -244,11 +224,6 @@ def figure_7(points: ArrayLike = NEIGHBOURS) -> pyvista.Plotter:
     ----------
     points : array_like, shape (3, 3)
         P_{i-1}, P_i and P_{i+1}; they are normalised.
-
-    Returns
-    -------
-    pyvista.Plotter
-        The scene.
     """
     plotter, p = open_neighbours(
         points,
@@ -331,11 +306,6 @@ def control_points_by_hand(state: State) -> pyvista.Plotter:
         Whether the fourth step takes (5-13) as printed.
     one_circle : bool
         Whether P_{i+1} moves to the nearest point of the great circle through the other two.
-
-    Returns
-    -------
-    pyvista.Plotter
-        The scene.
     """
     plotter = sphere_scene(eye=(4.86, -0.2, 3.0), target=(0, 0, 0.06))
     texts = {"opposite": Text(text=r"$\mathrm{here}\ a_i\ \mathrm{jumps}$"), "P*": Text(VECTOR)}
@@ -394,11 +364,6 @@ def reversed_axis(points: ArrayLike = LOOP, samples: int = 24) -> pyvista.Plotte
         The points P_0 ... P_{n-1}; they are normalised.
     samples : int
         Number of points drawn on each segment.
-
-    Returns
-    -------
-    pyvista.Plotter
-        The scene.
     """
     p = normalised(points)
     a, b = astray(p)

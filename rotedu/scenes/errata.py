@@ -26,11 +26,6 @@ def two_curves(
         Points along each closed curve.
     difference : str
         Sentence for the alternative text that says how the wrong curve differs.
-
-    Returns
-    -------
-    pyvista.Plotter
-        The scene.
     """
     p, right, wrong = (np.asarray(x, float) for x in (points, right, wrong))
     centre = p.mean(axis=0)

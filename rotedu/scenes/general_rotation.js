@@ -1,5 +1,16 @@
 /* Models of Chapter 4. */
-import { DEGREES, ORIGIN, placing, spread, turning } from "./parts.js";
+import {
+  DEGREES,
+  IDENTITY,
+  ORIGIN,
+  placing,
+  scaled,
+  shown,
+  spread,
+  turning,
+  U,
+  W,
+} from "./parts.js";
 import {
   axisAngle,
   combine,
@@ -20,19 +31,13 @@ import {
   unit,
 } from "./rotations.js";
 
-const IDENTITY = [
-  [1, 0, 0],
-  [0, 1, 0],
-  [0, 0, 1],
-];
 // A shorter direction has no length of 1.
 const SHORT = 0.05;
 
 const column = (matrix, k) => matrix.map((row) => row[k]);
-const scaled = (factor, v) => combine(factor, v, 0, v);
 
 const ROW_BACK = [0.49, -0.77, 0.42];
-const ROW_RIGHT = unit(cross([0, 0, 1], ROW_BACK));
+const ROW_RIGHT = unit(cross(W, ROW_BACK));
 const ROW_UP = cross(ROW_BACK, ROW_RIGHT);
 const ACROSS = [-3.4, -1.35, 0.7, 2.6];
 const DIAL = 0.45;
@@ -93,23 +98,18 @@ function dial(center, n, angle) {
   const zero = rotate(scaled(DIAL / Math.max(length(view), SHORT), view), n, -Math.PI / 4);
   const moved = (points) => points.map((point) => combine(1, center, 1, point));
   const path = moved(turning(rotate(zero, n, -Math.PI), n, 2 * Math.PI, 72));
-  const none = { hidden: true };
-  if (Math.abs(angle) < SMALLEST_ARC) return { arc: none, head: none, path };
+  const drawn = Math.abs(angle) >= SMALLEST_ARC;
   const arc = moved(turning(zero, n, angle / DEGREES, 24));
   const to = arc.at(-1);
   const ahead = cross(n, combine(1, to, -1, center));
   const from = combine(1, to, (-0.15 * Math.sign(angle)) / DIAL, ahead);
-  return { arc: { paths: [arc], hidden: false }, head: { from, to, hidden: false }, path };
+  return { arc: shown(drawn && { paths: [arc] }), head: shown(drawn && { from, to }), path };
 }
 
 // Each ring turns with its angle within the next.
-const RINGS = [
-  ["u", 0.67],
-  ["v", 0.885],
-  ["w", 1.1],
-];
+const RINGS = { u: 0.67, v: 0.885, w: 1.1 };
 // Each ring in its own pose, and the place on it that can be seen to be grabbed.
-const FLAT = [([c, s]) => [c, s, 0], ([c, s]) => [c, s, 0], ([c, s]) => [0, c, s]];
+const FLAT = [(c, s) => [c, s, 0], (c, s) => [c, s, 0], (c, s) => [0, c, s]];
 // Far from each other in most poses.
 const GRABBED = [
   [1, 1, 0],
@@ -119,14 +119,14 @@ const GRABBED = [
 const ROUND = spread(49).map((x) => [Math.cos(2 * Math.PI * x), Math.sin(2 * Math.PI * x)]);
 const WHOLE = spread(73).map((x) => 360 * x - 180);
 const BACK = [0.48, -0.74, 0.47];
-const RIGHT = unit(cross([0, 0, 1], BACK));
+const RIGHT = unit(cross(W, BACK));
 const UP = cross(BACK, RIGHT);
-const PLACE = RIGHT.map((x) => 2.6 * x);
+const PLACE = scaled(2.6, RIGHT);
 const SPOON = 0.58;
 // The spoons on their way have two sizes: where they lie alike, one is seen.
 const WAYS = [
-  ["angles", "three angles", 0.9, -0.5],
-  ["slerp", "one turn", 0.97, 0.6],
+  { name: "angles", text: "three angles", size: 0.9, aside: -0.5 },
+  { name: "slerp", text: "one turn", size: 0.97, aside: 0.6 },
 ];
 const PIECES = spread(33);
 const STEP = 1e-4;
@@ -138,7 +138,7 @@ const pose = (angles) => matrixFromEulerAngles(...angles.map((angle) => angle / 
  * rings along, who sets them, the spoon.
  */
 export function eulerAnglesByHand({ u, v, w, spoon, t }, { noWay }, changed) {
-  const turned = RINGS.some(([name]) => changed.includes(name));
+  const turned = changed.some((name) => name in RINGS);
   const led = changed.includes("spoon") && !turned;
   const angles = led ? nearestAngles(quaternionMatrix(spoon), [u, v, w]) : [u, v, w];
   const end = pose(angles);
@@ -146,23 +146,15 @@ export function eulerAnglesByHand({ u, v, w, spoon, t }, { noWay }, changed) {
   const q = dot(found, spoon) < 0 ? scaled(-1, found) : found;
   const ways = twoWays(angles);
   const { parts, labels, grips } = gimbals(angles);
-  WAYS.forEach(([name, text, size, aside], k) => {
+  WAYS.forEach(({ name, text, size, aside }, k) => {
+    const way = ways[k];
     labels[text] = combine(aside, RIGHT, -1.14, UP);
-    const three = [`${name} spoon`, `${name} path`, `${name} tip`];
-    for (const part of three) parts[part] = { hidden: !ways[k] };
-    if (!ways[k]) return;
-    const here = ways[k](t);
-    const [body, path, point] = three.map((part) => parts[part]);
-    body.matrix = placing(here, ORIGIN, size);
-    path.paths = [PIECES.map((x) => column(ways[k](x), 0))];
-    point.at = column(here, 0);
+    parts[`${name} spoon`] = shown(way && { matrix: placing(way(t), ORIGIN, size) });
+    parts[`${name} path`] = shown(way && { paths: [PIECES.map((x) => column(way(x), 0))] });
+    parts[`${name} tip`] = shown(way && { at: column(way(t), 0) });
   });
 
-  const [moreU, lessU, moreW] = [
-    [1, 0, 0],
-    [-1, 0, 0],
-    [0, 0, 1],
-  ].map((change) => pose(combine(1, angles, 1, change)));
+  const [moreU, lessU, moreW] = [U, scaled(-1, U), W].map((x) => pose(combine(1, angles, 1, x)));
   const path = PIECES.map(ways[0]);
   const steps = path.slice(1).map((turn, i) => degreesBetween(path[i], turn));
   const [byAngles, slerp = null] = ways.map((way) =>
@@ -213,10 +205,8 @@ function nearestAngles(matrix, angles) {
   const off = pose(angles).flatMap((row, i) => combine(1, row, -1, matrix[i]));
   if (largest(off) < SAME) return angles;
   const [u, v, w] = eulerAngles(matrix).map((angle) => DEGREES * angle);
-  const [one, other] = [
-    [u, v, w],
-    [u + 180, 180 - v, w + 180],
-  ].map((triple) => triple.map(remainder));
+  const one = [u, v, w].map(remainder);
+  const other = [u + 180, 180 - v, w + 180].map(remainder);
   const change = (triple) => largest(triple.map((angle, i) => remainder(angle - angles[i])));
   return change(one) <= change(other) ? one : other;
 }
@@ -233,30 +223,24 @@ function gimbals([u, v, w]) {
   const parts = { held: { matrix: placing(poses[0], PLACE, SPOON) } };
   const grips = { spoon: { at: PLACE, size: SPOON } };
   const labels = {};
-  RINGS.forEach(([name, radius], k) => {
-    const body = ROUND.map((place) => moved(poses[k], scaled(radius, FLAT[k](place))));
+  Object.entries(RINGS).forEach(([name, radius], k) => {
+    const body = ROUND.map((place) => moved(poses[k], scaled(radius, FLAT[k](...place))));
     const corner = scaled(radius / Math.SQRT2, GRABBED[k]);
     const at = (angle) => [u, v, w].map((x, i) => (i < k ? 0 : i === k ? angle : x));
     parts[`ring ${name}`] = { paths: [body] };
     grips[name] = { path: WHOLE.map((angle) => moved(pose(at(angle)), corner)), body };
   });
-  const axes = { W: [0, 0, 1], V: column(poses[2], 1), U: column(poses[1], 0) };
-  const { W, V, U } = axes;
+  const [V, U] = [column(poses[2], 1), column(poses[1], 0)];
   const seen = combine(1, U, -dot(U, BACK), BACK);
   // The name of U″ lies in the plane of the picture, outside the rings.
   const beside = scaled(1 / Math.max(length(seen), SHORT), seen);
-  const [[, inner], [, middle], [, outer]] = RINGS;
-  for (const [name, first, last, direction, aside] of [
-    ["W", outer, 1.3, W, 0.1],
-    ["V", middle, outer + 0.15, V, 0],
-    ["U", inner, middle, beside, -0.2],
-  ]) {
-    const axis = axes[name];
-    const paths = [1, -1].map((sign) =>
-      [first, last].map((far) => combine(1, PLACE, sign * far, axis)),
-    );
-    parts[`axis ${name}`] = { paths };
+  const axis = (name, axis, first, last, aside, direction = axis) => {
+    const end = (sign) => [first, last].map((far) => combine(1, PLACE, sign * far, axis));
+    parts[`axis ${name}`] = { paths: [end(1), end(-1)] };
     labels[name] = combine(1, combine(1, PLACE, 1.42, direction), aside, RIGHT);
-  }
+  };
+  axis("W", W, RINGS.w, 1.3, 0.1);
+  axis("V", V, RINGS.v, RINGS.w + 0.15, 0);
+  axis("U", U, RINGS.u, RINGS.v, -0.2, beside);
   return { parts, labels, grips };
 }

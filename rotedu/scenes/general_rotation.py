@@ -87,11 +87,6 @@ def three_turns_by_hand(state: State) -> pyvista.Plotter:
         The order of the lower row.
     axes : str
         Whether the lower row turns about fixed axes or about axes that the spoon carries along.
-
-    Returns
-    -------
-    pyvista.Plotter
-        The scene.
     """
     back = np.array([0.49, -0.77, 0.42])
     right = np.cross((0, 0, 1), back) / np.linalg.norm(back[:2])
@@ -144,11 +139,6 @@ def one_for_three(
         The angles about U, V and W in radians.
     vector : array_like, shape (3,)
         The vector r; it is normalised.
-
-    Returns
-    -------
-    pyvista.Plotter
-        The scene.
     """
     theta = np.asarray(angles, float)
     start = here = np.asarray(vector, float) / np.linalg.norm(vector)
@@ -208,11 +198,6 @@ def euler_angles_by_hand(state: State) -> pyvista.Plotter:
         because the angles say the rest.
     t : float
         Part of the way from the start to the pose, from 0 to 1.
-
-    Returns
-    -------
-    pyvista.Plotter
-        The scene.
     """
     back = np.array([0.48, -0.74, 0.47])
     target = 1.37 * np.cross((0, 0, 1), back) / np.linalg.norm(back[:2])
@@ -268,11 +253,6 @@ def stages(steps: Sequence[ArrayLike] | None = None) -> pyvista.Plotter:
     steps : sequence of array_like, shape (4, 4), optional
         Scaling, shear, rotation, translation and perspective, in the order of their
         application.
-
-    Returns
-    -------
-    pyvista.Plotter
-        The scene.
     """
     if steps is None:
         steps = [

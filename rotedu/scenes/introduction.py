@@ -42,11 +42,6 @@ def four_descriptions(
         The rotation axis n; it is normalised.
     angle : float
         The rotation angle in radians.
-
-    Returns
-    -------
-    pyvista.Plotter
-        The scene.
     """
     n = np.asarray(axis, float) / np.linalg.norm(axis)
     matrix = rotation_matrix(n, angle)

@@ -1,5 +1,5 @@
 /* Model of page A. */
-import { CUBE, DEGREES, ORIGIN, placing, spread } from "./parts.js";
+import { box, DEGREES, IDENTITY, ORIGIN, placing, scaled, spread, W } from "./parts.js";
 import {
   axisAngle,
   combine,
@@ -19,27 +19,21 @@ import {
 const SPEED = Math.PI / 2;
 const ARROW = 0.85;
 const EYE = [0.3, -0.88, 0.36];
-const ACROSS = unit(cross([0, 0, 1], EYE));
+const ACROSS = unit(cross(W, EYE));
 const UPWARDS = unit(cross(EYE, ACROSS));
 const ASLANT = 0.6;
-const PLACES = [0, 2.72, 5.07].map((x) => ACROSS.map((y) => x * y));
+const PLACES = [0, 2.72, 5.07].map((x) => scaled(x, ACROSS));
 const BELOW = [0, 0, -1.5];
 const PIECE = 0.025;
 const ROUNDING = 1e-6;
-const IDENTITY = [
-  [1, 0, 0],
-  [0, 1, 0],
-  [0, 0, 1],
-];
 
 /** A spoon that turns by two velocities, as three integrators see it: `spinning_by_hand`. */
 export function spinningByHand(
   { space, body, h, t, repair },
   { seconds, edge: size, longest: edges, aside },
 ) {
-  const times = spread(61).map((x) => seconds * x);
+  const times = scaled(seconds, spread(61));
   const tip = [size / 2, 0, 0];
-  const [omega, own] = [space, body].map((axis) => unit(axis).map((x) => SPEED * x));
   const [first, second] = [unit(space), unit(body)];
   const exact = (t) => product(rotationMatrix(first, SPEED * t), rotationMatrix(second, SPEED * t));
   const right = exact(t);
@@ -51,29 +45,26 @@ export function spinningByHand(
     ["space", first, 1],
     ["body", transform(turn, second), -1],
   ]) {
-    const end = axis.map((x) => ARROW * x);
+    const end = scaled(ARROW, axis);
     parts[name] = { from: ORIGIN, to: end };
     labels[name] = beside(end, side);
   }
   const outputs = {};
   const charts = { longest: {}, off: {} };
-  const ways = integrators(omega, own, h, repair, seconds);
+  const ways = integrators(scaled(SPEED, first), scaled(SPEED, second), h, repair, seconds);
   Object.entries(ways).forEach(([name, way], i) => {
     const now = way(t);
-    const put = (matrix) => (point) => combine(1, PLACES[i], 1, transform(matrix, point));
-    const box = (matrix) => ({
-      paths: CUBE.map((edge) => edge.map((p) => put(matrix)(p.map((x) => size * x)))),
-    });
+    const tipAt = (moment) => combine(1, PLACES[i], 1, transform(way(moment), tip));
     labels[name] = combine(1, PLACES[i], 1, BELOW);
-    parts[`exact, ${name}`] = box(right);
-    parts[`box, ${name}`] = box(now);
+    parts[`exact, ${name}`] = box(right, PLACES[i], size);
+    parts[`box, ${name}`] = box(now, PLACES[i], size);
     parts[name] = { matrix: placing(now, PLACES[i]) };
-    parts[`way, ${name}`] = { paths: [moments(h, t).map((moment) => put(way(moment))(tip))] };
+    parts[`way, ${name}`] = { paths: [moments(h, t).map(tipAt)] };
     // All but one matrix are a rotation times a number.
     const turnOf = (matrix) =>
       name === "Euler, matrix" && !repair
         ? nearestRotation(matrix)
-        : scaled(1 / longest(matrix), matrix);
+        : matrix.map((row) => scaled(1 / longest(matrix), row));
     const off = (matrix, rotation) =>
       DEGREES * axisAngle(product(transpose(turnOf(matrix)), rotation)).angle;
     const drawn = times.map(way);
@@ -94,8 +85,6 @@ function beside(tip, side) {
     combine(0.42 * Math.cos(angle), ACROSS, 0.3 * Math.sin(angle), UPWARDS),
   );
 }
-
-const scaled = (factor, matrix) => matrix.map((row) => row.map((x) => factor * x));
 
 const longest = (matrix) => Math.max(...transpose(matrix).map(length));
 
@@ -124,7 +113,7 @@ function integrators(omega, own, h, repair, seconds) {
     exponential: steps(exponential, IDENTITY, (r) => r),
     "Euler, matrix": steps(matrix, IDENTITY, (m) => m),
     "Euler, quaternion": steps(quaternion, [1, 0, 0, 0], (q) =>
-      scaled(dot(q, q), quaternionMatrix(q)),
+      quaternionMatrix(q).map((row) => scaled(dot(q, q), row)),
     ),
   };
 }

@@ -63,11 +63,6 @@ def spinning_by_hand(state: State) -> pyvista.Plotter:
     repair : bool
         Whether the matrix is replaced by the nearest rotation, and the quaternion by one of norm 1,
         after every step.
-
-    Returns
-    -------
-    pyvista.Plotter
-        The scene.
     """
     # From far away, so that what is drawn in three places looks the same.
     plotter = new_scene(MIDDLE + EYE, MIDDLE, view_angle=5.885, size=(720, 292))

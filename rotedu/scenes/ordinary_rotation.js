@@ -1,5 +1,5 @@
 /* Model of Chapter 3. */
-import { DEGREES, ORIGIN, turning } from "./parts.js";
+import { DEGREES, joined, ORIGIN, scaled, shown, turning } from "./parts.js";
 import { combine, cross, dot, length, rotate, rotationMatrix, unit } from "./rotations.js";
 
 // A shorter piece is not drawn.
@@ -11,39 +11,16 @@ const ASIDE = [-0.03, 0.13, 0];
 export function figure1ByHand({ vector: r, axis, theta, around }, _, changed) {
   const n = unit(axis);
   const angle = theta / DEGREES;
-  const cos = Math.cos(angle);
-  const sin = Math.sin(angle);
-  const center = n.map((x) => dot(r, n) * x);
-  const spoke = combine(1, r, -1, center);
+  const center = scaled(dot(r, n), n);
   const turned = rotate(r, n, angle);
   const other = rotate(r, n, around / DEGREES);
-  const here = terms(r, n, angle);
-  const there = terms(other, n, angle);
-  const rim = turning(
-    spoke.map((x) => 0.42 * x),
-    n,
-    angle,
-    48,
-  );
   const otherEnd = rotate(other, n, angle);
-  const beside = (tip, up) => combine(1, combine(1.17, tip, -0.17, center), up, n);
+  const [here, there] = [r, other].map((vector) => terms(vector, n, angle));
   const circle = turning(r, n, 2 * Math.PI, 80);
+  const beside = (tip, up) => combine(1, combine(1.17, tip, -0.17, center), up, n);
   const apart = here.map((term, i) => length(combine(1, there[i], -1, term)));
-  return {
+  const second = {
     parts: {
-      circle: { paths: [circle] },
-      sector: { points: [center, ...rim.map((x) => combine(1, center, 1, x))] },
-      spokes: {
-        paths: [
-          [center, r],
-          [center, turned],
-        ],
-      },
-      centre: { at: center },
-      height: { paths: [[ORIGIN, center]] },
-      n: { from: ORIGIN, to: n.map((x) => 1.1 * x) },
-      r: { from: ORIGIN, to: r },
-      turned: { from: ORIGIN, to: turned },
       other: { paths: [[ORIGIN, other]] },
       "other start": { at: other },
       "other end": { at: otherEnd },
@@ -56,24 +33,47 @@ export function figure1ByHand({ vector: r, axis, theta, around }, _, changed) {
       around: { path: circle, body: [ORIGIN, other] },
     },
     labels: {
-      O: [0, 0.13, -0.1],
-      "\\theta": combine(1, center, 0.28, rotate(spoke, n, 0.5 * angle)),
-      "\\vec r_\\parallel": combine(0.4, center, -0.16, spoke),
-      "\\vec r_\\perp": combine(1, combine(1, center, 0.72, spoke), 0.09, n),
-      "\\hat n": combine(1.1, n, 1, ASIDE),
       "\\vec r": beside(r, -0.12),
       "\\vec r^{\\,\\prime}": beside(turned, 0.12),
       "\\vec r_2": beside(other, 0),
       "\\vec r_2^{\\,\\prime}": beside(otherEnd, 0.25),
     },
     outputs: {
-      first: cos,
+      first: Math.cos(angle),
       first_apart: apart[0],
-      along: (1 - cos) * dot(r, n),
+      along: (1 - Math.cos(angle)) * dot(r, n),
       along_apart: apart[1],
-      across: sin,
+      across: Math.sin(angle),
       across_apart: apart[2],
       matrix: rotationMatrix(n, angle),
+    },
+  };
+  return joined(oneTurn(r, n, angle, center, circle), second);
+}
+
+/** A vector on its circle, before and after a turn. */
+function oneTurn(r, n, angle, center, circle) {
+  const spoke = combine(1, r, -1, center);
+  const turned = rotate(r, n, angle);
+  const rim = turning(scaled(0.42, spoke), n, angle, 48);
+  const spokes = [r, turned].map((end) => [center, end]);
+  return {
+    parts: {
+      circle: { paths: [circle] },
+      sector: { points: [center, ...rim.map((x) => combine(1, center, 1, x))] },
+      spokes: { paths: spokes },
+      centre: { at: center },
+      height: { paths: [[ORIGIN, center]] },
+      n: { from: ORIGIN, to: scaled(1.1, n) },
+      r: { from: ORIGIN, to: r },
+      turned: { from: ORIGIN, to: turned },
+    },
+    labels: {
+      O: [0, 0.13, -0.1],
+      "\\theta": combine(1, center, 0.28, rotate(spoke, n, 0.5 * angle)),
+      "\\vec r_\\parallel": combine(0.4, center, -0.16, spoke),
+      "\\vec r_\\perp": combine(1, combine(1, center, 0.72, spoke), 0.09, n),
+      "\\hat n": combine(1.1, n, 1, ASIDE),
     },
   };
 }
@@ -81,11 +81,7 @@ export function figure1ByHand({ vector: r, axis, theta, around }, _, changed) {
 /** The three terms of (3-1). */
 function terms(r, n, angle) {
   const cos = Math.cos(angle);
-  return [
-    r.map((x) => cos * x),
-    n.map((x) => (1 - cos) * dot(r, n) * x),
-    cross(n, r).map((x) => Math.sin(angle) * x),
-  ];
+  return [scaled(cos, r), scaled((1 - cos) * dot(r, n), n), scaled(Math.sin(angle), cross(n, r))];
 }
 
 /** What stays as it is while one number changes, as lines. */
@@ -98,7 +94,7 @@ function unchanged(changed, center, here, there) {
 /** What stays as it is shines, but only while the hand moves: lines, without those that vanish. */
 function halo(lines) {
   const paths = lines.filter(([from, to]) => length(combine(1, to, -1, from)) > HAIR);
-  return paths.length ? { paths, hidden: false } : { hidden: true };
+  return shown(paths.length && { paths });
 }
 
 /** Arrows for terms, without those that vanish. */
@@ -106,7 +102,7 @@ function headToTail(three, name) {
   let from = ORIGIN;
   const arrows = three.map((term, i) => {
     const to = combine(1, from, 1, term);
-    const arrow = length(term) > HAIR ? { from, to, hidden: false } : { hidden: true };
+    const arrow = shown(length(term) > HAIR && { from, to });
     from = to;
     return [`${name} ${i + 1}`, arrow];
   });

@@ -81,11 +81,6 @@ def figure_1(
         The rotation axis n; it is normalised.
     angle : float
         The rotation angle in radians.
-
-    Returns
-    -------
-    pyvista.Plotter
-        The scene.
     """
     r, n = np.asarray(vector, float), normalised(axis)
     turned = rotate(r, n, angle)
@@ -155,11 +150,6 @@ def figure_1_by_hand(state: State) -> pyvista.Plotter:
         The rotation angle in degrees.
     around : float
         Where the second vector starts: degrees about the axis, counted from r.
-
-    Returns
-    -------
-    pyvista.Plotter
-        The scene.
     """
     # There is room for any axis, and for any vector of the same length.
     plotter = new_scene((4.5, 0.95, 2.43), (0, 0.03, 0.01), view_angle=24.8, size=(600, 504))
@@ -198,11 +188,6 @@ def rotated_mesh(
         The rotation axis; it is normalised.
     angle : float
         The rotation angle in radians.
-
-    Returns
-    -------
-    pyvista.Plotter
-        The scene.
     """
     before = teaspoon() if mesh is None else mesh
     after = before.copy()

@@ -1,5 +1,8 @@
-/* Models of page 5 IV. */
-import { DEGREES, placing, spread, turning } from "./parts.js";
+/**
+ * Models of page 5 IV.
+ * @import { Point } from "./rotations.js"
+ */
+import { DEGREES, placing, scaled, spread, turning } from "./parts.js";
 import {
   angleBetween,
   arcAxis,
@@ -34,39 +37,21 @@ const LEAST = 0.001;
 export function carriedAroundByHand({ corners, t }, { just_inside }) {
   const p = corners.map(unit);
   const after = [p[1], p[2], p[0]];
-  const axes = p.map((point, i) => arcAxis(point, after[i]));
-  const angles = p.map((point, i) => angleBetween(point, after[i]));
-  const [start] = p;
-  const ahead = cross(axes[0], start);
-
-  /** Where the arrow begins, and its direction. */
-  const carried = (t) => {
-    const turns = axes.map((axis, i) => {
-      return rotationMatrix(axis, angles[i] * Math.min(1, Math.max(0, 3 * t - i)));
-    });
-    return [start, ahead].map((vector) => turns.reduce((v, turn) => transform(turn, v), vector));
-  };
-  const head = ([at, way], size = SIZE) => combine(1, at, size, way);
-  const arrow = (here, size) => ({ from: here[0], to: head(here, size) });
-
+  const carried = arrowAround(p, after);
+  const [start, ahead] = carried(0);
   const [, back] = carried(1);
   const twist = Math.atan2(dot(start, cross(ahead, back)), dot(ahead, back));
   const nearness = 1 + p.reduce((sum, point, i) => sum + dot(point, after[i]), 0);
   const area = 2 * Math.atan2(dot(p[0], cross(p[1], p[2])), nearness);
 
-  const side = spread(25);
+  const sides = p.map((point, i) => spread(25).map((s) => slerp(point, after[i], s)));
   const roundOnce = spread(STEPS + 1);
   const soFar = roundOnce.map((x) => carried(Math.max(t, LEAST) * x));
   const tails = soFar.map(([at]) => at);
-  const rim = turning(
-    ahead.map((x) => 0.7 * SIZE * x),
-    start,
-    twist,
-    48,
-  );
+  const rim = turning(scaled(0.7 * SIZE, ahead), start, twist, 48);
   const parts = {
-    inside: { points: triangle(p).map((point) => point.map((x) => just_inside * x)) },
-    sides: { paths: p.map((point, i) => side.map((s) => slerp(point, after[i], s))) },
+    inside: { points: triangle(p).map((point) => scaled(just_inside, point)) },
+    sides: { paths: sides },
     way: { paths: [tails] },
     swept: { points: [...tails, ...soFar.map((here) => head(here))] },
     arrow: arrow(carried(t)),
@@ -93,7 +78,27 @@ export function carriedAroundByHand({ corners, t }, { just_inside }) {
   };
 }
 
-/** Points of a triangle of the sphere, on arcs from its first corner to the opposite side. */
+/** Where an arrow begins that is carried around a triangle, and its direction, at a time. */
+function arrowAround(p, after) {
+  const axes = p.map((point, i) => arcAxis(point, after[i]));
+  const angles = p.map((point, i) => angleBetween(point, after[i]));
+  const start = [p[0], cross(axes[0], p[0])];
+  return (t) => {
+    const turns = axes.map((axis, i) =>
+      rotationMatrix(axis, angles[i] * Math.min(1, Math.max(0, 3 * t - i))),
+    );
+    return start.map((vector) => turns.reduce((v, turn) => transform(turn, v), vector));
+  };
+}
+
+const head = (here, size = SIZE) => combine(1, here[0], size, here[1]);
+
+const arrow = (here, size) => ({ from: here[0], to: head(here, size) });
+
+/**
+ * Points of a triangle of the sphere, on arcs from its first corner to the opposite side.
+ * @param {Point[]} corners
+ */
 function triangle([p, q, r]) {
   const s = spread(13);
   return s.flatMap((u) => s.map((v) => slerp(p, slerp(q, r, u), v)));
@@ -162,7 +167,7 @@ export function routesByHand({ poses, u }, { signs }) {
 }
 
 /** Of a quaternion and its opposite, the one nearer to another. */
-const nearer = (p, q) => (dot(p, q) < 0 ? q.map((x) => -x) : q);
+const nearer = (p, q) => (dot(p, q) < 0 ? scaled(-1, q) : q);
 
 /**
  * The curve of Section 5 with the shortest way between two matrices as its arc, computed by
@@ -284,7 +289,7 @@ function filmsThrough(q, fraction) {
 function filmSteps(film) {
   const turns = film.map((rotation, k) => {
     const { axis, angle } = axisAngle(product(transpose(rotation), film[(k + 1) % film.length]));
-    return axis.map((x) => PICTURES * DEGREES * angle * x);
+    return scaled(PICTURES * DEGREES * angle, axis);
   });
   const starts = turns.map((_, k) => k).filter((k) => k % PICTURES === 0);
   return starts.map((start) => turns.slice(start, start + PICTURES));
@@ -304,7 +309,10 @@ function filmMotion(steps) {
   };
 }
 
-/** The value before four others on the cubic through them. */
+/**
+ * The value before four others on the cubic through them.
+ * @param {Point[]} values
+ */
 function beyond([first, second, third, fourth]) {
   return combine(1, combine(4, first, -6, second), 1, combine(4, third, -1, fourth));
 }

@@ -87,11 +87,6 @@ def carried_around_by_hand(state: State) -> pyvista.Plotter:
         The corners of the triangle; they are normalised.
     t : float
         How far the arrow has come, from 0 to 1. Each side takes a third.
-
-    Returns
-    -------
-    pyvista.Plotter
-        The scene.
     """
     plotter = sphere_scene(eye=(2.93, 3.26, 3.82))
     filled = {"opacity": 0.3, "lighting": False, "pickable": False}
@@ -168,11 +163,6 @@ def routes_by_hand(state: State) -> pyvista.Plotter:
     u : float
         Place on the whole curve, from 0 to 1.
 
-    Returns
-    -------
-    pyvista.Plotter
-        The scene.
-
     Raises
     ------
     rotedu.figures.RefusedError
@@ -236,11 +226,6 @@ def four_ways_between(
         as they are given.
     beads : int
         Number of equal time steps, after each of which slerp and nlerp are compared.
-
-    Returns
-    -------
-    pyvista.Plotter
-        The scene.
     """
     angles = np.deg2rad(np.array([first, second], float))
     r1, r2 = matrix_from_euler_angles(*angles.T)[:, :3, :3]
@@ -356,11 +341,6 @@ def animate(state: State) -> pyvista.Plotter:
         The time, from 0 to 1. A film shows the picture next to it.
     fraction : float
         As for `rotedu.control_points.control_points`, for the paper's curve.
-
-    Returns
-    -------
-    pyvista.Plotter
-        The scene.
     """
     # From far away, so that spoons in the same pose look the same wherever they are.
     plotter = new_scene(eye=-32 * V + 0.1 * W, target=0.1 * W, view_angle=8)

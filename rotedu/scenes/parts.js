@@ -1,10 +1,18 @@
-/* What the models share. */
-import { combine, length, rotate, slerp, transpose } from "./rotations.js";
+/**
+ * What the models share.
+ * @import { State } from "../../viewer/src/types.js"
+ * @import { Point } from "./rotations.js"
+ */
+import { combine, length, rotate, slerp, transform, transpose } from "./rotations.js";
 
 export const DEGREES = 180 / Math.PI;
 export const ORIGIN = [0, 0, 0];
+export const U = [1, 0, 0];
+export const V = [0, 1, 0];
+export const W = [0, 0, 1];
+export const IDENTITY = [U, V, W];
 /** The edges of a cube, from corner to corner. */
-export const CUBE = cube();
+const CUBE = cube();
 
 function cube() {
   const corners = Array.from({ length: 8 }, (_, i) =>
@@ -18,6 +26,22 @@ function cube() {
   );
 }
 
+export const scaled = (factor, v) => v.map((x) => factor * x);
+
+/** A part in a place, or hidden where there is none. */
+export const shown = (place) => (place ? { ...place, hidden: false } : { hidden: true });
+
+/**
+ * One state made of several, each with some of the parts, labels and so on.
+ * @returns {State}
+ */
+export function joined(...states) {
+  const all = { parts: {}, labels: {}, outputs: {} };
+  for (const state of states)
+    for (const [kind, own] of Object.entries(state)) all[kind] = { ...all[kind], ...own };
+  return all;
+}
+
 /** What an output says that is true or false. */
 export const lamp = (value) => (value ? "yes" : "no");
 
@@ -26,7 +50,10 @@ export function spread(count) {
   return Array.from({ length: count }, (_, i) => i / (count - 1));
 }
 
-/** The sixteen numbers, by columns, of a matrix that takes U, V, W and O to three vectors and a point. */
+/**
+ * The sixteen numbers, by columns, of a matrix that takes U, V, W and O to three vectors and a point.
+ * @param {Point[]} vectors
+ */
 export function columns([u, v, w], origin = ORIGIN) {
   return [...u, 0, ...v, 0, ...w, 0, ...origin, 1];
 }
@@ -37,6 +64,12 @@ export function arcs(starts, ends) {
   return starts.map((p, i) => t.map((x) => slerp(p, ends[i], x)));
 }
 
+/** The edges of a cube in a place, after a matrix. */
+export function box(matrix, place, size = 1) {
+  const moved = (point) => combine(1, place, 1, transform(matrix, scaled(size, point)));
+  return { paths: CUBE.map((edge) => edge.map(moved)) };
+}
+
 /** The path of a turned point. */
 export function turning(point, axis, angle, steps) {
   return spread(steps + 1).map((x) => rotate(point, axis, x * angle));
@@ -44,8 +77,6 @@ export function turning(point, axis, angle, steps) {
 
 /** The sixteen numbers, by columns, that turn a part by a 3x3 matrix, enlarge it and put it in a place. */
 export function placing(matrix, place, size = 1) {
-  return columns(
-    transpose(matrix).map((column) => column.map((x) => size * x)),
-    place,
-  );
+  const scaledColumns = transpose(matrix).map((column) => scaled(size, column));
+  return columns(scaledColumns, place);
 }

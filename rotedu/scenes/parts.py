@@ -53,11 +53,6 @@ def new_scene(
         Height of the field of view in degrees.
     size : tuple of int
         Width and height of the picture in pixels.
-
-    Returns
-    -------
-    pyvista.Plotter
-        The scene.
     """
     plotter = pyvista.Plotter(window_size=list(size))
     plotter.enable_anti_aliasing("ssaa")
@@ -73,11 +68,6 @@ def sphere_scene(eye: ArrayLike, target: ArrayLike = ORIGIN) -> pyvista.Plotter:
     ----------
     eye, target : array_like, shape (3,)
         Position of the camera, and the point it looks at, near the origin.
-
-    Returns
-    -------
-    pyvista.Plotter
-        The scene.
     """
     radius = np.tan(np.arcsin(1 / np.linalg.norm(eye)))
     plotter = new_scene(eye, target, 2 * float(np.degrees(np.arctan(radius / FILLED))), ROUND)

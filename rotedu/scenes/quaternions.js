@@ -1,9 +1,25 @@
 /* Models of Chapter 2. */
-import { columns, DEGREES, lamp, ORIGIN, placing, spread, turning } from "./parts.js";
+import {
+  columns,
+  DEGREES,
+  IDENTITY,
+  joined,
+  lamp,
+  ORIGIN,
+  placing,
+  scaled,
+  shown,
+  spread,
+  turning,
+  U,
+  V,
+  W,
+} from "./parts.js";
 import {
   combine,
   dot,
   eulerAngles,
+  length,
   nlerp,
   quaternionFromAxisAngle,
   quaternionMatrix,
@@ -16,11 +32,7 @@ import {
   unit,
 } from "./rotations.js";
 
-const U = [1, 0, 0];
-const V = [0, 1, 0];
-const W = [0, 0, 1];
 const AXES = { U, V, W };
-const IDENTITY = [U, V, W];
 const ONE = [1, 0, 0, 0];
 // To the right in the picture, where a spoon and the ball of turns lie side by side.
 const ACROSS = unit([-2.6, 4.4, 0]);
@@ -31,7 +43,7 @@ const BACK = 0.5;
 // Radius of the circle of the angle between the mirrors.
 const INNER = 0.55;
 // The place of the spoon that is turned by hand.
-const TABLE = ACROSS.map((x) => -2.2 * x);
+const TABLE = scaled(-2.2, ACROSS);
 // The letters leave room for the name of an axis along theirs.
 const ASIDE = { U: [0, 0, -1], V: [0, 0, -1], W: ACROSS };
 const BY_HAND = "by hand";
@@ -44,13 +56,12 @@ const ON_SKIN = 0.97;
 // A vector part without a direction, and a step of a path that is a jump through the skin.
 const [NO_AXIS, JUMP] = [1e-6, 0.35];
 // The place of the spoon on the ribbon, and the radius of the ring about it.
-const HOME = ACROSS.map((x) => -2.35 * x);
+const HOME = scaled(-2.35, ACROSS);
 const RING = 0.6;
 // The ribbon reaches from a bar down to a spoon about the middle of shells that turn.
 const [SPOON, BAR, WIDTH, STEM] = [0.42, 1.26, 0.11, 0.06];
 const MIDDLE_OF_BAR = combine(1, HOME, BAR, W);
 const TINY = 1e-12;
-const HIDDEN = { hidden: true };
 
 /** A point off the axis. */
 const out = (angle, radius = 1) => rotate([radius, 0, 0], W, angle / DEGREES);
@@ -68,71 +79,76 @@ export function twoMirrorsByHand({ first, second, both, letter }, { outer }) {
     images.map((v) => quaternionProduct(quaternionProduct(m[k], [0, ...v]), m[k]).slice(1));
   const start = transpose(rotationMatrix(W, letter / DEGREES));
   const once = mirrored(start, 0);
-  const twice = mirrored(once, 1);
-
-  const parts = {
-    ring: { paths: [round(out(0, INNER))] },
-    "ring 2": { paths: [round(out(0, outer))] },
-    letter: { matrix: columns(start) },
-    image: { matrix: columns(once) },
-    "image of the image": { matrix: columns(twice) },
-  };
-  const labels = { both: out(first + both + between / 2 + 130, INNER + 0.28) };
-  const grips = {
-    letter: {
-      path: round(out(-180, outer)),
-      body: [-0.24, 0.24].map((far) => out(letter, outer + far)),
+  const pieces = {
+    parts: {
+      ring: { paths: [round(out(0, INNER))] },
+      "ring 2": { paths: [round(out(0, outer))] },
+      letter: { matrix: columns(start) },
+      image: { matrix: columns(once) },
+      "image of the image": { matrix: columns(mirrored(once, 1)) },
     },
-    both: { path: round(out(first + between / 2 + 130, INNER)) },
-  };
-  angles.forEach((angle, k) => {
-    const name = k + 1;
-    // The second mirror is longer: both show where they coincide.
-    const size = [1.4, 1.65][k];
-    const foot = out(angle, size);
-    const top = [0, 0, 0.3];
-    const corner = combine(1, foot, 1, top);
-    const edge = [ORIGIN, foot, corner, top];
-    const [inside, outside] = [ORIGIN, foot].map((p) => combine(1, p, 0.5, top));
-    grips[["first", "second"][k]] = {
-      path: round(combine(1, out(both, size), 0.5, top)),
-      body: [inside, outside],
-    };
-    const [, ...normal] = m[k];
-    parts[`mirror ${name}`] = { points: edge };
-    // A mirror acts as if it went on beyond the axis.
-    parts[`edge ${name}`] = { paths: [[out(angle, -size), ...edge]] };
-    parts[`m ${name}`] = { from: corner, to: combine(1, corner, 0.3, normal) };
-    labels[`m ${name}`] = combine(1, corner, 0.42, normal);
-  });
-  for (const [name, begin, angle, radius] of [
-    ["half", angles[0], between, INNER],
-    ["whole", letter, 2 * between, 1.5],
-  ]) {
-    const drawn = Math.abs(angle) >= SMALLEST_ARC;
-    const arc = drawn && spread(61).map((t) => out(begin + t * angle, radius));
-    const ahead = out(begin + angle + 90);
-    parts[name] = drawn ? { paths: [arc], hidden: false } : HIDDEN;
-    parts[`${name}, head`] = drawn
-      ? {
-          from: combine(1, arc.at(-1), -0.1 * Math.sign(angle), ahead),
-          to: arc.at(-1),
-          hidden: false,
-        }
-      : HIDDEN;
-    labels[name] = drawn ? out(begin + angle / 2, radius + 0.16) : null;
-  }
-
-  return {
-    parts,
-    labels,
-    grips,
+    labels: { both: out(first + both + between / 2 + 130, INNER + 0.28) },
+    grips: {
+      letter: {
+        path: round(out(-180, outer)),
+        body: [-0.24, 0.24].map((far) => out(letter, outer + far)),
+      },
+      both: { path: round(out(first + between / 2 + 130, INNER)) },
+    },
     outputs: {
       between,
       turned: 2 * between,
       home: lamp(isBack(2 * between, 360)),
-      q: quaternionProduct(m[1], m[0]).map((x) => -x),
+      q: scaled(-1, quaternionProduct(m[1], m[0])),
     },
+  };
+  return joined(
+    pieces,
+    mirror(1, first + both, both),
+    mirror(2, second + both, both),
+    bentArrow("half", angles[0], between, INNER),
+    bentArrow("whole", letter, 2 * between, 1.5),
+  );
+}
+
+/** A mirror and its normal. The second is longer: both show where they coincide. */
+function mirror(number, angle, both) {
+  const size = number === 1 ? 1.4 : 1.65;
+  const foot = out(angle, size);
+  const top = [0, 0, 0.3];
+  const corner = combine(1, foot, 1, top);
+  const edge = [ORIGIN, foot, corner, top];
+  const halfway = (point) => combine(1, point, 0.5, top);
+  const normal = out(angle + 90);
+  return {
+    parts: {
+      [`mirror ${number}`]: { points: edge },
+      // A mirror acts as if it went on beyond the axis.
+      [`edge ${number}`]: { paths: [[out(angle, -size), ...edge]] },
+      [`m ${number}`]: { from: corner, to: combine(1, corner, 0.3, normal) },
+    },
+    labels: { [`m ${number}`]: combine(1, corner, 0.42, normal) },
+    grips: {
+      [number === 1 ? "first" : "second"]: {
+        path: round(halfway(out(both, size))),
+        body: [ORIGIN, foot].map(halfway),
+      },
+    },
+  };
+}
+
+/** An angle about the axis, with a head where there is room for one. */
+function bentArrow(name, begin, angle, radius) {
+  const drawn = Math.abs(angle) >= SMALLEST_ARC;
+  const arc = spread(61).map((t) => out(begin + t * angle, radius));
+  const to = out(begin + angle, radius);
+  const from = combine(1, to, -0.1 * Math.sign(angle), out(begin + angle + 90));
+  return {
+    parts: {
+      [name]: shown(drawn && { paths: [arc] }),
+      [`${name}, head`]: shown(drawn && { from, to }),
+    },
+    labels: { [name]: drawn ? out(begin + angle / 2, radius + 0.16) : null },
   };
 }
 
@@ -151,24 +167,23 @@ export function grabTheSpoon(inputs, { inks, length }, changed) {
   const arc = turning([length, 0, 0], axis, whole, 48);
   const onTable = (far, direction) => combine(1, TABLE, far, direction);
 
-  const near = (less) => axis.map((x) => (share - less) * x);
-  const [point, opposite] = [near(0), near(1)];
+  const [point, opposite] = [share, share - 1].map((far) => scaled(far, axis));
   const path = (less) => {
-    const runs = going ? pieces(axes.map((n, i) => n.map((x) => (shares[i] - less) * x))) : [];
-    return runs.length ? { paths: runs, hidden: false } : HIDDEN;
+    const runs = going ? pieces(axes.map((n, i) => scaled(shares[i] - less, n))) : [];
+    return shown(runs.length && { paths: runs });
   };
   const farther = Math.max(share, 1 - share);
   const parts = {
     "at the start": { matrix: placing(IDENTITY, TABLE) },
     spoon: { matrix: placing(rotationMatrix(axis, whole), TABLE) },
-    axis: turned ? { from: onTable(-0.8, axis), to: onTable(0.92, axis), hidden: false } : HIDDEN,
-    turn: turned ? { paths: [arc.map((p) => onTable(1, p))], hidden: false } : HIDDEN,
-    "axis in the ball": { paths: [[axis.map((x) => -x), axis]], hidden: !turned },
+    axis: shown(turned && { from: onTable(-0.8, axis), to: onTable(0.92, axis) }),
+    turn: shown(turned && { paths: [arc.map((p) => onTable(1, p))] }),
+    "axis in the ball": { paths: [[scaled(-1, axis), axis]], hidden: !turned },
     way: path(0),
     "opposite way": path(1),
     q: { at: point },
     "-q": { at: opposite },
-    skin: farther > ON_SKIN ? { color: inks[Number(share > 0.5)], hidden: false } : HIDDEN,
+    skin: shown(farther > ON_SKIN && { color: inks[Number(share > 0.5)] }),
   };
   const labels = {
     axis: turned ? onTable(1.03, axis) : null,
@@ -222,20 +237,16 @@ function onWay(way, left) {
   if (way === "home by Euler angles") {
     const angles = eulerAngles(quaternionMatrix(left));
     const sign = Math.sign(dot(quaternionFromEulerAngles(angles), left));
-    return (t) => quaternionFromEulerAngles(angles.map((x) => (1 - t) * x)).map((x) => sign * x);
+    return (t) => scaled(sign, quaternionFromEulerAngles(scaled(1 - t, angles)));
   }
-  const to = ONE.map((x) => (left[0] >= 0 ? x : -x));
+  const to = scaled(left[0] >= 0 ? 1 : -1, ONE);
   const between = way === "home by slerp" ? slerp : nlerp;
   return (t) => between(left, to, t);
 }
 
 /** Turns about U, V, W: `rotedu.general_rotation.quaternion_from_euler_angles`. */
-function quaternionFromEulerAngles([u, v, w]) {
-  const [qu, qv, qw] = [
-    [U, u],
-    [V, v],
-    [W, w],
-  ].map((turn) => quaternionFromAxisAngle(...turn));
+function quaternionFromEulerAngles(angles) {
+  const [qu, qv, qw] = angles.map((angle, i) => quaternionFromAxisAngle(IDENTITY[i], angle));
   return quaternionProduct(qw, quaternionProduct(qv, qu));
 }
 
@@ -252,7 +263,7 @@ export function doubleCoverByHand({ turns, passed: wanted }, { on_its_way, reach
   const rounds = spread(97).map((t) => 2 * Math.PI * t);
   const [q, opposite] = [1, -1].map((side) => onRing(angle, side));
   const { axes, shares } = turnsOf(alongRibbon(turns, passed, spread(161)));
-  const path = axes.map((axis, i) => axis.map((x) => shares[i] * x));
+  const path = axes.map((axis, i) => scaled(shares[i], axis));
   const end = path.at(-1);
   const drawn = pieces(path);
   const way = spread(97).map((t) => onRing(t * angle, 1));
@@ -270,11 +281,11 @@ export function doubleCoverByHand({ turns, passed: wanted }, { on_its_way, reach
         hidden: !hangs,
       },
       ring: { paths: [everyOther(rounds).map((theta) => onRing(theta, 0))], hidden: !hangs },
-      way: hangs && turns > 0 ? { paths: [way], hidden: false } : HIDDEN,
+      way: shown(hangs && turns > 0 && { paths: [way] }),
       stick: { paths: [[q, opposite]], hidden: !hangs },
       q: { at: q, hidden: !hangs },
       "-q": { at: opposite, hidden: !hangs },
-      path: drawn.length ? { paths: drawn, hidden: false } : HIDDEN,
+      path: shown(drawn.length && { paths: drawn }),
       end: { at: end },
       skin: { hidden: shares.at(-1) <= ON_SKIN },
     },
@@ -400,18 +411,18 @@ function turnsOf(path) {
   const axes = path.map((_, i) => {
     if (last < 0) return W;
     if (known(i)) last = i;
-    return path[last].slice(1).map((x) => x / sizes[last]);
+    return scaled(1 / sizes[last], path[last].slice(1));
   });
   return { axes, shares: path.map(([w], i) => Math.atan2(sizes[i], w) / Math.PI) };
 }
 
+const apart = (p, q) => length(combine(1, p, -1, q));
+
 /** Cut a path where it jumps through the skin of the ball; leave out what has no length. */
 function pieces(path) {
-  const parts = [[]];
-  path.forEach((point, i) => {
-    if (i && Math.hypot(...combine(1, point, -1, path[i - 1])) > JUMP) parts.push([]);
-    parts.at(-1).push(point);
-  });
+  const jumps = path.map((_, i) => i).filter((i) => i && apart(path[i - 1], path[i]) > JUMP);
+  const cuts = [0, ...jumps, path.length];
+  const parts = cuts.slice(1).map((end, i) => path.slice(cuts[i], end));
   const extent = (values) => Math.max(...values) - Math.min(...values);
   return parts.filter((part) => transpose(part).some((values) => extent(values) > NO_AXIS));
 }

@@ -121,11 +121,6 @@ def two_mirrors_by_hand(state: State) -> pyvista.Plotter:
         Angle in degrees of each mirror about the W axis, from the U axis.
     letter : float
         Angle in degrees of the letter.
-
-    Returns
-    -------
-    pyvista.Plotter
-        The scene.
     """
     plotter = new_scene(
         eye=(-4.55, -2.65, 5.8), target=(-0.06, -0.04, 0), view_angle=20.45, size=(600, 456)
@@ -198,11 +193,6 @@ def grab_the_spoon(state: State) -> pyvista.Plotter:
         How far it has come on its way, from 0 to 1.
     left : array_like, shape (4,)
         The quaternion with which a way home begins.
-
-    Returns
-    -------
-    pyvista.Plotter
-        The scene.
     """
     between = -1.02 * ACROSS
     plotter = new_scene(between + EYE, between, view_angle=14.78, size=(720, 368))
@@ -271,11 +261,6 @@ def double_cover_by_hand(state: State) -> pyvista.Plotter:
     passed : float
         How often the ribbon has been passed round the spoon: up to once, and from more than 2 turns
         on up to twice.
-
-    Returns
-    -------
-    pyvista.Plotter
-        The scene.
     """
     middle = -1.13 * ACROSS + [0, 0, 0.1]
     plotter = new_scene(middle + EYE, middle, view_angle=16.05, size=(720, 400))

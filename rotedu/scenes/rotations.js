@@ -1,8 +1,12 @@
-/*
+/**
  * The mathematics of figures that answer the hand: functions of rotedu, their names in camelCase.
  *
- * Points are arrays of numbers, quaternions are [w, x, y, z], matrices are arrays of three rows.
  * Where rotedu scales vectors to length 1 and makes rotation matrices exact, so do the exports.
+ *
+ * @typedef {number[]} Vector of any number of dimensions
+ * @typedef {number[]} Point u, v, w
+ * @typedef {number[]} Quaternion w, x, y, z
+ * @typedef {Vector[]} Matrix rows
  */
 
 const ANTIPODAL = Math.sqrt(Number.EPSILON);
@@ -143,7 +147,7 @@ export function periodicSpline(values, samples = 100) {
 
 // Three dimensions.
 
-/** Cross product. */
+/** Cross product. @type {(a: Point, b: Point) => Point} */
 export const cross = ([au, av, aw], [bu, bv, bw]) => [
   av * bw - aw * bv,
   aw * bu - au * bw,
@@ -196,7 +200,7 @@ export function axisAngle(matrix) {
 
   // Of q and -q the one with w > 0; at a half turn, the one whose axis begins above zero.
   const halfTurn = Math.abs(w) <= ROUNDING * sine;
-  const sign = halfTurn ? axis.find((x) => Math.abs(x) > ROUNDING) : w;
+  const [sign] = halfTurn ? axis.filter((x) => Math.abs(x) > ROUNDING) : [w];
   return {
     axis: sign < 0 ? axis.map((x) => -x) : axis,
     angle: 2 * Math.atan2(sine, halfTurn ? 0 : Math.abs(w)),
@@ -247,12 +251,7 @@ export function closedRotationCurve(rotations, samples = 100, fraction = 1 / 2) 
 /** The rotation that differs least from a matrix: `rotedu.orientations.nearest_rotation`. */
 export function nearestRotation(matrix) {
   // Its quaternion makes the sum of products with the entries, q^T K q, as large as it can be.
-  const { values, vectors } = eigen(
-    sixteenProducts(
-      matrix.map((row) => row.map(finite)),
-      0,
-    ),
-  );
+  const { values, vectors } = eigen(productsOf(matrix));
   const [, , second, largest] = [...values].sort((a, b) => a - b);
   // Twice the sum of the smaller singular values, and twice the largest.
   if (largest - second <= ANTIPODAL * (largest + second)) {
@@ -266,12 +265,7 @@ export function nearestRotation(matrix) {
  * nearest rotation is unique if the two smaller ones do not add up to zero.
  */
 export function singularValues(matrix) {
-  const { values } = eigen(
-    sixteenProducts(
-      matrix.map((row) => row.map(finite)),
-      0,
-    ),
-  );
+  const { values } = eigen(productsOf(matrix));
   // a + b + c, a - b - c, -a + b - c, -a - b + c
   const [first, second, third] = values.sort((x, y) => y - x);
   return [(first + second) / 2, (first + third) / 2, -(second + third) / 2];
@@ -307,13 +301,20 @@ export function quaternionFromAxisAngle(axis, angle) {
   return [Math.cos(angle / 2), ...unit(axis).map((x) => sin * x)];
 }
 
-/** Hamilton's product (2-3): `p * q` of `rotedu.quaternions.Quaternion`. */
+/**
+ * Hamilton's product (2-3): `p * q` of `rotedu.quaternions.Quaternion`.
+ * @param {Quaternion} p
+ * @param {Quaternion} q
+ */
 export function quaternionProduct([w1, ...v1], [w2, ...v2]) {
   const v = combine(1, combine(w1, v2, w2, v1), 1, cross(v1, v2));
   return [w1 * w2 - dot(v1, v2), ...v].map(finite);
 }
 
-/** The conjugate [w, -v]: `rotedu.quaternions.Quaternion.conjugate`. */
+/**
+ * The conjugate [w, -v]: `rotedu.quaternions.Quaternion.conjugate`.
+ * @type {(q: Quaternion) => Quaternion}
+ */
 export const conjugate = ([w, x, y, z]) => [w, -x, -y, -z].map(finite);
 
 /** The matrix of the rotation: `rotedu.quaternions.Quaternion.matrix`. */
@@ -381,12 +382,14 @@ function arcsOfArcs(level, u) {
   return level[0];
 }
 
+/** @param {Quaternion[]} points @param {number} u */
 function arcTowardsArc([q, s, nextS, nextQ], u) {
   const [onArc, aim] = [arc(q, nextQ, u), arc(s, nextS, u)];
   refuseAntipodal(theta(onArc, aim), "points of the arcs from q and s");
   return arc(onArc, aim, 2 * u * (1 - u));
 }
 
+/** @param {Vector[]} ends @param {number} u */
 function cubic([value, rate, nextRate, nextValue], u) {
   const begin = combine((1 - u) ** 2 * (1 + 2 * u), value, (1 - u) ** 2 * u, rate);
   const end = combine(u ** 2 * (3 - 2 * u), nextValue, -(u ** 2) * (1 - u), nextRate);
@@ -427,13 +430,22 @@ function onward(p, tangent) {
   return combine(Math.cos(size), p, Math.sin(size) / (size || 1), tangent);
 }
 
-/** Shepperd's table, 4 q_i q_j of a rotation matrix, if the squares get 1. */
+/**
+ * Shepperd's table, 4 q_i q_j of a rotation matrix, if the squares get 1.
+ * @type {(matrix: Matrix, one: number) => Matrix}
+ */
 const sixteenProducts = ([[uu, uv, uw], [vu, vv, vw], [wu, wv, ww]], one) => [
   [one + uu + vv + ww, wv - vw, uw - wu, vu - uv],
   [wv - vw, one + uu - vv - ww, uv + vu, uw + wu],
   [uw - wu, uv + vu, one - uu + vv - ww, vw + wv],
   [vu - uv, uw + wu, vw + wv, one - uu - vv + ww],
 ];
+
+/** The symmetric matrix whose eigenvectors are quaternions near a matrix. */
+function productsOf(matrix) {
+  for (const row of matrix) row.forEach(finite);
+  return sixteenProducts(matrix, 0);
+}
 
 /** Eigenvalues of a symmetric matrix, and its eigenvectors as rows: Jacobi's method. */
 function eigen(matrix) {
@@ -520,7 +532,7 @@ function units(points) {
 function rotation(matrix) {
   const off = Math.max(
     ...product(transpose(matrix), matrix).flatMap((row, i) =>
-      row.map((x, j) => Math.abs(x - (i === j))),
+      row.map((x, j) => Math.abs(x - Number(i === j))),
     ),
   );
   const [u, v, w] = matrix;
@@ -534,12 +546,6 @@ function rotation(matrix) {
 
 /** Take a step of Newton's method for the polar decomposition: right digits double. */
 function straightened(matrix) {
-  const identity = [
-    [1, 0, 0],
-    [0, 1, 0],
-    [0, 0, 1],
-  ];
   const squares = product(transpose(matrix), matrix);
-  const step = squares.map((row, i) => combine(3 / 2, identity[i], -1 / 2, row));
-  return product(matrix, step);
+  return product(matrix, squares).map((row, i) => combine(3 / 2, matrix[i], -1 / 2, row));
 }

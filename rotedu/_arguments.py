@@ -49,21 +49,13 @@ def _as_given(name: str, array: Array) -> Array:
 
 @dataclass(frozen=True)
 class Kind:
-    """A kind of argument or result.
+    """A kind of argument or result."""
 
-    Attributes
-    ----------
-    shapes : tuple of shapes
-        Shapes that the trailing axes may have. A letter stands for any length, the same in all
-        arguments of a call.
-    components : int
-        Number of trailing axes that the body expects at the front.
-    prepare : callable
-        Function of the argument's name and array that checks and prepares the array.
-    """
-
+    # What the trailing axes may be. A letter is any length, the same in all arguments of a call.
     shapes: tuple[Shape, ...]
+    # How many trailing axes the body expects at the front.
     components: int = 0
+    # Checks and prepares an array, given the argument's name.
     prepare: Preparation = _as_given
 
     def inside(self, array: Array, axes: int) -> Array:
@@ -236,18 +228,7 @@ Count = Annotated[int, "a positive integer"]
 
 
 def checked(function: Callable[..., Result]) -> Callable[..., Result]:
-    """Check the arguments of a public function and move components to where its body expects them.
-
-    Parameters
-    ----------
-    function : callable
-        A function with the annotations of this module.
-
-    Returns
-    -------
-    callable
-        A function that takes and returns arrays with components last.
-    """
+    """Check a public function's arguments, and move components to where its body expects them."""
     hints = get_type_hints(function, include_extras=True)
     outside = _outside(hints.pop("return"))
     kinds = {name: kind for name, hint in hints.items() if (kind := _kind(hint))}

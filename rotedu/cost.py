@@ -69,9 +69,8 @@ def count(function: Callable[..., object], *args: Any) -> OperationCount:
 
     Raises
     ------
-    Exception
-        Whatever the function raises, in particular `TypeError` if it needs an operation that
-        cannot be counted, such as ``math.cos``, which accepts only floats.
+    TypeError
+        If the function needs an operation that cannot be counted, such as ``math.cos``.
 
     Notes
     -----

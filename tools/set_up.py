@@ -98,10 +98,11 @@ def find_browser() -> None:
     """Look for a browser for the tests of the built book; install one where possible."""
     from browser import installed_chromium
 
-    hold_checkout()
     trial = [PYTHON, ROOT / "tools" / "browser.py"]
-    if not installed_chromium() and not apt_install("chromium"):
-        subprocess.run([*trial, "chromium"], capture_output=True)
+    if not installed_chromium():
+        hold_checkout()
+        if not apt_install("chromium"):
+            subprocess.run([*trial, "chromium"], capture_output=True)
     sys.exit(subprocess.call(trial))
 
 

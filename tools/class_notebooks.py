@@ -1,13 +1,14 @@
 """Write the notebooks for a class: without solutions in ``student``, with them in ``teacher``.
 
+With ``--nbgrader`` a third folder, ``nbgrader``, becomes a source for nbgrader.
 They are the notebooks of the book in plain Markdown, for places that know no MyST. The settings
 ``book``, ``repository`` and ``wheel`` are in ``pyproject.toml``, under ``tool.rotedu``.
 """
 
-import argparse
 import itertools
 import re
 import shutil
+import sys
 import tomllib
 from collections.abc import Iterable, Iterator
 from pathlib import Path
@@ -412,15 +413,8 @@ def classroom(*, alone: bool = False) -> Classroom:
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
-    parser.add_argument(
-        "--nbgrader",
-        action="append_const",
-        const="nbgrader",
-        default=["student", "teacher"],
-        dest="readers",
-        help="write a third folder, nbgrader, as a source for nbgrader",
-    )
-    readers = parser.parse_args().readers
+    readers: list[Reader] = ["student", "teacher"]
+    if "--nbgrader" in sys.argv:
+        readers.append("nbgrader")
     classroom().write(CLASS, readers)
     print("The notebooks for a class are here:", *(f"class/{reader}" for reader in readers))

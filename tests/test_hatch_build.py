@@ -39,8 +39,8 @@ def test_with_addresses_every_link_leads_to_a_file_of_the_release(tmp_path: Path
     urls, text = metadata(tmp_path, BOOK, REPOSITORY + "/")
     assert urls == {"Documentation": BOOK, "Repository": REPOSITORY + "/"}
     assert "\n![A teaspoon" in text
-    release = rf"{REPOSITORY}/(?:blob|raw)/v{re.escape(rotedu.__version__)}/"
+    release = rf"{REPOSITORY}/(blob|raw)/v{re.escape(rotedu.__version__)}/"
     files = re.findall(rf"\]\({release}(.+?)\)", text)
-    assert {"LICENSE", "book/_static/preview.webp"} <= set(files)
-    assert all((ROOT / file).is_file() for file in files)
+    assert {("blob", "LICENSE"), ("raw", "book/_static/preview.webp")} <= set(files)
+    assert all((ROOT / file).is_file() for _, file in files)
     assert all(link.startswith("https://") for link in re.findall(LINK, text))

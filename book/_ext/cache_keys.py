@@ -26,7 +26,7 @@ from sphinx.config import Config
 from sphinx.environment import BuildEnvironment
 
 from page_imports import digest as digest_of_imports
-from page_imports import file_of, judge
+from page_imports import judge
 
 ROOT = Path(__file__).parents[2]
 EXTENSIONS = ("book/_ext/*.py", "rotedu/figures/*.py", "tools/notebook_language.py")
@@ -108,7 +108,7 @@ def use_cache(app: Sphinx, page: str, source: list[str]) -> None:
     env = app.env
     if page in env.caches:
         env.mystnb_config = env.mystnb_config.copy(execution_cache_path=env.caches[page])
-        if hints := file_of(judge(Path(page))):
+        if (hints := judge(Path(page))).exists():
             env.note_dependency(str(hints))
 
 

@@ -23,6 +23,10 @@ def _comparison(operation: Any) -> Any:
     return lambda self, other: bool(operation(self.value, bare(other)))
 
 
+def _function(function: Any) -> Any:
+    return lambda self: Symbolic(function(self.value))
+
+
 class Symbolic:
     """A sympy expression with the methods that numpy looks for in the elements of an array."""
 
@@ -41,17 +45,7 @@ class Symbolic:
     def __neg__(self) -> "Symbolic":
         return Symbolic(-self.value)
 
-    def cos(self) -> "Symbolic":
-        return Symbolic(sp.cos(self.value))
-
-    def sin(self) -> "Symbolic":
-        return Symbolic(sp.sin(self.value))
-
-    def tan(self) -> "Symbolic":
-        return Symbolic(sp.tan(self.value))
-
-    def sqrt(self) -> "Symbolic":
-        return Symbolic(sp.sqrt(self.value))
+    cos, sin, tan, sqrt = map(_function, (sp.cos, sp.sin, sp.tan, sp.sqrt))
 
     def arctan2(self, other: Any) -> "Symbolic":
         return Symbolic(sp.atan2(self.value, bare(other)))

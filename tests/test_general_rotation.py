@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 from scipy.spatial.transform import Rotation
 from spheres import E1, E2, E3, Array, close
-from symbolic import matrix, symbolic, vanishes
+from symbolic import matrix, symbolic
 
 from rotedu.cost import OperationCount, count
 from rotedu.errors import DegenerateError
@@ -326,23 +326,3 @@ class TestProofs:
         sums = matrix([delta, alpha, beta, gamma])
         assert (matrix((qw * qv * qu).components) - sums).expand() == sp.zeros(4, 1)
         assert (matrix((qu * qv * qw).components) - sums).expand() != sp.zeros(4, 1)
-
-    def test_the_one_rotation_has_the_matrix_4_2(self) -> None:
-        u, v, w = map(symbolic, self.angles)
-        *vector, delta = half_angle_sums(u, v, w)
-        q = Quaternion(np.array(delta), np.array(vector))
-        difference = matrix(q.matrix()) - matrix(matrix_from_euler_angles(u, v, w)[:3, :3])
-        tangents = sp.symbols("t_u t_v t_w")
-        rational: dict[Any, Any] = {}
-        for angle, t in zip(self.angles, tangents, strict=True):
-            # With t the tangent of a quarter of the angle, all else is rational.
-            c, s = (1 - t**2) / (1 + t**2), 2 * t / (1 + t**2)
-            rational |= {sp.cos(angle / 2): c, sp.sin(angle / 2): s}
-            rational |= {sp.cos(angle): c**2 - s**2, sp.sin(angle): 2 * s * c}
-        assert difference.subs(rational).applyfunc(sp.cancel) == sp.zeros(3, 3)
-
-    def test_gimbal_lock(self) -> None:
-        u, _, w = map(symbolic, self.angles)
-        locked = matrix(matrix_from_euler_angles(u, symbolic(sp.pi / 2), w))
-        turned = matrix(matrix_from_euler_angles(u - w, symbolic(sp.pi / 2), 0 * w))
-        assert vanishes(locked - turned)

@@ -8,26 +8,11 @@ from numpy.typing import ArrayLike
 
 from rotedu.arcs import angle_between, arc_axis, slerp
 from rotedu.colors import AXIS, CROSS, NEUTRAL, RESULT, VECTOR
-from rotedu.figures import (
-    Handles,
-    Slider,
-    State,
-    Switch,
-    describe,
-    draw_chart,
-    explorable,
-    limit_turning,
-    read_out,
-    stack_on_phone,
-)
+from rotedu.figures import State, describe, draw_chart, explorable, read_out
+from rotedu.figures.inputs import Handles, Slider, Switch
+from rotedu.scenes.looks import Arrow, Ball, Lines, Look, Mesh, Text, draw
 from rotedu.scenes.parts import (
     ORIGIN,
-    Arrow,
-    Ball,
-    Lines,
-    Look,
-    Mesh,
-    Text,
     add_angle,
     add_arc,
     add_arrow,
@@ -36,7 +21,6 @@ from rotedu.scenes.parts import (
     add_line,
     add_point,
     add_sphere,
-    draw,
     new_scene,
     normalised,
     sphere_scene,
@@ -44,13 +28,7 @@ from rotedu.scenes.parts import (
     turning,
 )
 
-__all__ = [
-    "CAMERA_SEES",
-    "CAMERA_TARGETS",
-    "camera_arcs",
-    "figure_2",
-    "slerp_by_hand",
-]
+__all__ = ["CAMERA_SEES", "CAMERA_TARGETS", "camera_arcs", "figure_2", "slerp_by_hand"]
 
 CAMERA_TARGETS = ((1.0, 0.0, -0.2), (0.3, 1.0, 0.2), (0.2, 0.3, 1.0), (0.3, -0.9, 0.3))
 """Directions from a camera to a door, a clock, a window and a desk, in this order."""
@@ -180,15 +158,11 @@ def slerp_by_hand(state: State) -> pyvista.Plotter:
         Fraction of the way, from 0 to 1.
     flip : bool
         Whether the end is -q instead of q: the opposite point, but the same orientation.
-
-    Raises
-    ------
-    rotedu.figures.RefusedError
-        If the ends are opposite.
     """
-    plotter = new_scene(eye=EYE, target=LOOK_AT, view_angle=16, size=(720, 400))
-    limit_turning(plotter, 20)
-    stack_on_phone(plotter, (10, 34, 374, 330, 1), (358, 52, 370, 296, 0.75))
+    stack = (10, 34, 374, 330, 1), (358, 52, 370, 296, 0.75)
+    plotter = new_scene(
+        eye=EYE, target=LOOK_AT, view_angle=16, size=(720, 400), swing=20, stack=stack
+    )
     add_sphere(plotter)
     looks: dict[str, Look] = {
         "arc": Lines(RESULT, 0.014),

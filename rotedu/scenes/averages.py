@@ -4,23 +4,14 @@ import numpy as np
 import pyvista
 
 from rotedu.colors import MATRIX, QUATERNION, VECTOR
-from rotedu.figures import (
-    Poses,
-    State,
-    Switch,
-    describe,
-    explorable,
-    limit_turning,
-    read_out,
-    stack_on_phone,
-)
+from rotedu.figures import State, describe, explorable, read_out
+from rotedu.figures.inputs import Poses, Switch
 from rotedu.quaternions import Quaternion
+from rotedu.scenes.looks import Ball, Look, Text, draw
 from rotedu.scenes.orientations import spoon
-from rotedu.scenes.parts import Ball, Look, Text, U, V, W, add_sphere, draw, new_scene
+from rotedu.scenes.parts import U, V, W, add_sphere, new_scene
 
-__all__ = [
-    "mean_by_hand",
-]
+__all__ = ["mean_by_hand"]
 
 GIVEN = ((0.31, -0.59, -0.39, -0.64), (0.62, -0.21, -0.27, -0.71), (0.69, -0.61, 0, -0.38))
 SPREAD = ((-0.06, 0.16, 0.92, -0.36), (-0.28, 0.68, -0.37, -0.57), (0.47, 0.15, 0.31, -0.81))
@@ -52,9 +43,8 @@ def mean_by_hand(state: State) -> pyvista.Plotter:
     """
     # From far away, so that spoons in the same pose look the same wherever they are.
     middle = -0.73 * U
-    plotter = new_scene(middle - 32 * V + 6 * W, middle, view_angle=4.18)
-    limit_turning(plotter, 20)
-    stack_on_phone(plotter, (0, 66, 303, 332, 0.56), (295, 29, 425, 422, 1))
+    stack = (0, 66, 303, 332, 0.56), (295, 29, 425, 422, 1)
+    plotter = new_scene(middle - 32 * V + 6 * W, middle, view_angle=4.18, swing=20, stack=stack)
     add_sphere(plotter)
     looks: dict[str, Look] = {}
     for k in (1, 2, 3):

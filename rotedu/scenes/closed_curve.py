@@ -7,47 +7,25 @@ from numpy.typing import ArrayLike, NDArray
 from rotedu.closed_curve import closed_curve
 from rotedu.colors import AXIS, CROSS, NEUTRAL, RESULT, VECTOR
 from rotedu.control_points import control_points
-from rotedu.figures import (
-    Choice,
-    Handles,
-    Slider,
-    State,
-    add_view,
-    describe,
-    draw_chart,
-    explorable,
-    read_out,
-)
+from rotedu.figures import State, add_view, describe, draw_chart, explorable, read_out
+from rotedu.figures.inputs import Choice, Handles, Slider
 from rotedu.ordinary_rotation import rotate
 from rotedu.scenes.arcs import CAMERA_SEES, CAMERA_TARGETS, camera
+from rotedu.scenes.looks import Arrow, Ball, Lines, Look, Mesh, Text, draw
 from rotedu.scenes.parts import (
     JUST_INSIDE,
-    Arrow,
-    Ball,
-    Lines,
-    Look,
-    Mesh,
-    Text,
     add_arc,
     add_label,
     add_line,
     add_point,
     add_sphere,
-    draw,
     new_scene,
     normalised,
     sphere_scene,
     turning,
 )
 
-__all__ = [
-    "ARCS",
-    "FIGURE_8",
-    "arcs_of_arcs",
-    "camera_by_hand",
-    "closed_curve_by_hand",
-    "figure_8",
-]
+__all__ = ["ARCS", "FIGURE_8", "arcs_of_arcs", "camera_by_hand", "closed_curve_by_hand", "figure_8"]
 
 # Uneven gaps, one of them beyond 90 degrees, and all points on the side of the camera.
 FIGURE_8 = ((0.8, -0.4, 0.4), (0.5, 0.8, -0.4), (0.6, 0.7, 0.4), (0.1, 0.4, 0.9))

@@ -8,24 +8,13 @@ import pyvista
 from numpy.typing import NDArray
 
 from rotedu.colors import MATRIX, QUATERNION, VECTOR
-from rotedu.figures import (
-    Choice,
-    Slider,
-    State,
-    Switch,
-    describe,
-    draw_chart,
-    explorable,
-    limit_turning,
-    read_out,
-)
+from rotedu.figures import State, describe, draw_chart, explorable, read_out
+from rotedu.figures.inputs import Choice, Slider, Switch
 from rotedu.quaternions import Quaternion
-from rotedu.scenes.parts import ORIGIN, Lines, Look, Mesh, Text, draw, new_scene, teaspoon
+from rotedu.scenes.looks import Lines, Look, Mesh, Text, draw
+from rotedu.scenes.parts import ORIGIN, new_scene, teaspoon
 
-__all__ = [
-    "worn_rotations",
-    "worn_spoons_by_hand",
-]
+__all__ = ["worn_rotations", "worn_spoons_by_hand"]
 
 MOST = 1000
 INKS = {"matrix": MATRIX, "quaternion": QUATERNION}
@@ -134,10 +123,8 @@ def worn_spoons_by_hand(state: State) -> pyvista.Plotter:
     spoon.points = spoon.points / 2
     thin = spoon.copy()
     thin.points = spoon.points + THINNER * spoon.point_normals
-    plotter = new_scene(
-        (2.93, -7.43, 3.64), (-0.03, -0.03, -0.06), view_angle=11.6, size=(720, 366)
-    )
-    limit_turning(plotter, 20)
+    eye, target = (2.93, -7.43, 3.64), (-0.03, -0.03, -0.06)
+    plotter = new_scene(eye, target, view_angle=11.6, size=(720, 366), swing=20)
     for name, ink in INKS.items():
         looks: dict[str, Look] = {
             f"box, {name} at the start": Lines(VECTOR, 0.005),

@@ -1,5 +1,7 @@
 """Scenes of page 5 II: the construction, and the misprints (5-9) and (5-13)."""
 
+from itertools import pairwise
+
 import numpy as np
 import pyvista
 from numpy.typing import ArrayLike, NDArray
@@ -8,12 +10,10 @@ from rotedu.arcs import arc_axis, slerp
 from rotedu.closed_curve import closed_curve, de_casteljau
 from rotedu.colors import CROSS, NEUTRAL, RESULT, VECTOR, WRONG
 from rotedu.control_points import bisect, double
-from rotedu.figures import Handles, Slider, State, Switch, describe, explorable, read_out
+from rotedu.figures import State, describe, explorable, read_out
+from rotedu.figures.inputs import Handles, Slider, Switch
+from rotedu.scenes.looks import Ball, Lines, Look, Text, draw
 from rotedu.scenes.parts import (
-    Ball,
-    Lines,
-    Look,
-    Text,
     U,
     W,
     add_angle,
@@ -22,7 +22,6 @@ from rotedu.scenes.parts import (
     add_label,
     add_line,
     add_point,
-    draw,
     normalised,
     sphere_scene,
 )
@@ -49,7 +48,7 @@ REFLECTED, MIDDLE = r"$\bar P_{i-1}$", r"$\bar P_i$"
 A, B = "$a_i$", "$b_i$"
 NAMES = (BEFORE, HERE, AFTER, REFLECTED, MIDDLE, A, B)
 # From the camera of the other figures, the plane of P_i, a_i and b_i would be seen edge on.
-SIDE = (-1.35, 5.5, 0.9)
+SIDE, LOW = (-1.35, 5.5, 0.9), (0, 0, -0.14)
 COLORS = dict(zip(NAMES, (VECTOR, VECTOR, VECTOR, CROSS, CROSS, RESULT, RESULT), strict=True))
 
 
@@ -115,15 +114,8 @@ def figure_3(points: ArrayLike = NEIGHBOURS) -> pyvista.Plotter:
     points : array_like, shape (3, 3)
         P_{i-1}, P_i and P_{i+1}; they are normalised.
     """
-    shifts = (
-        (-0.13, 0.05),
-        (0.0, -0.13),
-        (0, 0.13),
-        (0.15, 0.02),
-        (0.12, 0.06),
-        (0.13, 0),
-        (0, -0.13),
-    )
+    left, right = (-0.13, 0.05), ((0.15, 0.02), (0.12, 0.06), (0.13, 0))
+    shifts = left, (0, -0.13), (0, 0.13), *right, (0, -0.13)
     plotter, p = open_neighbours(points, dict(zip(NAMES, shifts, strict=True)))
     for start, end in ((BEFORE, HERE), (HERE, AFTER)):
         add_arc(plotter, p[start], p[end], VECTOR)
@@ -142,23 +134,30 @@ def figure_3(points: ArrayLike = NEIGHBOURS) -> pyvista.Plotter:
     return plotter
 
 
-def figure_4(points: ArrayLike = NEIGHBOURS) -> pyvista.Plotter:
-    """Draw Fig. 4: the axis of (5-6), and the arc doubled by (5-4) or (5-5).
+def one_step(
+    points: ArrayLike,
+    shown: dict[str, tuple[float, float]],
+    arcs: tuple[str, ...],
+    color: str,
+    names: tuple[str, str],
+    place: float = 0.64,
+    length: float = 1.3,
+    **camera: ArrayLike,
+) -> pyvista.Plotter:
+    """Draw arcs one after the other, and the names of their angle and of their axis."""
+    plotter, p = open_neighbours(points, shown, **camera)
+    for start, end in pairwise(arcs):
+        add_arc(plotter, p[start], p[end], color, radius=0.012)
+        add_angle(plotter, p[start], p[end], names[0], place=place)
+    add_axis(plotter, arc_axis(p[arcs[0]], p[arcs[1]]), names[1], length)
+    return plotter
 
-    Parameters
-    ----------
-    points : array_like, shape (3, 3)
-        P_{i-1}, P_i and P_{i+1}; they are normalised.
-    """
-    plotter, p = open_neighbours(
-        points,
-        {BEFORE: (-0.13, 0.05), HERE: (0, -0.13), REFLECTED: (0.15, 0.02)},
-        target=(0, 0, 0.17),
-    )
-    for start, end in ((BEFORE, HERE), (HERE, REFLECTED)):
-        add_arc(plotter, p[start], p[end], CROSS, radius=0.012)
-        add_angle(plotter, p[start], p[end], r"$\theta_{i-1}$", place=1.22)
-    add_axis(plotter, arc_axis(p[BEFORE], p[HERE]), r"$\hat v_{i-1}$", length=1.15)
+
+def figure_4(points: ArrayLike = NEIGHBOURS) -> pyvista.Plotter:
+    """Draw Fig. 4: the axis of (5-6), and the arc doubled by (5-4) or (5-5), as `figure_3` does."""
+    shown = {BEFORE: (-0.13, 0.05), HERE: (0, -0.13), REFLECTED: (0.15, 0.02)}
+    arcs, names = (BEFORE, HERE, REFLECTED), (r"$\theta_{i-1}$", r"$\hat v_{i-1}$")
+    plotter = one_step(points, shown, arcs, CROSS, names, 1.22, 1.15, target=(0, 0, 0.17))
     describe(
         plotter,
         "A unit sphere. An arc from P_{i-1} to P_i continues by its own length to P_{i-1} with a"
@@ -169,19 +168,10 @@ def figure_4(points: ArrayLike = NEIGHBOURS) -> pyvista.Plotter:
 
 
 def figure_5(points: ArrayLike = NEIGHBOURS) -> pyvista.Plotter:
-    """Draw Fig. 5: the axis of (5-9), corrected, and the arc bisected by (5-7) or (5-8).
-
-    Parameters
-    ----------
-    points : array_like, shape (3, 3)
-        P_{i-1}, P_i and P_{i+1}; they are normalised.
-    """
-    plotter, p = open_neighbours(
-        points, {AFTER: (0, 0.13), REFLECTED: (0.15, 0.02), MIDDLE: (0.12, 0.06)}
-    )
-    add_arc(plotter, p[REFLECTED], p[AFTER], CROSS, radius=0.012)
-    add_angle(plotter, p[REFLECTED], p[AFTER], r"$\bar\theta_{i-1}$")
-    add_axis(plotter, arc_axis(p[REFLECTED], p[AFTER]), r"$\hat{\bar v}_{i-1}$")
+    """Draw Fig. 5: the axis of (5-9), corrected, and the arc bisected by (5-7) or (5-8)."""
+    shown = {AFTER: (0, 0.13), REFLECTED: (0.15, 0.02), MIDDLE: (0.12, 0.06)}
+    names = r"$\bar\theta_{i-1}$", r"$\hat{\bar v}_{i-1}$"
+    plotter = one_step(points, shown, (REFLECTED, AFTER), CROSS, names)
     describe(
         plotter,
         "A unit sphere. An arc leads from P_{i-1} with a bar up to P_{i+1}; its midpoint is P_i"
@@ -192,22 +182,10 @@ def figure_5(points: ArrayLike = NEIGHBOURS) -> pyvista.Plotter:
 
 
 def figure_6(points: ArrayLike = NEIGHBOURS) -> pyvista.Plotter:
-    """Draw Fig. 6: the axis of (5-12), and the arc bisected by (5-10) or (5-11).
-
-    Parameters
-    ----------
-    points : array_like, shape (3, 3)
-        P_{i-1}, P_i and P_{i+1}; they are normalised.
-    """
-    plotter, p = open_neighbours(
-        points,
-        {HERE: (-0.12, 0.0), MIDDLE: (0.12, 0.06), A: (-0.08, 0.09)},
-        eye=SIDE,
-        target=(0.0, 0.0, -0.14),
-    )
-    add_arc(plotter, p[MIDDLE], p[HERE], RESULT, radius=0.012)
-    add_angle(plotter, p[MIDDLE], p[HERE], r"$\bar\theta_i$")
-    add_axis(plotter, arc_axis(p[MIDDLE], p[HERE]), r"$\hat{\bar v}_i$")
+    """Draw Fig. 6: the axis of (5-12), and the arc bisected by (5-10) or (5-11)."""
+    shown = {HERE: (-0.12, 0.0), MIDDLE: (0.12, 0.06), A: (-0.08, 0.09)}
+    names = r"$\bar\theta_i$", r"$\hat{\bar v}_i$"
+    plotter = one_step(points, shown, (MIDDLE, HERE), RESULT, names, eye=SIDE, target=LOW)
     describe(
         plotter,
         "A unit sphere. An arc leads from P_i with a bar to P_i; its midpoint is the control point"
@@ -218,23 +196,10 @@ def figure_6(points: ArrayLike = NEIGHBOURS) -> pyvista.Plotter:
 
 
 def figure_7(points: ArrayLike = NEIGHBOURS) -> pyvista.Plotter:
-    """Draw Fig. 7: the axis of (5-15), and the arc doubled by (5-13) or (5-14).
-
-    Parameters
-    ----------
-    points : array_like, shape (3, 3)
-        P_{i-1}, P_i and P_{i+1}; they are normalised.
-    """
-    plotter, p = open_neighbours(
-        points,
-        {HERE: (-0.12, 0.0), A: (0.1, 0.08), B: (-0.06, -0.12)},
-        eye=SIDE,
-        target=(0.0, 0.0, -0.14),
-    )
-    for start, end in ((A, HERE), (HERE, B)):
-        add_arc(plotter, p[start], p[end], RESULT, radius=0.012)
-        add_angle(plotter, p[start], p[end], r"$\tilde\theta_i$", place=1.22)
-    add_axis(plotter, arc_axis(p[A], p[HERE]), r"$\hat{\tilde v}_i$")
+    """Draw Fig. 7: the axis of (5-15), and the arc doubled by (5-13) or (5-14)."""
+    shown = {HERE: (-0.12, 0.0), A: (0.1, 0.08), B: (-0.06, -0.12)}
+    names = r"$\tilde\theta_i$", r"$\hat{\tilde v}_i$"
+    plotter = one_step(points, shown, (A, HERE, B), RESULT, names, 1.22, eye=SIDE, target=LOW)
     describe(
         plotter,
         "A unit sphere. An arc from a_i to P_i continues by its own length to b_i. Both halves span"

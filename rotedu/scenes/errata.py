@@ -8,9 +8,7 @@ from rotedu.colors import RESULT, VECTOR, WRONG
 from rotedu.figures import describe
 from rotedu.scenes.parts import add_label, add_line, add_point, sphere_scene
 
-__all__ = [
-    "two_curves",
-]
+__all__ = ["two_curves"]
 
 
 def two_curves(

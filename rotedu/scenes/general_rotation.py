@@ -8,18 +8,8 @@ import pyvista
 from numpy.typing import ArrayLike
 
 from rotedu.colors import AXIS, CROSS, NEUTRAL, RESULT, VECTOR
-from rotedu.figures import (
-    Choice,
-    Poses,
-    Slider,
-    State,
-    describe,
-    draw_chart,
-    explorable,
-    limit_turning,
-    read_out,
-    stack_on_phone,
-)
+from rotedu.figures import State, describe, draw_chart, explorable, read_out
+from rotedu.figures.inputs import Choice, Poses, Slider
 from rotedu.general_rotation import (
     axis_angle_from_euler_angles,
     perspective,
@@ -29,14 +19,9 @@ from rotedu.general_rotation import (
     translation,
 )
 from rotedu.ordinary_rotation import transform
+from rotedu.scenes.looks import Arrow, Ball, Lines, Look, Mesh, Text, draw
 from rotedu.scenes.parts import (
     ORIGIN,
-    Arrow,
-    Ball,
-    Lines,
-    Look,
-    Mesh,
-    Text,
     U,
     add_arrow,
     add_coordinate_axes,
@@ -44,7 +29,6 @@ from rotedu.scenes.parts import (
     add_line,
     add_point,
     add_sphere,
-    draw,
     new_scene,
     shade,
     sphere_scene,
@@ -52,12 +36,7 @@ from rotedu.scenes.parts import (
     turning,
 )
 
-__all__ = [
-    "euler_angles_by_hand",
-    "one_for_three",
-    "stages",
-    "three_turns_by_hand",
-]
+__all__ = ["euler_angles_by_hand", "one_for_three", "stages", "three_turns_by_hand"]
 
 ORDERS = [" ".join(f"*{letter}*" for letter in order) for order in permutations("UVW")]
 FIXED, CARRIED = AXES = ["fixed", "carried along"]
@@ -91,8 +70,7 @@ def three_turns_by_hand(state: State) -> pyvista.Plotter:
     back = np.array([0.49, -0.77, 0.42])
     right = np.cross((0, 0, 1), back) / np.linalg.norm(back[:2])
     target = -0.05 * right + 0.08 * np.cross(back, right)
-    plotter = new_scene(eye=28.6 * back + target, target=target, view_angle=11.2)
-    limit_turning(plotter, 20)
+    plotter = new_scene(eye=28.6 * back + target, target=target, view_angle=11.2, swing=20)
     spoon = teaspoon(41, 16)
     for row in ("upper", "lower"):
         for k in range(4):
@@ -201,9 +179,10 @@ def euler_angles_by_hand(state: State) -> pyvista.Plotter:
     """
     back = np.array([0.48, -0.74, 0.47])
     target = 1.37 * np.cross((0, 0, 1), back) / np.linalg.norm(back[:2])
-    plotter = new_scene(eye=24 * back + target, target=target, view_angle=8.05)
-    limit_turning(plotter, 20)
-    stack_on_phone(plotter, (-18, 92, 366, 322, 1), (335, 44, 406, 412, 0.65))
+    stack = (-18, 92, 366, 322, 1), (335, 44, 406, 412, 0.65)
+    plotter = new_scene(
+        eye=24 * back + target, target=target, view_angle=8.05, swing=20, stack=stack
+    )
     spoon = teaspoon(41, 16)
     held: dict[str, Look] = {
         "held": Mesh(spoon, CROSS),

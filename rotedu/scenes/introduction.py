@@ -19,9 +19,7 @@ from rotedu.scenes.parts import (
     turning,
 )
 
-__all__ = [
-    "four_descriptions",
-]
+__all__ = ["four_descriptions"]
 
 
 def pointing_spoon(stations: int = 81, around: int = 28) -> pyvista.PolyData:

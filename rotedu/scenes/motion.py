@@ -4,23 +4,12 @@ import numpy as np
 import pyvista
 
 from rotedu.colors import AXIS, MATRIX, NEUTRAL, QUATERNION, RESULT
-from rotedu.figures import (
-    Handles,
-    Slider,
-    State,
-    Switch,
-    describe,
-    draw_chart,
-    explorable,
-    limit_turning,
-    read_out,
-    stack_on_phone,
-)
-from rotedu.scenes.parts import Arrow, Lines, Look, Mesh, Text, draw, new_scene, teaspoon
+from rotedu.figures import State, describe, draw_chart, explorable, read_out
+from rotedu.figures.inputs import Handles, Slider, Switch
+from rotedu.scenes.looks import Arrow, Lines, Look, Mesh, Text, draw
+from rotedu.scenes.parts import new_scene, teaspoon
 
-__all__ = [
-    "spinning_by_hand",
-]
+__all__ = ["spinning_by_hand"]
 
 SECONDS = 1.5
 EDGE = 0.85
@@ -65,9 +54,10 @@ def spinning_by_hand(state: State) -> pyvista.Plotter:
         after every step.
     """
     # From far away, so that what is drawn in three places looks the same.
-    plotter = new_scene(MIDDLE + EYE, MIDDLE, view_angle=5.885, size=(720, 292))
-    limit_turning(plotter, 20)
-    stack_on_phone(plotter, (0, 22, 262, 270, 0.74), (253, 6, 467, 286, 1))
+    stack = (0, 22, 262, 270, 0.74), (253, 6, 467, 286, 1)
+    plotter = new_scene(
+        MIDDLE + EYE, MIDDLE, view_angle=5.885, size=(720, 292), swing=20, stack=stack
+    )
     spoon = teaspoon(stations=41, around=14)
     spoon.points = EDGE / 2 * spoon.points
     arrows = {name: Arrow(AXIS, 0.02) for name in ("space", "body")}

@@ -5,21 +5,16 @@ import pyvista
 from numpy.typing import ArrayLike
 
 from rotedu.colors import AXIS, CROSS, NEUTRAL, RESULT, VECTOR
-from rotedu.figures import Handles, Slider, State, describe, explorable, read_out
+from rotedu.figures import State, describe, explorable, read_out
+from rotedu.figures.inputs import Handles, Slider
 from rotedu.ordinary_rotation import rotate, rotation_matrix, transform
+from rotedu.scenes.looks import Arrow, Ball, Lines, Look, Mesh, Text, draw
 from rotedu.scenes.parts import (
     NARROW,
     ORIGIN,
-    Arrow,
-    Ball,
-    Lines,
-    Look,
-    Mesh,
-    Text,
     add_arrow,
     add_label,
     add_line,
-    draw,
     fan,
     new_scene,
     normalised,
@@ -27,11 +22,7 @@ from rotedu.scenes.parts import (
     turning,
 )
 
-__all__ = [
-    "figure_1",
-    "figure_1_by_hand",
-    "rotated_mesh",
-]
+__all__ = ["figure_1", "figure_1_by_hand", "rotated_mesh"]
 
 VECTOR_BY_HAND, AXIS_BY_HAND = (0.8, -0.6, 0.4), (0.4, 0.2, 1.2)
 """Where the circle lies all round the origin."""

@@ -8,29 +8,15 @@ from numpy.typing import ArrayLike, NDArray
 
 from rotedu.arcs import nlerp, slerp
 from rotedu.colors import AXIS, CROSS, MATRIX, NEUTRAL, QUATERNION, RESULT, VECTOR
-from rotedu.figures import (
-    Handles,
-    Poses,
-    Slider,
-    State,
-    describe,
-    draw_chart,
-    explorable,
-    limit_turning,
-    read_out,
-)
+from rotedu.figures import State, describe, draw_chart, explorable, read_out
+from rotedu.figures.inputs import Handles, Poses, Slider
 from rotedu.general_rotation import matrix_from_euler_angles
 from rotedu.ordinary_rotation import transform
 from rotedu.orientations import slerp_rotations
 from rotedu.quaternions import Quaternion
+from rotedu.scenes.looks import Arrow, Ball, Lines, Look, Mesh, Text, draw
 from rotedu.scenes.parts import (
     JUST_INSIDE,
-    Arrow,
-    Ball,
-    Lines,
-    Look,
-    Mesh,
-    Text,
     U,
     V,
     W,
@@ -39,7 +25,6 @@ from rotedu.scenes.parts import (
     add_point,
     add_sphere,
     add_thin,
-    draw,
     fan,
     new_scene,
     sphere_scene,
@@ -162,14 +147,9 @@ def routes_by_hand(state: State) -> pyvista.Plotter:
         Four poses as quaternions; they are normalised. The signs do not count.
     u : float
         Place on the whole curve, from 0 to 1.
-
-    Raises
-    ------
-    rotedu.figures.RefusedError
-        If two turns are equally short.
     """
-    plotter = new_scene(eye=0.06 * W - 16 * V, target=0.06 * W, view_angle=14.25, size=(400, 620))
-    limit_turning(plotter, 25)
+    eye, target = 0.06 * W - 16 * V, 0.06 * W
+    plotter = new_scene(eye, target, view_angle=14.25, size=(400, 620), swing=25)
     add_sphere(plotter)
     # Where both are the same, the route is seen.
     looks: dict[str, Look] = {
@@ -343,8 +323,7 @@ def animate(state: State) -> pyvista.Plotter:
         As for `rotedu.control_points.control_points`, for the paper's curve.
     """
     # From far away, so that spoons in the same pose look the same wherever they are.
-    plotter = new_scene(eye=-32 * V + 0.1 * W, target=0.1 * W, view_angle=8)
-    limit_turning(plotter, 15)
+    plotter = new_scene(eye=-32 * V + 0.1 * W, target=0.1 * W, view_angle=8, swing=15)
     timeline: dict[str, Look] = {
         "rail": Lines(NEUTRAL, 0.012),
         "ticks": Lines(NEUTRAL, 0.012),

@@ -5,45 +5,25 @@ import pyvista
 from numpy.typing import ArrayLike
 
 from rotedu.colors import AXIS, CROSS, NEUTRAL, RESULT, VECTOR
-from rotedu.figures import (
-    Choice,
-    Poses,
-    Slider,
-    State,
-    describe,
-    explorable,
-    limit_turning,
-    read_out,
-    stack_on_phone,
-)
+from rotedu.figures import State, describe, explorable, read_out
+from rotedu.figures.inputs import Choice, Poses, Slider
 from rotedu.ordinary_rotation import rotate
 from rotedu.quaternions import Quaternion
+from rotedu.scenes.looks import Arrow, Ball, Lines, Look, Mesh, Text, draw
 from rotedu.scenes.parts import (
     ORIGIN,
-    Arrow,
-    Ball,
-    Lines,
-    Look,
-    Mesh,
-    Text,
     U,
     W,
     add_arrow,
     add_label,
     add_point,
     add_sphere,
-    draw,
     new_scene,
     teaspoon,
     triangle_mesh,
 )
 
-__all__ = [
-    "double_cover_by_hand",
-    "grab_the_spoon",
-    "letter_f",
-    "two_mirrors_by_hand",
-]
+__all__ = ["double_cover_by_hand", "grab_the_spoon", "letter_f", "two_mirrors_by_hand"]
 
 # Radius of the circle of the letters.
 OUTER = 1.05
@@ -122,9 +102,8 @@ def two_mirrors_by_hand(state: State) -> pyvista.Plotter:
     letter : float
         Angle in degrees of the letter.
     """
-    plotter = new_scene(
-        eye=(-4.55, -2.65, 5.8), target=(-0.06, -0.04, 0), view_angle=20.45, size=(600, 456)
-    )
+    eye, target = (-4.55, -2.65, 5.8), (-0.06, -0.04, 0)
+    plotter = new_scene(eye, target, view_angle=20.45, size=(600, 456))
     add_arrow(plotter, -0.15 * W, 0.3 * W, AXIS)
     add_label(plotter, -0.42 * W, r"$\hat n$", AXIS)
     draw(plotter, state, {"ring*": Lines(NEUTRAL, 0.004, 0.4)}, {"both": Text(text="both")})
@@ -195,9 +174,10 @@ def grab_the_spoon(state: State) -> pyvista.Plotter:
         The quaternion with which a way home begins.
     """
     between = -1.02 * ACROSS
-    plotter = new_scene(between + EYE, between, view_angle=14.78, size=(720, 368))
-    limit_turning(plotter, 20)
-    stack_on_phone(plotter, (8, 22, 320, 326, 0.66), (318, 18, 410, 332, 1))
+    stack = (8, 22, 320, 326, 0.66), (318, 18, 410, 332, 1)
+    plotter = new_scene(
+        between + EYE, between, view_angle=14.78, size=(720, 368), swing=20, stack=stack
+    )
     spoon = teaspoon(stations=61, around=20)
     spoon.points = LENGTH * (spoon.points - [0, 0, 0.05])
     looks: dict[str, Look] = {
@@ -263,9 +243,10 @@ def double_cover_by_hand(state: State) -> pyvista.Plotter:
         on up to twice.
     """
     middle = -1.13 * ACROSS + [0, 0, 0.1]
-    plotter = new_scene(middle + EYE, middle, view_angle=16.05, size=(720, 400))
-    limit_turning(plotter, 20)
-    stack_on_phone(plotter, (5, 4, 335, 382, 0.6), (336, 48, 407, 332, 1))
+    stack = (5, 4, 335, 382, 0.6), (336, 48, 407, 332, 1)
+    plotter = new_scene(
+        middle + EYE, middle, view_angle=16.05, size=(720, 400), swing=20, stack=stack
+    )
     spoon = teaspoon(stations=41, around=16)
     spoon.points = REACH * (spoon.points - [0, 0, 0.05])
     looks: dict[str, Look] = {

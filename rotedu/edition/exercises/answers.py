@@ -132,6 +132,13 @@ def unit(vector: npt.ArrayLike, within: float = 1e-3) -> bool:
     return close(np.linalg.norm(vector), 1, within)
 
 
+def normalised(vectors: npt.ArrayLike) -> Array:
+    """Return vectors scaled to length 1."""
+    array = np.asarray(vectors, np.float64)
+    scaled: Array = array / np.linalg.norm(array, axis=-1, keepdims=True)
+    return scaled
+
+
 def same_rotation(a: Any, b: Any, within: float = WITHIN) -> bool:
     """Tell whether two rotations, each in any form of `as_rotation`, are the same."""
     return close(as_rotation(a), as_rotation(b), within)

@@ -140,22 +140,13 @@ def which_have_a_mean() -> Iterator[Part]:
     yield Part(right, hints)
 
 
-TRACKED = [2, -1, 2], 2.5
-
-
-def two_trackers() -> tuple[Array, Array]:
-    """Return what two trackers have measured, and how large their errors are, in degrees."""
-    seeded = np.random.default_rng(19)
-    errors = np.array([2, 2, 2, 6, 6, 6, 6, 6, 6, 6.0])
-    noise = rotation_matrix(seeded.normal(size=(10, 3)), np.deg2rad(errors))
-    return noise @ rotation_matrix(*TRACKED), errors
-
-
 @exercise("B.4", "a rotation: a matrix, shape (3, 3), or a unit quaternion", read=as_rotation)
 @because("Seven coarse measurements still add a little to three fine ones.")
 def weighted_mean() -> Iterator[Part]:
     """Yield the mean of measurements of two qualities."""
-    measured, errors = two_trackers()
+    tracked, seeded = rotation_matrix([2, -1, 2], 2.5), np.random.default_rng(19)
+    errors = np.array([2, 2, 2, 6, 6, 6, 6, 6, 6, 6.0])
+    measured = rotation_matrix(seeded.normal(size=(10, 3)), np.deg2rad(errors)) @ tracked
     right = mean_rotation(measured, errors**-2)
     w, x, y, z = Quaternion.from_matrix(right).components
     hints = {
@@ -180,7 +171,7 @@ def weighted_mean() -> Iterator[Part]:
             np.tensordot(errors**-2, measured, 1) / np.sum(errors**-2),
             "A mean matrix shrinks. Which rotation is nearest to it?",
         ),
-        **the_truth(rotation_matrix(*TRACKED)),
+        **the_truth(tracked),
         **scalar_last(Quaternion(x, [y, z, w]).matrix()),
         "This rotation turns back.": when(
             right.T, "Your answer is the inverse of the mean. Is a quaternion of yours conjugated?"
@@ -192,17 +183,12 @@ def weighted_mean() -> Iterator[Part]:
     yield Part(right, hints, within=1e-3)
 
 
-def noisy_copies() -> Array:
-    """Return fifty rotations scattered widely around none."""
-    seeded = np.random.default_rng(6)
-    return rotation_matrix(seeded.normal(size=(50, 3)), seeded.normal(scale=1.0, size=50))
-
-
 @exercise("B.5", "three angles in degrees", fields={"first": "°", "second": "°", "third": "°"})
 @because("The column that comes first keeps its direction, and the errors of the rest are lost.")
 def by_two_columns() -> Iterator[Part]:
     """Yield how far the means by two columns are from the mean, by the column that begins."""
-    copies = noisy_copies()
+    seeded = np.random.default_rng(6)
+    copies = rotation_matrix(seeded.normal(size=(50, 3)), seeded.normal(scale=1.0, size=50))
     mean, columns = mean_rotation(copies), np.moveaxis(copies.mean(axis=0), 1, 0)
     made = [matrix_from_two_columns(columns[k], columns[(k + 1) % 3]) for k in range(3)]
     rolled = np.array([np.roll(matrix, k, axis=1) for k, matrix in enumerate(made)])
@@ -235,18 +221,15 @@ def by_two_columns() -> Iterator[Part]:
     yield Part(right, hints, within=0.02)
 
 
-def table_of_a_turn() -> Array:
-    """Return the orientations of a body in one turn about (1, 2, 2), every ten degrees."""
-    return rotation_matrix([1, 2, 2], np.deg2rad(np.arange(5, 366, 10)))
-
-
 def halfway_errors() -> Array:
     """Return the errors, in degrees, halfway between the rows: a row for each form.
 
     The forms are the four of the exercise and, last, Euler angles without jumps.
     """
-    table = table_of_a_turn()
-    truth = rotation_matrix([1, 2, 2], np.deg2rad(np.arange(10, 361, 10)))
+    table, truth = (
+        rotation_matrix([1, 2, 2], np.deg2rad(np.arange(*degrees)))
+        for degrees in [(5, 366, 10), (10, 361, 10)]
+    )
     q = Quaternion.from_matrix(table).components
     signs = np.cumprod(np.sign(np.sum(q[1:] * q[:-1], axis=1)))
     followed = np.concatenate([q[:1], signs[:, np.newaxis] * q[1:]])

@@ -1,18 +1,25 @@
 """Checks of the exercises of page 5 III."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 
 import numpy as np
-import numpy.typing as npt
 
 from rotedu._vectors import Array
-from rotedu.arcs import angle_between, arc_axis, slerp
+from rotedu.arcs import angle_between, slerp
 from rotedu.closed_curve import closed_curve, de_casteljau
 from rotedu.control_points import bisect, control_points, double
-from rotedu.edition.exercises.answers import along_equator, numbers, on_equator, parts, unit, word
+from rotedu.edition.exercises.answers import (
+    along_equator,
+    normalised,
+    numbers,
+    on_equator,
+    parts,
+    unit,
+    word,
+)
+from rotedu.edition.exercises.control_points import middle_as_printed
 from rotedu.edition.exercises.judging import Part, because, exercise, in_radians, otherwise, when
 from rotedu.errors import DegenerateError
-from rotedu.ordinary_rotation import rotate
 
 # How far points may be from their middle, and how near each other: 60 and 40 degrees, as read
 # from a picture.
@@ -95,21 +102,7 @@ def number_of_arcs() -> Iterator[Part]:
     yield Part(right, hints)
 
 
-def in_one_row(control: Array, order: Iterable[int], u: float) -> Array:
-    """Return what the loop finds that keeps one row only, with k in a given order."""
-    row = control.copy()
-    for j in range(1, 4):
-        for k in (k for k in order if k >= j):
-            row[k] = slerp(row[k - 1], row[k], u)
-    point: Array = row[3]
-    return point
-
-
-def normalised(vectors: npt.ArrayLike) -> Array:
-    """Scale vectors to length 1."""
-    array = np.asarray(vectors, np.float64)
-    unit_vectors: Array = array / np.linalg.norm(array, axis=-1, keepdims=True)
-    return unit_vectors
+FIGURE_8 = normalised([[0.8, -0.4, 0.4], [0.5, 0.8, -0.4], [0.6, 0.7, 0.4], [0.1, 0.4, 0.9]])
 
 
 def jumps_of_curvature(points: Array, step: float = 3e-4) -> Array:
@@ -143,7 +136,6 @@ def hardly_jumps(points: Array) -> bool:
 @because("With equal gaps, the pieces that meet at one of four points are mirror images.")
 def curve_without_jumps() -> Iterator[Part]:
     """Test points that were found by hand, to a degree and three decimals."""
-    at_start = normalised([[0.8, -0.4, 0.4], [0.5, 0.8, -0.4], [0.6, 0.7, 0.4], [0.1, 0.4, 0.9]])
     square = normalised([[1, 0.7, 0], [1, 0, 0.7], [1, -0.7, 0], [1, 0, -0.7]])
     hints = {
         "Your points are not on the sphere.": when(
@@ -167,7 +159,7 @@ def curve_without_jumps() -> Iterator[Part]:
             example=square[[0, 2, 1, 3]],
         ),
         "These are the points with which Figure 8 begins.": when(
-            at_start, "Drag some, and watch the jumps under *More numbers*."
+            FIGURE_8, "Drag some, and watch the jumps under *More numbers*."
         ),
         "The curvature still jumps by more than 0.2.": when(
             lambda points: not hardly_jumps(points),
@@ -182,12 +174,14 @@ def curve_without_jumps() -> Iterator[Part]:
 @because("Each point is overwritten when nobody needs it any more.")
 def one_row_of_points() -> Iterator[Part]:
     """Yield the point that a loop in one row finds."""
-    wide = np.array([[0.9, 0.3, 0.3], [0.3, 0.9, 0.3], [-0.3, 0.9, -0.3], [-0.9, 0.3, 0.3]])
-    wide /= np.linalg.norm(wide, axis=1, keepdims=True)
+    wide = normalised([[0.9, 0.3, 0.3], [0.3, 0.9, 0.3], [-0.3, 0.9, -0.3], [-0.9, 0.3, 0.3]])
+    row = wide.copy()
+    for j in range(1, 4):
+        for k in range(j, 4):
+            row[k] = slerp(row[k - 1], row[k], 0.4)
     hints = {
         "Your loop reads a point of the new level where it needs one of the old.": when(
-            in_one_row(wide, (1, 2, 3), 0.4),
-            "When Q[k] is computed, has Q[k-1] been overwritten already?",
+            row[3], "When Q[k] is computed, has Q[k-1] been overwritten already?"
         ),
         "Your point is as far from the other end.": when(
             de_casteljau(wide, 0.6), "At u = 0 the curve is at the first control point. Is yours?"
@@ -210,24 +204,19 @@ def one_row_of_points() -> Iterator[Part]:
 @because("Whatever a_i is, b_i = Double(a_i, P_i) makes the curve C1.")
 def an_error_that_hides() -> Iterator[Part]:
     """Yield control points made with a wrong axis, and how many checks notice it."""
-    corners = np.array([[0.8, -0.4, 0.4], [0.5, 0.8, -0.4], [0.6, 0.7, 0.4], [0.1, 0.4, 0.9]])
-    corners /= np.linalg.norm(corners, axis=1, keepdims=True)
-    doubled, after = double(np.roll(corners, 1, axis=0), corners), np.roll(corners, -1, axis=0)
-    half = angle_between(doubled, after) / 2
-    middle = rotate(doubled, arc_axis(after, doubled), half)
-    right = bisect(corners, middle)
-    correct, _ = control_points(corners)
+    middle = middle_as_printed(FIGURE_8)
+    right, (correct, _) = bisect(FIGURE_8, middle), control_points(FIGURE_8)
     hints = {
         "These are the correct a_i.": when(
             correct,
             "Exchange the operands of the cross product in (5-9), and turn about that axis.",
         ),
         "These are the b_i that belong to your a_i.": when(
-            double(right, corners), "Which of the two is after its point on the curve?"
+            double(right, FIGURE_8), "Which of the two is after its point on the curve?"
         ),
         "These are the points of step two.": when(middle, "One more Bisect leads to a_i."),
         "You went a third of the way to the points of step two.": when(
-            slerp(corners, middle, 1 / 3), "Bisect goes half of it, and so does the paper."
+            slerp(FIGURE_8, middle, 1 / 3), "Bisect goes half of it, and so does the paper."
         ),
         "Your a_i do not have the error of the paper.": otherwise(
             "Only the axis of step two is reversed; the angle and the point to be turned stay."

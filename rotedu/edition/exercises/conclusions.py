@@ -6,7 +6,7 @@ from itertools import count
 import numpy as np
 
 from rotedu.cost import OperationCount
-from rotedu.edition.exercises.answers import close, numbers, radians_for_degrees
+from rotedu.edition.exercises.answers import close, normalised, numbers, radians_for_degrees
 from rotedu.edition.exercises.judging import Part, because, exercise, otherwise, when
 from rotedu.ordinary_rotation import axis_angle
 from rotedu.orientations import nearest_rotation
@@ -192,8 +192,8 @@ def hours_of_a_game() -> Iterator[Part]:
 @because("For two rotations the claim holds, so a test with two would have missed this.")
 def two_ways_to_average() -> Iterator[Part]:
     """Yield how far two averages of rotations are apart."""
-    vote = np.column_stack([np.ones(3), np.random.default_rng(15).normal(size=(3, 3))])
-    vote /= np.linalg.norm(vote, axis=1, keepdims=True)
+    noise = np.random.default_rng(15).normal(size=(3, 3))
+    vote = normalised(np.column_stack([np.ones(3), noise]))
     matrices = Quaternion(vote[:, 0], vote[:, 1:]).matrix()
     right = []
     for k in (2, 3):

@@ -8,7 +8,7 @@ import numpy.typing as npt
 from rotedu._vectors import Array
 from rotedu.arcs import angle_between, arc_axis
 from rotedu.control_points import bisect, control_points, double
-from rotedu.edition.exercises.answers import along_equator, close, numbers, on_equator
+from rotedu.edition.exercises.answers import along_equator, close, normalised, numbers, on_equator
 from rotedu.edition.exercises.judging import (
     Part,
     because,
@@ -130,8 +130,7 @@ def construction_on_a_circle() -> Iterator[Part]:
 @because("Reversing the list reveals an error that a look at the curve does not.")
 def reversed_ring() -> Iterator[Part]:
     """Yield how far a wrong axis breaks the symmetry of the construction."""
-    ring = np.array([[1, -0.45, 0], [0.7, 0.6, -0.35], [0.1, 0.8, 0.5], [0.6, -0.05, 0.95]])
-    ring /= np.linalg.norm(ring, axis=1, keepdims=True)
+    ring = normalised([[1, -0.45, 0], [0.7, 0.6, -0.35], [0.1, 0.8, 0.5], [0.6, -0.05, 0.95]])
     a, b = with_printed_axis(ring)
     back_a, back_b = with_printed_axis(ring[::-1])
     right = np.rad2deg(angle_between(a, back_b[::-1]))
@@ -170,12 +169,17 @@ def reversed_ring() -> Iterator[Part]:
 
 
 def with_printed_axis(points: Array) -> tuple[Array, Array]:
-    """Return a and b, with the midpoint of step two turned about the axis of (5-9) as printed."""
+    """Return a and b, made with the axis of (5-9) as printed."""
+    a = bisect(points, middle_as_printed(points))
+    return a, double(a, points)
+
+
+def middle_as_printed(points: Array) -> Array:
+    """Return the midpoints of step two, turned about the axis of (5-9) as printed."""
     following = np.roll(points, -1, axis=0)
     beyond = double(np.roll(points, 1, axis=0), points)
     half = angle_between(beyond, following) / 2
-    a = bisect(points, rotate(beyond, arc_axis(following, beyond), half))
-    return a, double(a, points)
+    return rotate(beyond, arc_axis(following, beyond), half)
 
 
 @exercise("5.10", "two points, shape (2, 3)", read=numbers(2, 3))

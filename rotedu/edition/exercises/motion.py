@@ -119,12 +119,6 @@ def what_a_step_stretches() -> Iterator[Part]:
     yield Part(factors, hints, within=6e-4)
 
 
-def gyroscope() -> Array:
-    """Return the rates of the log, in degrees a second."""
-    t = np.arange(300) / 100
-    return np.stack([60 * np.cos(t), 40 + 0 * t, -90 * np.sin(2 * t)], axis=-1)
-
-
 @exercise(
     "A.4",
     "a rotation: a matrix, a unit quaternion, or an axis and an angle in radians",
@@ -133,12 +127,14 @@ def gyroscope() -> Array:
 @because("Seen from the body, the room turns the other way.")
 def orientation_by_gyroscope() -> Iterator[Part]:
     """Yield where rates in the body's frame lead, then what other readings lead to."""
-    rates, start, dt = np.deg2rad(gyroscope()), np.eye(3), 0.01
+    start, dt, t = np.eye(3), 0.01, np.arange(300) / 100
+    log = np.stack([60 * np.cos(t), 40 + 0 * t, -90 * np.sin(2 * t)], axis=-1)
+    rates = np.deg2rad(log)
     right = integrate(start, -rates, dt)[-1].T
     as_if_fixed = integrate(start, rates, dt)[-1]
     hints = {
         "Are your rates in degrees?": when(
-            integrate(start, gyroscope(), dt)[-1],
+            integrate(start, log, dt)[-1],
             "The log is in degrees a second, and integrate expects radians.",
         ),
         "You have taken the rates for those of the fixed frame.": when(

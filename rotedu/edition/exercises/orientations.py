@@ -8,7 +8,13 @@ import numpy as np
 from rotedu._vectors import Array
 from rotedu.arcs import angle_between, arc_axis, slerp
 from rotedu.closed_curve import closed_curve
-from rotedu.edition.exercises.answers import as_rotation, close, numbers, radians_for_degrees
+from rotedu.edition.exercises.answers import (
+    as_rotation,
+    close,
+    normalised,
+    numbers,
+    radians_for_degrees,
+)
 from rotedu.edition.exercises.judging import Part, because, exercise, in_radians, otherwise, when
 from rotedu.errors import DegenerateError
 from rotedu.ordinary_rotation import axis_angle, rotation_matrix
@@ -169,8 +175,7 @@ def columns_of_flights(answer: Any) -> tuple[Array, Array, Array]:
 @because("The steeper the line of sight, the more a level horizon costs.")
 def upright_flights() -> Iterator[Part]:
     """Yield the roll of the shortest flights and the cost of flying upright."""
-    sights = np.array([(1.0, 0.0, -0.2), (0.3, 1.0, 0.2), (0.2, 0.3, 1.0), (0.3, -0.9, 0.3)])
-    sights /= np.linalg.norm(sights, axis=1, keepdims=True)
+    sights = normalised([(1.0, 0.0, -0.2), (0.3, 1.0, 0.2), (0.2, 0.3, 1.0), (0.3, -0.9, 0.3)])
     pairs = list(zip(sights, np.roll(sights, -1, axis=0), strict=True))
     rolls, turned, uneven = np.transpose([flight(*ends) for ends in pairs])
     by_sight = [
@@ -224,8 +229,7 @@ def upright_flights() -> Iterator[Part]:
 
 def standing(sight: Array) -> Array:
     """Return upright cameras; their columns point left, up and ahead."""
-    left = np.cross([0, 0, 1], sight)
-    left /= np.linalg.norm(left, axis=-1, keepdims=True)
+    left = normalised(np.cross([0, 0, 1], sight))
     return np.stack([left, np.cross(sight, left), sight], axis=-1)
 
 

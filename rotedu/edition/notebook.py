@@ -13,17 +13,22 @@ import numpy as np
 import numpy.typing as npt
 
 
-class Source:
-    """The source of a function, shown as highlighted code."""
+class Statement(str):
+    """A text that a notebook shows without quotation marks."""
 
-    def __init__(self, code: str) -> None:
-        self.code = code
+    __slots__ = ()
 
     def __repr__(self) -> str:
-        return self.code
+        return str(self)
+
+
+class Source(Statement):
+    """The source of a function, shown as highlighted code."""
+
+    __slots__ = ()
 
     def _repr_markdown_(self) -> str:
-        return f"```python\n{self.code}\n```"
+        return f"```python\n{self}\n```"
 
 
 class Table:
@@ -132,15 +137,6 @@ def named(lines: Sequence[Any], text: str, side: str = "right", at: int = -1, **
     )
 
 
-class Statement(str):
-    """A text that a notebook shows without quotation marks."""
-
-    __slots__ = ()
-
-    def __repr__(self) -> str:
-        return str(self)
-
-
 def agree(found: npt.ArrayLike, expected: npt.ArrayLike, within: float) -> Statement:
     """State that two arrays agree, or fail.
 
@@ -196,6 +192,6 @@ def stored_benchmark() -> dict[str, Any]:
     >>> stored_benchmark()["nanoseconds a point"]["one point"].keys()
     dict_keys(['matrix @ point', 'scipy, Rotation.apply', 'transform'])
     """
-    results = Path(__file__).with_name("benchmark.json")
-    found: dict[str, Any] = json.loads(results.read_text(encoding="utf-8"))
+    results = Path(__file__).with_name("benchmark.json").read_text(encoding="utf-8")
+    found: dict[str, Any] = json.loads(results)
     return found

@@ -31,17 +31,9 @@ State = Callable[[], Iterable["Part"]]
 class Mistake(NamedTuple):
     """What earns a hint, and the second stage of this hint.
 
-    Attributes
-    ----------
-    result : array_like or callable
-        What a usual mistake leads to, or a function that tells whether an answer shows it.
-    second : str
-        The second stage of the hint.
-    example : object
-        An answer to the exercise that shows it; needed if the result is a function. A test
-        demands this hint for it.
-    also : array_like or callable, optional
-        Another mistake that earns the same hint.
+    The result is what a usual mistake leads to, or a function that tells whether an answer shows
+    it. A function needs an example, an answer for which a test demands this hint. A hint that two
+    mistakes earn has two results.
     """
 
     result: Any
@@ -100,12 +92,9 @@ class Part:
         is for all answers `otherwise`.
     item : int or slice, optional
         Which item of what was read is judged; everything if it is not given.
-    within : float
-        The largest difference allowed in any number.
-    period : float, optional
-        Numbers that differ by a multiple of it count as the same, as angles do by full turns.
-    either_sign : bool
-        Whether opposite numbers count as the same, as those of quaternions do.
+    within, period, either_sign : float, optional float, bool
+        Numbers count as the same if they differ by no more than this; by a multiple of the period,
+        as angles do by full turns; or by their sign, as quaternions do.
     """
 
     right: Any
@@ -150,12 +139,9 @@ class Exercise:
     number : str
         The number it has in the book.
     state : callable
-        Function that yields the parts by which an answer is judged; each only if those before it
-        are right.
-    expects : str
-        The form of an answer, to complete the sentence "Expected ...".
-    because : str
-        A sentence that a right answer earns; may be empty.
+        Function that yields the parts; each is judged only if those before it are right.
+    expects, because : str
+        How "Expected ..." goes on, the form of an answer; a sentence that a right answer earns.
     read : callable, optional
         Function that makes of a plain answer what is judged. It may raise anything if the answer
         does not have the expected form. If there is none, an answer is a number for each field, or
@@ -190,14 +176,7 @@ class Exercise:
 class Verdict:
     """What a check says about an answer.
 
-    Attributes
-    ----------
-    number : str
-        The number of the exercise.
-    right : bool or None
-        Whether the answer is right; None if there is no answer yet.
-    text : str
-        The verdict in words.
+    It is shown as the number of the exercise and a text; `right` is None without an answer.
     """
 
     number: str

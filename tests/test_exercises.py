@@ -118,29 +118,6 @@ def test_the_letters_of_a_word_are_no_parts() -> None:
     assert "the number of parts is 1" in check("3.3", "transpose", hint=2).text
 
 
-PAIRS = [([0, 0, 1], 180), ([0, 0, 0], 0), ([0, 1, 0], 90), ([1, 1, 1], 120)]
-
-
-@pytest.mark.parametrize(
-    ("number", "answer", "hint"),
-    [
-        ("2.3", (PAIRS, [0, 1, 0]), "zero vector"),
-        ("3.3", "transpose", "the second for -diagonal"),
-        ("3.3", ("same", "same"), "you call the same does change"),
-        ("4.2", ([7, 4, 6, 1], [2, 4, 6, 0]), "fourth coordinates are known"),
-        ("4.2", ([7, 4, 6], [2, 4, 6, 0]), "fourth coordinates are known"),
-        ("5.3", (67.2, 9156), "Is this the latitude?"),
-        ("6.2", (3, 9), "factors by which the errors grow"),
-        ("6.2", (9, 3), "factors, and the wrong way round"),
-        ("6.3", 2.41, "smallest whole number"),
-    ],
-)
-def test_an_answer_given_in_a_trial_hears_what_is_wrong(
-    number: str, answer: Any, hint: str
-) -> None:
-    assert hint in check(number, answer).text
-
-
 def test_a_number_is_refused_twice() -> None:
     with pytest.raises(ValueError, match=r"3\.1 has two checks"):
         exercise("3.1", "nothing")(lambda: [])

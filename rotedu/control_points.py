@@ -31,12 +31,9 @@ def double(p: Unit, q: Unit) -> Vector:
 
     Notes
     -----
-    In (5-13) the paper exchanges the operands and so computes Double(P_i, a_i), which leads back
-    to the midpoint of the second step (erratum E3). Its text and (5-14) have Double(a_i, P_i), as
-    here.
-
-    Along the great circle, p and its reflection are 2 theta apart, but if theta is more than 90
-    degrees, this is not the angle between them (erratum E11).
+    In (5-13) the paper exchanges the operands, which leads back to the midpoint of the second step
+    (erratum E3). Along the great circle, p and its reflection are 2 theta apart, but if theta is
+    more than 90 degrees, this is not the angle between them (erratum E11).
 
     References
     ----------
@@ -133,13 +130,9 @@ def bisect_by_rotation(p: Unit3, q: Unit3) -> Vector:
     rotedu.errors.DegenerateError
         If p and q are antipodal.
 
-    Notes
-    -----
-    With the axis (5-9) as printed, (5-8) turns away from P_{i+1} (erratum E2).
-
     References
     ----------
-    Cheng et al. (2023), Eqs. (5-8) with (5-9), (5-11) with (5-12)
+    Cheng et al. (2023), Eqs. (5-8) with (5-9), its axis reversed (erratum E2), (5-11) with (5-12)
 
     Examples
     --------
@@ -179,13 +172,10 @@ def control_points(points: ClosedPoints, fraction: Fraction = 1 / 2) -> tuple[Ve
 
     Notes
     -----
-    Three cases need no special treatment: points equally spaced on a great circle, where the
-    printed formulas are 0/0; repeated points; and gaps beyond 90 degrees. Where the points go out
-    and back by less than 90 degrees, a_i = b_i = P_i, and the curve stops there for a moment.
-
-    Bisect takes the shorter arc. On a great circle, with the gaps g_1 and g_2 before and after
-    P_i, a_i lies (g_1 + g_2) / 4 beyond P_i, unless abs(g_1 - g_2) > 180 degrees, where it jumps
-    to the other side. Near such a jump, a small change in the data moves a_i a lot.
+    Where the points go out and back by less than 90 degrees, a_i = b_i = P_i, and the curve stops
+    there for a moment. Bisect takes the shorter arc: on a great circle, with the gaps g_1 and g_2
+    before and after P_i, a_i lies (g_1 + g_2) / 4 beyond P_i, unless abs(g_1 - g_2) > 180 degrees,
+    where it jumps to the other side. Near such a jump, a small change in the data moves a_i a lot.
 
     References
     ----------

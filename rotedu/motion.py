@@ -100,11 +100,6 @@ def rotation_vector(matrix: Rotation) -> Vector3:
     --------
     >>> print(rotation_vector([[0, -1, 0], [1, 0, 0], [0, 0, 1]]).round(6))
     [0.       0.       1.570796]
-
-    Three quarters of a turn come back as a quarter turn about the opposite axis:
-
-    >>> print(rotation_vector(matrix_from_rotation_vector([0, 0, 1.5 * np.pi])).round(6) + 0.0)
-    [ 0.        0.       -1.570796]
     """
     axis, theta = axis_angle(matrix)
     v: Vector3 = theta * axis

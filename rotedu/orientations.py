@@ -123,7 +123,7 @@ def closed_rotation_curve(
     its angle, from 0 to 360 degrees, and turns in succession become one turn by the half-angle
     rule. The matrices fix the turns between neighbours; everything else follows from these.
     Joining two matrices directly, as `slerp_rotations` does, would lead to another curve wherever
-    the route by which they were reached exceeds half a turn.
+    the route by which they were reached exceeds half a turn, as in a swing to 100 degrees and back.
 
     As rotations these are the orientations of `rotedu.closed_curve.closed_curve` for quaternions
     whose signs agree. Where they cannot agree all the way round, as when a body turns right round
@@ -139,14 +139,6 @@ def closed_rotation_curve(
     >>> axis, angle = axis_angle(closed_rotation_curve(quarter_turns, samples=2, fraction=1 / 3))
     >>> print(np.degrees(angle).round(9), axis[5] + 0.0)
     [  0.  45.  90. 135. 180. 135.  90.  45.] [ 0.  0. -1.]
-
-    A swing to 100 degrees and back to -100. Double leads to 200, and back from there to 0 is more
-    than half a turn. Along that route 100 is the end of the swing.
-
-    >>> swing = rotation_matrix([0, 0, 1], np.radians([0, 100, 0, -100]))
-    >>> curve = closed_rotation_curve(swing, samples=2)
-    >>> print(np.degrees(np.arctan2(curve[:, 1, 0], curve[:, 0, 0])).round(9) + 0.0)
-    [   0.     68.75  100.     68.75    0.    -68.75 -100.    -68.75]
     """
     axis, theta = axis_angle(product(transpose(rotations), np.roll(rotations, -1, axis=-1)))
     refuse_half_turn(theta, "{i} and {j}", "rotations")

@@ -50,53 +50,33 @@ def test_every_part_of_the_paper_has_its_claims() -> None:
 
 @pytest.mark.parametrize("claim", CLAIMS, ids=lambda claim: str(claim.number))
 def test_claim(claim: Claim) -> None:
-    assert claim.verdict in get_args(Verdict)
-    assert set(claim.where) <= PLACES
     assert bool(claim.condition) == (claim.verdict == "holds under a condition")
-    assert not claim.condition.endswith(".")
-    assert not claim.reason.endswith(".")
-    assert "|" not in claim.condition + claim.reason
+    assert not any(text.endswith(".") for text in (claim.claim, claim.condition, claim.reason))
+    assert "|" not in claim.claim + claim.condition + claim.reason
     # A slip is false by itself, and the errata have it under a number.
     assert not claim.slip or claim.verdict == "does not hold"
     assert not claim.slip or re.search(r"\bE\d", claim.reason)
     assert claim.claim[0].isupper() or claim.claim[0] in "($…"
-    assert not claim.claim.endswith(".")
-    assert "|" not in claim.claim
-    assert claim.chapter in CHAPTERS
-
-
-@pytest.mark.parametrize("chapter", sorted({claim.chapter for claim in CLAIMS}))
-def test_chapter_is_listed(chapter: str) -> None:
-    assert f"{chapter}.ipynb" in pages()
 
 
 def test_a_page_shows_each_claim_that_links_to_it() -> None:
     texts = {name: read(name) for name in CHAPTERS}
-    row = r"\| {} \| .* \| [✓~×?] \*\*"
-    missing = [
-        claim.number
-        for claim in CLAIMS
-        if not re.search(row.format(claim.number), texts[claim.chapter])
-    ]
-    assert missing == []
+    for claim in CLAIMS:
+        assert re.search(rf"\| {claim.number} \| .* \| [✓~×?] \*\*", texts[claim.chapter])
 
 
 def test_table_has_a_row_for_each_claim_that_is_asked_for() -> None:
     heads, _, *rows = claim_table([2, 25]).markdown.splitlines()
     assert heads.count(" | ") == 4
-    assert [row.split(" | ")[0] for row in rows] == [
-        "| [2]{#claim-2}",
-        "| [25]{#claim-25}",
-    ]
+    assert [row.split(" | ")[0] for row in rows] == ["| [2]{#claim-2}", "| [25]{#claim-25}"]
     assert all(row.count(" | ") == 4 for row in rows)
 
 
 def test_a_reason_follows_the_verdict_and_its_condition() -> None:
     judged = Claim(1, "A", ("1",), "holds under a condition", "05-arcs", "so", "why").judgement
     assert judged == "~ **holds under a condition**: if so; why"
-    assert Claim(1, "A", ("1",), "does not hold", "05-arcs", reason="why").judgement.endswith(
-        "**: why"
-    )
+    false = Claim(1, "A", ("1",), "does not hold", "05-arcs", reason="why")
+    assert false.judgement == "× **does not hold**: why"
     assert Claim(1, "A", ("1",), "holds", "05-arcs").judgement == "✓ **holds**"
 
 

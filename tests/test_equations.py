@@ -125,9 +125,8 @@ class TestTables:
             assert {line.count("|") for line in lines} == {header.count("|")}
 
     def test_pages_show_them(self) -> None:
-        for section in NUMBERED:
-            assert f"equation_table({section})" in pages()["equations.md"].text
-        assert "figure_table()" in pages()["equations.md"].text
+        tables = [f"equation_table({section})" for section in NUMBERED]
+        assert all(table in pages()["equations.md"].text for table in [*tables, "figure_table()"])
 
 
 def test_the_search_keeps_the_numbers_of_pages_that_stay(tmp_path: Path) -> None:

@@ -12,24 +12,28 @@ from rotedu.quaternions import Quaternion
 SPEED = np.pi / 2
 
 
-def spinning_by_hand(space: Any, body: Any, h: float, t: float, repair: bool) -> dict[str, Any]:
+def spinning_bodies(space: Any, body: Any, h: float, t: float, repair: bool) -> dict[str, Any]:
+    """The matrices that draw the body by each method."""
     omega, own = (SPEED * np.divide(axis, np.linalg.norm(axis)) for axis in (space, body))
-
-    def exact(t: float) -> Any:
-        return (Rotation.from_rotvec(t * omega) * Rotation.from_rotvec(t * own)).as_matrix()
 
     m, q = np.eye(3), Quaternion(1, np.zeros(3))
     for step in [h] * int(t / h) + [t - int(t / h) * h]:
         m = m + step * (np.cross(omega, m, axisb=0, axisc=0) + np.cross(m, own))
         q = q + step / 2 * (Quaternion(0, omega) * q + q * Quaternion(0, own))
         m, q = (nearest_rotation(m), q / q.norm()) if repair else (m, q)
-    drawn = {
-        "exponential": exact(t),
+    exact = Rotation.from_rotvec(t * omega) * Rotation.from_rotvec(t * own)
+    return {
+        "exponential": exact.as_matrix(),
         "Euler, matrix": m,
         "Euler, quaternion": q.norm() ** 2 * q.matrix(),
     }
+
+
+def spinning_by_hand(**inputs: Any) -> dict[str, Any]:
+    drawn = spinning_bodies(**inputs)
+    exact = drawn["exponential"]
     return {
         name: f"edge up to {np.linalg.norm(now, axis=0).max():.2f},"
-        f" {np.degrees(angular_distance(nearest_rotation(now), exact(t))):.0f}° wrong"
+        f" {np.degrees(angular_distance(nearest_rotation(now), exact)):.0f}° wrong"
         for name, now in drawn.items()
     }

@@ -20,9 +20,6 @@ from rotedu.control_points import bisect, control_points, double
 from rotedu.general_rotation import (
     euler_angles,
     matrix_from_euler_angles,
-    rotation_u,
-    rotation_v,
-    rotation_w,
 )
 from rotedu.motion import matrix_steps, quaternion_steps, rotation_vector
 from rotedu.ordinary_rotation import axis_angle, rotation_matrix, transform
@@ -75,41 +72,6 @@ class TestWhatTheAnswersSay:
             "01-introduction"
         )
         assert f"to {shorter:.0%} of its length" in answers("01-introduction")
-
-    def test_two_mirrors(self) -> None:
-        def reflect(degrees: float) -> Any:
-            """The mirror at an angle, as a matrix of the plane at right angles to the axis."""
-            twice = 2 * np.deg2rad(degrees)
-            return np.array([[np.cos(twice), np.sin(twice)], [np.sin(twice), -np.cos(twice)]])
-
-        def green(blue: float, second: float = 60) -> float:
-            start = np.cos(np.deg2rad(blue)), np.sin(np.deg2rad(blue))
-            return degrees(np.arctan2(*(reflect(second) @ reflect(0) @ start)[::-1]))
-
-        assert green(-20) - green(-30) == pytest.approx(10)
-        assert green(-30, second=65) - green(-30) == pytest.approx(10)
-
-    def test_three_arrows(self) -> None:
-        r, n = np.array([0.3, 0.5, 0.6]), np.array([0, 0.6, 0.8])
-
-        def lengths(angle: float) -> Any:
-            cos, sin = np.cos(np.deg2rad(angle)), np.sin(np.deg2rad(angle))
-            arrows = cos * r, (1 - cos) * (r @ n) * n, sin * np.cross(n, r)
-            return [np.linalg.norm(arrow).round(9) for arrow in arrows]
-
-        assert lengths(180) == pytest.approx([np.linalg.norm(r), 2 * (r @ n), 0])
-        assert lengths(0) == pytest.approx([np.linalg.norm(r), 0, 0])
-        assert lengths(90)[0] == 0
-
-    def test_three_quarter_turns(self) -> None:
-        u, v, w = (turn(np.pi / 2)[:3, :3] for turn in (rotation_u, rotation_v, rotation_w))
-        for turn, axis, angle in ((w @ v @ u, [0, 1, 0], 90), (u @ v @ w, [1, 0, 1], 180)):
-            assert np.allclose(turn, rotation_matrix(axis, np.deg2rad(angle)))
-
-    def test_opposite_ends(self) -> None:
-        start, beyond = np.array([1, 0, 0]), np.array([-1, 0.01, 0])
-        sides = [arc_axis(start, end) for end in (beyond, beyond * [1, -1, 1])]
-        assert np.allclose(*(sides * np.array([[1], [-1]])))
 
     def test_one_control_point(self) -> None:
         points = np.array(scenes.FIGURE_8)
@@ -312,6 +274,42 @@ class TestWhatTheAnswersSay:
         assert 0.5 < np.mean(off(40, 1) > 1) < 0.65
         assert "the quaternion is nearer in little more than half" in said
 
+    def test_one_of_five_quaternions_has_the_other_sign(self) -> None:
+        rng = np.random.default_rng(5)
+        truth, size = np.eye(4)[0], 1e-4
+        errors = size * rng.normal(size=(1000, 5, 4)) * [0, 1, 1, 1]
+
+        def off(signs: Any) -> Any:
+            """Errors of the mean, and the length of the sum."""
+            total = (np.array(signs)[:, np.newaxis] * (truth + errors)).sum(axis=1)
+            return total[:, 1:] / total[:, :1], np.abs(total[:, 0])
+
+        (five, length), (three, shorter) = off([1] * 5), off([1, 1, 1, 1, -1])
+        assert np.allclose([length, shorter], [[5.0], [3.0]])
+        assert np.std(three) / np.std(five) == pytest.approx(5 / 3, rel=0.02)
+        for signs in ([1, 1, -1, -1, -1], [1, 1, 1, -1, -1]):
+            (one, shortest) = off(signs)
+            assert np.allclose(shortest, 1)
+            assert np.std(one) / np.std(five) == pytest.approx(5, rel=0.02)
+            assert ((np.array(signs) @ np.ones(5)) < 0) == (signs.count(-1) == 3)
+        text = answers("beyond-averages")
+        assert "with three of five, as with two, the sum is one report long" in text
+        assert "the sum is three reports long instead of five" in text
+        assert "divided by three now, not by five" in text
+        assert "three or more of the five" in text
+
+    def test_the_means_of_picture_b_a(self) -> None:
+        def apart(**inputs: Any) -> float:
+            """How far the two means are apart, in degrees."""
+            return float(outputs("mean_by_hand", **inputs)["apart"])
+
+        page = pages()["beyond-averages.ipynb"]
+        text = "\n".join(cell.source for cell in page.cells)
+        assert f"the means are {apart():.0f}° apart" in text
+        assert apart(flip=False) == pytest.approx(1 / 3, abs=0.05)
+        least = apart(**scenes.mean_by_hand.tries["no choice of signs helps"])
+        assert f"the best one misses it by {least:.1f}°" in text
+
 
 @of_chapters
 def test_a_page_offers_its_choices_as_native_elements(book: Path, chapter: Page) -> None:
@@ -406,39 +404,3 @@ def test_the_roll_that_an_arc_brings_is_small_near_the_horizon_only() -> None:
     near = low & (np.sum(p * q, axis=1) > 0.5)
     np.testing.assert_allclose(np.median(off[near]), 3.6, rtol=0, atol=0.5)
     np.testing.assert_allclose(np.quantile(off[near], 0.95), 18, rtol=0, atol=2)
-
-    def test_one_of_five_quaternions_has_the_other_sign(self) -> None:
-        rng = np.random.default_rng(5)
-        truth, size = np.eye(4)[0], 1e-4
-        errors = size * rng.normal(size=(1000, 5, 4)) * [0, 1, 1, 1]
-
-        def off(signs: Any) -> Any:
-            """Errors of the mean, and the length of the sum."""
-            total = (np.array(signs)[:, np.newaxis] * (truth + errors)).sum(axis=1)
-            return total[:, 1:] / total[:, :1], np.abs(total[:, 0])
-
-        (five, length), (three, shorter) = off([1] * 5), off([1, 1, 1, 1, -1])
-        assert np.allclose([length, shorter], [[5.0], [3.0]])
-        assert np.std(three) / np.std(five) == pytest.approx(5 / 3, rel=0.02)
-        for signs in ([1, 1, -1, -1, -1], [1, 1, 1, -1, -1]):
-            (one, shortest) = off(signs)
-            assert np.allclose(shortest, 1)
-            assert np.std(one) / np.std(five) == pytest.approx(5, rel=0.02)
-            assert ((np.array(signs) @ np.ones(5)) < 0) == (signs.count(-1) == 3)
-        text = answers("beyond-averages")
-        assert "with three of five, as with two, the sum is one report long" in text
-        assert "the sum is three reports long instead of five" in text
-        assert "divided by three now, not by five" in text
-        assert "three or more of the five" in text
-
-    def test_the_means_of_picture_b_a(self) -> None:
-        def apart(**inputs: Any) -> float:
-            """How far the two means are apart, in degrees."""
-            return float(outputs("mean_by_hand", **inputs)["apart"])
-
-        page = pages()["beyond-averages.ipynb"]
-        text = "\n".join(cell.source for cell in page.cells)
-        assert f"the means are {apart():.0f}° apart" in text
-        assert apart(flip=False) == pytest.approx(1 / 3, abs=0.05)
-        least = apart(**scenes.mean_by_hand.tries["no choice of signs helps"])
-        assert f"the best one misses it by {least:.1f}°" in text

@@ -5,7 +5,7 @@ import json
 import re
 import zipfile
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 import pytest
 import test_exercises
@@ -69,7 +69,11 @@ SAYS: dict[str, dict[str, Any]] = {
         "error": '  File "Cell 1", line 1\n    x = (1 +\n        ^\n'
         "SyntaxError: '(' was never closed\n"
     },
-    "from rotedu.quaternions import Quaternion\nQuaternion(1)": {"kind": "TypeError"},
+    # Of the package nothing is shown.
+    "from rotedu.closed_curve import closed_curve\nclosed_curve([[1, 0, 0]])": {
+        "error": IN_CELL.format(2, "closed_curve([[1, 0, 0]])")
+        + "ValueError: points must number at least 3 to make a closed curve; got 1\n"
+    },
     "print('0' * 10**6)": {"out": LONG, "error": ""},
     "print('0' * 10**5)": {"out": LONG},
     "class Long:\n    def __repr__(self):\n        return '0' * 10**6\n\nLong()": {"value": LONG},
@@ -113,18 +117,11 @@ FIGURES: dict[str, tuple[str, dict[str, Any]]] = {
 Done = dict[str, list[dict[str, Any]]]
 
 
-class Ran(NamedTuple):
-    """A cell, and what came of it in the page's Python."""
-
-    cell: NotebookNode
-    done: dict[str, Any]
-
-    @property
-    def stored(self) -> tuple[str, str]:
-        """What the notebook stores: what is printed, and the value of the last line."""
-        out = "".join(o.text for o in self.cell.outputs if o.output_type == "stream")
-        data = next((o.data for o in self.cell.outputs if o.output_type == "execute_result"), {})
-        return out, data.get("text/markdown", data.get("text/plain", ""))
+def stored(cell: NotebookNode) -> tuple[str, str]:
+    """What a notebook stores of a cell: what is printed, and the value of the last line."""
+    out = "".join(o.text for o in cell.outputs if o.output_type == "stream")
+    data = next((o.data for o in cell.outputs if o.output_type == "execute_result"), {})
+    return out, data.get("text/markdown", data.get("text/plain", ""))
 
 
 def in_order(page: Page) -> list[NotebookNode]:
@@ -147,7 +144,7 @@ def figures(page: Page) -> dict[str, Any]:
 
 
 @pytest.fixture(scope="module")
-def done(tmp_path_factory: pytest.TempPathFactory) -> dict[str, list[dict[str, Any]]]:
+def done(tmp_path_factory: pytest.TempPathFactory) -> Done:
     """Run everything in the page's Python, each list of cells in a namespace of its own."""
     cells: dict[str, Any] = {
         page.name: {"figures": figures(page), "cells": [c.source for c in in_order(page)]}
@@ -164,14 +161,6 @@ def done(tmp_path_factory: pytest.TempPathFactory) -> dict[str, list[dict[str, A
     return dict(zip(cells, json.loads(answers.read_text("utf-8")), strict=True))
 
 
-@pytest.fixture(scope="module")
-def ran(done: dict[str, list[dict[str, Any]]]) -> dict[str, list[Ran]]:
-    return {
-        page.name: [Ran(*each) for each in zip(in_order(page), done[page.name], strict=True)]
-        for page in notebooks()
-    }
-
-
 def test_the_conventions_say_what_runs(done: Done) -> None:
     [facts] = done["facts"]
     assert facts["error"] == ""
@@ -181,22 +170,14 @@ def test_the_conventions_say_what_runs(done: Done) -> None:
 
 
 @pytest.mark.parametrize("page", notebooks(), ids=repr)
-def test_a_cell_without_the_tag_runs(page: Page, ran: dict[str, list[Ran]]) -> None:
-    found = {r.cell.id: r.done["error"] for r in ran[page.name] if "desk" not in tags(r.cell)}
-    assert not {name: error for name, error in found.items() if error}
-
-
-@pytest.mark.parametrize("page", notebooks(), ids=repr)
-def test_a_cell_prints_what_the_notebook_stores(page: Page, ran: dict[str, list[Ran]]) -> None:
-    for run in ran[page.name]:
-        if not {"desk", "nbval-ignore-output"} & tags(run.cell):
-            assert (run.done["out"], run.done["value"]) == run.stored, run.cell.id
-
-
-@pytest.mark.parametrize("page", notebooks(), ids=repr)
-def test_a_cell_with_the_tag_needs_a_desk(page: Page, ran: dict[str, list[Ran]]) -> None:
-    kinds = {r.cell.id: r.done["kind"] for r in ran[page.name] if "desk" in tags(r.cell)}
-    assert set(kinds.values()) <= {"NotInPage"}, kinds
+def test_a_cell_prints_what_the_notebook_stores_or_needs_a_desk(page: Page, done: Done) -> None:
+    for cell, ran in zip(in_order(page), done[page.name], strict=True):
+        if "desk" in tags(cell):
+            assert ran["kind"] == "NotInPage", cell.id
+            continue
+        assert ran["error"] == "", cell.id
+        if "nbval-ignore-output" not in tags(cell):
+            assert (ran["out"], ran["value"]) == stored(cell), cell.id
 
 
 def test_a_page_has_the_package_but_for_what_draws() -> None:

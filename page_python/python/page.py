@@ -19,7 +19,7 @@ from contextlib import redirect_stderr, redirect_stdout
 from typing import Any
 
 import absent
-from absent import NotInPage
+from absent import Absent, NotInPage
 from pyodide.code import eval_code
 
 absent.announce()
@@ -93,18 +93,13 @@ def noted(check: Callable[..., exercises.Verdict]) -> Callable[..., exercises.Ve
     return noting
 
 
-def refuse_input(*_: object) -> str:
-    """Say what to do instead of asking."""
-    raise NotInPage("input()")
-
-
 for name in scenes.__all__:
     function = getattr(scenes, name)
     if getattr(function, "__annotations__", {}).get("return") is pyvista.Plotter:
         setattr(scenes, name, undrawn(function))
 explorable.Explorable = PageFigure
 exercises.check = noted(exercises.check)
-builtins.input = refuse_input
+builtins.input = Absent("input()")
 
 
 class Printed(io.TextIOBase):

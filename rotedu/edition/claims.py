@@ -111,12 +111,13 @@ class Claim:
 
 
 def judged(verdict: Verdict, *details: str, **more: Any) -> Callable[..., Callable[..., Claim]]:
-    """Return a function of a claim's words, places and details, which waits for number and page."""
+    """Return a function of a claim's words and details, which waits for number, places and page."""
 
-    def claim(words: str, where: str, *told: str) -> Callable[..., Claim]:
+    def claim(words: str, *told: str) -> Callable[..., Claim]:
         known = dict(zip(details, told, strict=False)) | more
-        places = tuple(where.split(", "))
-        return lambda number, page: Claim(number, words, places, verdict, page, **known)
+        return lambda number, where, page: Claim(
+            number, words, tuple(where.split(", ")), verdict, page, **known
+        )
 
     return claim
 
@@ -129,346 +130,292 @@ does_not_follow = judged("does not follow", "reason")
 not_confirmed = judged("not confirmed", "reason")
 a_matter_of_names = judged("a matter of names", "reason")
 
-ON_PAGE: dict[str, dict[int, Callable[..., Claim]]] = {
+# By page, then by number and places.
+ON_PAGE: dict[str, dict[tuple[int, str], Callable[..., Claim]]] = {
     "01-introduction": {
-        1: holds(
+        (1, "1"): holds(
             "The product of two 3 × 3 matrices takes 27 multiplications and 18 additions",
-            "1",
             "24 + 15 are enough for rotations",
         ),
-        2: slip(
+        (2, "1"): slip(
             "The product of two quaternions takes 19 multiplications and 7 additions",
-            "1",
             "it takes 16 + 12 when counted, E5",
         ),
-        3: slip(
-            "Four of the nine entries of a rotation matrix are independent", "1", "three are, E6"
+        (3, "1"): slip(
+            "Four of the nine entries of a rotation matrix are independent", "three are, E6"
         ),
-        34: not_confirmed(
+        (34, "1"): not_confirmed(
             "Section 2 also reviews the interpolation of quaternions",
-            "1",
             "in our copy it ends with (2-6), E10",
         ),
     },
     "02-quaternions": {
-        29: holds_if(
+        (29, "abstract, 1"): holds_if(
             "The geometric meaning of quaternions is more obvious (reported as a belief)",
-            "abstract, 1",
             "the question is about axis and angle; where a point goes, a matrix shows better",
         ),
-        30: holds("Axis and angle are easily recovered from a quaternion", "abstract, 1"),
-        35: slip(
+        (30, "abstract, 1"): holds("Axis and angle are easily recovered from a quaternion"),
+        (35, "2"): slip(
             "The quaternions are called $S^3$, the unit quaternions $S^2$",
-            "2",
             "they have four and three dimensions, E1",
         ),
-        36: holds(
+        (36, "2"): holds(
             "Numbers and vectors are among the quaternions, as $[w,\\vec 0\\,]$ and $[0,\\vec"
-            " v\\,]$",
-            "2",
+            " v\\,]$"
         ),
-        37: holds("Products are associative and do not commute; norms multiply", "2"),
-        38: holds(
+        (37, "2"): holds("Products are associative and do not commute; norms multiply"),
+        (38, "2"): holds(
             "Each unit quaternion is $[\\cos\\theta,\\sin\\theta\\,\\hat n]$ with"
-            " $0\\le\\theta\\le\\pi$",
-            "2",
+            " $0\\le\\theta\\le\\pi$"
         ),
-        39: holds(
+        (39, "2"): holds(
             "$qq^*=q^*q=\\lvert q\\rvert^2$, so (2-4) is the inverse from both sides; for a unit"
-            " quaternion it is the conjugate",
-            "2",
+            " quaternion it is the conjugate"
         ),
-        40: holds("Division is an inverse operation of multiplication: $(q_1q_2)/q_2=q_1$", "2"),
-        41: holds("$q\\,[0,\\vec r\\,]\\,q^*$ rotates about the U axis, (2-6)", "2"),
+        (40, "2"): holds("Division is an inverse operation of multiplication: $(q_1q_2)/q_2=q_1$"),
+        (41, "2"): holds("$q\\,[0,\\vec r\\,]\\,q^*$ rotates about the U axis, (2-6)"),
     },
     "03-ordinary-rotation": {
-        4: holds(
+        (4, "3"): holds(
             "For one point the matrix costs 33 + 16, more than the quaternion of (2-6)",
-            "3",
             "33 + 16, or 19 + 17 by the leanest formula, against the quaternion's 18 + 12",
         ),
-        5: holds_if(
+        (5, "1, 6"): holds_if(
             "For many points the matrix is cheaper than the quaternion",
-            "1, 6",
             "each point is turned by the quaternion itself, not by its matrix",
         ),
-        6: does_not_follow(
+        (6, "1, 6"): does_not_follow(
             "So, for most applications of these fields, ordinary rotation is the more efficient",
-            "1, 6",
             "a quaternion can be made into a matrix once, and then costs the same",
         ),
-        25: holds(
+        (25, "3"): holds(
             "A teaspoon of 100 vertices is enough for the matrix to pay, against (2-6)",
-            "3",
             "4 points are",
         ),
-        31: holds_if(
+        (31, "1"): holds_if(
             "Axis and angle are not easy to find in a matrix (reported as a reason for"
             " quaternions)",
-            "1",
             "the turn is nearly a half turn, where a matrix needs a choice among four cases",
             "elsewhere a sum and three differences give both, by an arctangent as in 30",
         ),
-        42: holds("(3-1), (3-2) and (3-3) are the same rotation", "3"),
-        43: holds(
+        (42, "3"): holds("(3-1), (3-2) and (3-3) are the same rotation"),
+        (43, "3"): holds(
             "Building (3-3) takes 24 multiplications and 10 additions, applying it 9 and 6",
-            "3",
             "10 + 11 are enough to build it",
         ),
-        44: holds_if(
+        (44, "3"): holds_if(
             "Turning a point by the quaternion of (2-6) takes 19 multiplications and 7 additions",
-            "3",
             "the fourth line of (2-6), for turns about U, is counted as it is printed, but for the"
-            " sum"
-            " of its scalar part, which is 0",
+            " sum of its scalar part, which is 0",
             "about any axis it takes 18 + 12, E5",
         ),
-        45: holds("For many points the cost of building the matrix can be ignored", "3"),
-        71: holds(
+        (45, "3"): holds("For many points the cost of building the matrix can be ignored"),
+        (71, "3"): holds(
             "By the matrix, $n$ points take $24+9n$ multiplications and $10+6n$ additions",
-            "3",
             "10 + 11 are enough to build it, as in 43",
         ),
     },
     "04-general-rotation": {
-        7: holds(
+        (7, "1, 3, 6"): holds(
             "Rotation, translation, scaling, shearing, reflection and projection make one matrix,"
-            " and each point is multiplied once",
-            "1, 3, 6",
+            " and each point is multiplied once"
         ),
-        8: holds_if(
+        (8, "6"): holds_if(
             "Quaternions cannot have that advantage",
-            "6",
             "shears, uneven scalings or projections are among them, and the quaternion stays a"
             " quaternion",
             "one of any length, with a sign, merges turns with even scalings and mirrors, a dual"
             " one (the paper's reference [2]) with translations",
         ),
-        9: does_not_hold(
+        (9, "1, 4, 6"): does_not_hold(
             "Axis and angle are found in a more general way than with quaternions",
-            "1, 4, 6",
-            "the formulas start from three angles in one order; taken further, they are as"
-            " general as products of quaternions, and the same",
+            "the formulas start from three angles in one order; taken further, they are as general"
+            " as products of quaternions, and the same",
         ),
-        10: holds("The three principal rotations of (4-1) come to a single one", "4"),
-        23: a_matter_of_names(
+        (10, "4"): holds("The three principal rotations of (4-1) come to a single one"),
+        (23, "4"): a_matter_of_names(
             "(4-3) to (4-6) are ordinary rotation",
-            "4",
             "they are the product of quaternions in other letters, sign included",
         ),
-        33: not_confirmed(
+        (33, "1, 3"): not_confirmed(
             "Besides hardware, multiplying each point only once makes real-time performance"
             " possible",
-            "1, 3",
             "what is fast enough depends on the machine",
         ),
-        46: holds("(4-2) is the product (4-1)", "4"),
-        47: holds("Axis and angle of the single rotation are those of (4-3) to (4-6)", "4"),
-        48: holds_if(
+        (46, "4"): holds("(4-2) is the product (4-1)"),
+        (47, "4"): holds("Axis and angle of the single rotation are those of (4-3) to (4-6)"),
+        (48, "4"): holds_if(
             "In homogeneous coordinates the axis is $(a_u,a_v,a_w,1)$",
-            "4",
             "the tip of the axis is meant, a point; a direction ends in 0, E8",
         ),
-        65: holds_if(
+        (65, "4, 6"): holds_if(
             "Axis and angle are easily recovered by the methods of Sections 3 and 4",
-            "4, 6",
             "the three angles of (4-1) are given",
             "for a matrix the paper has no method",
         ),
-        69: holds("The matrices about U, V and W are the three principal rotations", "4"),
+        (69, "4"): holds("The matrices about U, V and W are the three principal rotations"),
     },
     "05-arcs": {
-        11: holds(
+        (11, "5"): holds(
             "(5-2) and (5-3) give any point of an arc",
-            "5",
             "between equal points they are 0/0, and opposite ones have no single arc",
         ),
-        12: holds_if(
+        (12, "5"): holds_if(
             "Slerp has no form as a matrix times a vector like (5-3)",
-            "5",
-            "*slerp* is that of quaternions, and *like (5-3)* means that a cross product finds"
-            " the axis, an axis in space",
-            "as a matrix times a vector it has two forms, E7; with three components, one of"
-            " them is (5-3)",
+            "*slerp* is that of quaternions, and *like (5-3)* means that a cross product finds the"
+            " axis, an axis in space",
+            "as a matrix times a vector it has two forms, E7; with three components, one of them is"
+            " (5-3)",
         ),
-        49: holds("The axis of the arc is (5-1)", "5"),
-        50: slip(
+        (49, "5"): holds("The axis of the arc is (5-1)"),
+        (50, "5"): slip(
             "The 4 × 4 matrix in (5-3), and in formulas like it, is defined in (3-3)",
-            "5",
             "that one is 3 × 3; (4-7) is meant, E9",
         ),
     },
     "05-control-points": {
-        18: not_confirmed(
+        (18, "5"): not_confirmed(
             "The control points are those of Shoemake's second approach",
-            "5",
             "the paper goes one half of the way, Shoemake one third according to a secondary"
             " source; we had no copy of his article",
         ),
-        52: holds("$a_i$ and $b_i$ follow by Double and Bisect from three points", "5"),
-        53: holds(
+        (52, "5"): holds("$a_i$ and $b_i$ follow by Double and Bisect from three points"),
+        (53, "5"): holds(
             "Each step has a formula and a rotation matrix",
-            "5",
             "the axis is 0/0 if the two points are equal or opposite",
         ),
-        54: holds(
+        (54, "5"): holds(
             "The formulas give the control points",
-            "5",
             "(5-7) and (5-10) are 0/0 if the two points are equal, without answer if they are"
             " opposite",
         ),
-        55: holds_if(
+        (55, "5"): holds_if(
             "The angle between $P_{i-1}$ and $\\bar P_{i-1}$ is $2\\theta_{i-1}$",
-            "5",
             "$\\theta_{i-1}$ is at most 90°, or an angle of rotation is meant",
         ),
-        56: holds_if(
-            "The indices $i-1$ and $i+1$ count modulo $n$", "5", "$P_n$ is $P_0$, as in Figure 8"
+        (56, "5"): holds_if(
+            "The indices $i-1$ and $i+1$ count modulo $n$", "$P_n$ is $P_0$, as in Figure 8"
         ),
-        57: slip(
+        (57, "5"): slip(
             "The axis of the second step is (5-9)",
-            "5",
             "the factors of the cross product are exchanged, E2",
         ),
-        58: slip("$b_i$ is (5-13)", "5", "the points are exchanged, E3"),
+        (58, "5"): slip("$b_i$ is (5-13)", "the points are exchanged, E3"),
     },
     "05-closed-curve": {
-        13: holds("A smooth curve through points of the sphere needs no quaternions", "1, 5, 6"),
-        19: holds(
-            "Whether $a_i$ goes one half or one third of the way makes a visible difference",
-            "not claimed",
+        (13, "1, 5, 6"): holds("A smooth curve through points of the sphere needs no quaternions"),
+        (19, "not claimed"): holds(
+            "Whether $a_i$ goes one half or one third of the way makes a visible difference"
         ),
-        20: holds("The closed curve is $C^1$", "5"),
-        21: does_not_hold(
+        (20, "5"): holds("The closed curve is $C^1$"),
+        (21, "not claimed"): does_not_hold(
             "It is $C^2$, or at least of continuous curvature, $G^2$",
-            "not claimed",
             "its second derivative and its curvature jump at the points",
         ),
-        22: holds("The closed curve stays on the sphere and passes through the given points", "5"),
-        51: holds(
+        (22, "5"): holds(
+            "The closed curve stays on the sphere and passes through the given points"
+        ),
+        (51, "5"): holds(
             "Arcs alone make no smooth curve; cubic pieces do",
-            "5",
             "all the way round one great circle arcs are enough, if their lengths or speeds are"
             " equal",
         ),
-        59: slip(
+        (59, "5"): slip(
             "The program, as printed, generates a good $C^1$ curve on the sphere through all"
             " points",
-            "5",
             "it reads what was never written, E4; once corrected, its points lie on the curve,"
             " joined by straight lines",
         ),
-        60: slip(
-            "The sine of an angle is negative if its cosine is",
-            "5",
-            "the sine of 120° is positive, E4b",
+        (60, "5"): slip(
+            "The sine of an angle is negative if its cosine is", "the sine of 120° is positive, E4b"
         ),
-        61: holds_if(
+        (61, "5"): holds_if(
             "(5-2) or (5-3) is used for the control polygon only",
-            "5",
             "every level of de Casteljau's construction counts as a control polygon",
         ),
-        66: holds("Piece $C_i$ has the control points $P_{i-1}$, $a_{i-1}$, $b_i$, $P_i$", "5"),
-        67: holds(
+        (66, "5"): holds("Piece $C_i$ has the control points $P_{i-1}$, $a_{i-1}$, $b_i$, $P_i$"),
+        (67, "5"): holds(
             "De Casteljau's construction, with arcs in place of segments, draws each piece",
-            "5",
             "(5-2) is 0/0 if the two points that it joins are equal",
         ),
-        68: holds_if(
+        (68, "5"): holds_if(
             "A smooth curve needs cubic composite Bézier curves",
-            "5",
             "*needs* means that arcs alone will not do, as in 51",
             "a sum of sines and cosines, scaled to length 1, is smooth without them",
         ),
     },
     "05-orientations": {
-        14: does_not_follow(
+        (14, "abstract, 1, 5, 6"): does_not_follow(
             "So interpolating rotations needs none",
-            "abstract, 1, 5, 6",
             "points leave the roll open, and an arc brings one that nobody chose; but there is"
             " another way, see 15",
         ),
-        24: does_not_hold(
+        (24, "not claimed"): does_not_hold(
             "The construction is tied to points of $S^2$",
-            "not claimed",
             "with four components the same lines make a spline of rotations",
         ),
-        64: holds(
+        (64, "5"): holds(
             "For the task of Section 5, two vectors on $S^2$ will do instead of two quaternions on"
             " $S^3$",
-            "5",
             "the task as stated is to join points of a sphere; for rotations see 14",
         ),
     },
     "06-conclusions": {
-        15: holds_if(
+        (15, "abstract, 6"): holds_if(
             "Everything that quaternions can do, ordinary rotation can do",
-            "abstract, 6",
             "*do* means what is to be done (turn, compose, tell turns apart, average, interpolate),"
-            " and"
-            " not by which formula, for a sum of quaternions has no counterpart",
-            "a matrix alone cannot tell an odd number of full turns from an even one, nor the"
-            " long way round from the short one; an axis with an angle up to 360° can",
+            " and not by which formula, for a sum of quaternions has no counterpart",
+            "a matrix alone cannot tell an odd number of full turns from an even one, nor the long"
+            " way round from the short one; an axis with an angle up to 360° can",
         ),
-        16: does_not_hold(
+        (16, "abstract"): does_not_hold(
             "… and more efficiently",
-            "abstract",
             "not everything: composing general turns takes less with quaternions, and so does an"
             " arc used once; turning many points (5) or about one axis takes less without",
         ),
-        17: holds_if(
+        (17, "folklore"): holds_if(
             "Rounding harms products of quaternions less",
-            "folklore",
             "the harm that counts is to shapes, which a quaternion never bends, or memory is what"
-            " is"
-            " equal and not digits, or a turn of a few degrees is repeated and the matrix composed"
-            " by"
-            " two columns, or repaired by Gram and Schmidt's method, usually",
+            " is equal and not digits, or a turn of a few degrees is repeated and the matrix"
+            " composed by two columns, or repaired by Gram and Schmidt's method, usually",
             "otherwise the matrix, repaired once, mostly ends closer to the truth",
         ),
-        26: does_not_hold(
+        (26, "1"): does_not_hold(
             "So there is no reason at all to use quaternions in these fields",
-            "1",
-            "one is enough: composing general turns takes less with them, and so does an arc"
-            " used once",
+            "one is enough: composing general turns takes less with them, and so does an arc used"
+            " once",
         ),
-        27: holds_if(
+        (27, "title, 6"): holds_if(
             "Quaternions are not really needed in geometric modeling, computer graphics and"
             " animation",
-            "title, 6",
             "*not needed* means that every task can be done without them, as in 15, at whatever"
             " cost",
         ),
-        28: holds_if(
+        (28, "abstract, 1"): holds_if(
             "Quaternions are more efficient for rotations than ordinary rotation (reported as a"
             " belief)",
-            "abstract, 1",
             "general turns are composed, or joined by an arc used once; points are best turned by a"
             " matrix, whichever it is made from",
-            "to keep or repair a turn takes less than with matrices, but not than with an axis"
-            " and its angle",
+            "to keep or repair a turn takes less than with matrices, but not than with an axis and"
+            " its angle",
         ),
-        32: holds_if(
+        (32, "abstract"): holds_if(
             "Rotations, too, are interpolated more efficiently by ordinary rotation",
-            "abstract",
             "all turns are about one axis, as of a wheel or a door, so that only the angle changes",
             "otherwise an arc used once takes more, and many samples of one arc, wanted as"
             " matrices, take about as much either way",
         ),
-        62: not_confirmed(
+        (62, "6"): not_confirmed(
             "Most applications in these fields deal with models of many points",
-            "6",
             "the paper counts no applications, and neither do we",
         ),
-        63: not_confirmed(
+        (63, "6"): not_confirmed(
             "Quaternions are commonly used for smooth curves through points of a sphere",
-            "6",
             "the paper names no example; Shoemake's curves join orientations",
         ),
-        70: holds(
+        (70, "1"): holds(
             "The usual reasons for quaternions are partly true, but pass over what matrices do"
             " well",
-            "1",
             "composing takes less, while turning a point takes about twice as much until the"
             " quaternion is made into a matrix",
         ),
@@ -477,7 +424,7 @@ ON_PAGE: dict[str, dict[int, Callable[..., Claim]]] = {
 
 CLAIMS = tuple(
     sorted(
-        (claim(number, page) for page, some in ON_PAGE.items() for number, claim in some.items()),
+        (claim(*place, page) for page, some in ON_PAGE.items() for place, claim in some.items()),
         key=lambda claim: claim.number,
     )
 )

@@ -163,8 +163,8 @@ BY_NUMBER = {
     "5-7": corrected(
         "Bisect: midway to the next point",
         "control_points.bisect",
-        "a bar lost in the denominators: [glitch](#likely-glitches);"
-        " for ${0<\\bar\\theta_{i-1}<\\pi}$, the code also for 0",
+        "a bar lost in the denominators: [glitch](#likely-glitches); for"
+        " ${0<\\bar\\theta_{i-1}<\\pi}$, the code also for 0",
     ),
     "5-8": as_printed(
         "Bisect by rotation",
@@ -179,8 +179,8 @@ BY_NUMBER = {
     "5-10": corrected(
         "the control point $a_i$",
         "control_points.bisect, control_points.control_points",
-        "a bar lost in the denominators: [glitch](#likely-glitches);"
-        " for ${0<\\bar\\theta_i<\\pi}$, the code also for 0",
+        "a bar lost in the denominators: [glitch](#likely-glitches); for ${0<\\bar\\theta_i<\\pi}$,"
+        " the code also for 0",
     ),
     "5-11": as_printed(
         "$a_i$ by rotation", "control_points.bisect_by_rotation", "the text around it: E9"

@@ -60,8 +60,6 @@ class Kind:
 
     def inside(self, array: Array, axes: int) -> Array:
         """Move components to the front and add enough axes after them to broadcast."""
-        if not self.components:
-            return array
         missing = axes - (array.ndim - self.components)
         array = array.reshape((1,) * missing + array.shape)
         return array.transpose(*range(axes, array.ndim), *range(axes))

@@ -206,7 +206,7 @@ def in_three_dimensions(rng: np.random.Generator) -> Iterator[Case]:
         sizes = scale * rng.normal(size=rng.integers(3, 9))
         given = rotation_matrix(rng.normal(size=(len(sizes), 3)), sizes)
         fraction, samples = rng.uniform(0.2, 0.5), int(rng.integers(1, 9))
-        yield Case("closedRotationCurve", [given, samples, fraction])
+        yield from calls("closedRotationCurve", [given], [given, samples, fraction])
     yield Case("closedRotationCurve", [np.stack([m, m, m]), 3])
     for m in (a, b, -a, 1e-200 * a, rotation_matrix(v, angle), np.diag([3, 2, -1])):
         yield from calls("nearestRotation singularValues", [m])

@@ -70,13 +70,7 @@ def choose_render_window() -> None:
 
 
 def require_opengl() -> None:
-    """Refuse to draw a picture where VTK would crash.
-
-    Raises
-    ------
-    RuntimeError
-        If there is no display and no library that draws without one.
-    """
+    """Refuse to draw a picture where VTK would crash, for want of a display and a library."""
     if needs_no_display() and not any(map(can_load, WINDOWS)):
         raise RuntimeError(NO_OPENGL)
 
@@ -237,11 +231,7 @@ def still_picture(plotter: pyvista.Plotter, **_: object) -> Image.Image:
     for name in record_of(plotter).views:
         with seen_from(plotter, name):
             pictures.append(taken())
-    return side_by_side(pictures)
-
-
-def side_by_side(pictures: list[Image.Image]) -> Image.Image:
-    """Join pictures, all in the middle of one line."""
+    # Side by side, all in the middle of one line.
     size = sum(picture.width for picture in pictures), max(picture.height for picture in pictures)
     joined = Image.new("RGB", size, "white")
     left = 0
@@ -293,20 +283,7 @@ def take_poster(plotter: pyvista.Plotter) -> bytes:
 
 
 def enlarged(plotter: pyvista.Plotter, scale: int) -> pyvista.Plotter:
-    """Copy the parts of a scene, without its labels, into a larger one on black.
-
-    Parameters
-    ----------
-    plotter : pyvista.Plotter
-        The scene.
-    scale : int
-        How many times larger its copy is.
-
-    Returns
-    -------
-    pyvista.Plotter
-        The copy. What is done to it leaves the scene as it is.
-    """
+    """Copy the parts of a scene, without its labels, into a larger one on black."""
     # Enlarge the window, not the picture: VTK would draw tiles and cut points at their borders.
     size = [scale * length for length in plotter.window_size]
     copy = pyvista.Plotter(off_screen=True, window_size=size, lighting="none")
@@ -354,11 +331,12 @@ def scene_labels(plotter: pyvista.Plotter, view: str = "") -> list[dict[str, Any
     )
     recorded, seen_in = record_of(plotter).labels, record_of(plotter).seen_in
     labels = []
-    for title, actor in _label_actors(plotter):
+    for title, actor in plotter.actors.items():
         name = title.removesuffix("-labels")
-        if seen_in.get(name, "") != view:
+        if name == title or seen_in.get(name, "") != view:
             continue
-        hierarchy = cast(vtkPointSetToLabelHierarchy, actor.GetMapper().GetInputAlgorithm())
+        mapper = cast(Any, actor).GetMapper()
+        hierarchy = cast(vtkPointSetToLabelHierarchy, mapper.GetInputAlgorithm())
         points = pyvista.wrap(hierarchy.GetInputDataObject(0, 0))
         texts = points.point_data[hierarchy.GetLabelArrayName()]
         color = pyvista.Color(hierarchy.GetTextProperty().GetColor()).hex_rgb
@@ -379,10 +357,6 @@ def scene_labels(plotter: pyvista.Plotter, view: str = "") -> list[dict[str, Any
                 }
             )
     return labels
-
-
-def _label_actors(plotter: pyvista.Plotter) -> list[tuple[str, Any]]:
-    return [(name, actor) for name, actor in plotter.actors.items() if name.endswith("-labels")]
 
 
 def _stands_behind(plotter: pyvista.Plotter, eye: np.ndarray, point: np.ndarray) -> bool:

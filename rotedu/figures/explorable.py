@@ -125,13 +125,7 @@ def explore(scene: Scene) -> "Explorable":
 
 
 class Explorable:
-    """A figure that answers the hand; its inputs are attributes.
-
-    Parameters
-    ----------
-    scene : callable
-        What `explorable` has made.
-    """
+    """A figure that answers the hand; its inputs are attributes."""
 
     def __init__(self, scene: Any) -> None:
         start = {name: kind.value(name, kind.start) for name, kind in scene.inputs.items()}
@@ -145,9 +139,8 @@ class Explorable:
             widgets=[],
         )
         own = sorted(name for name in super().__dir__() if not name.startswith("_"))
-        for name in scene.inputs:
-            if name in own:
-                raise ValueError(f"{name}: expected a name other than {', '.join(own)}, got {name}")
+        for name in scene.inputs.keys() & own:
+            raise ValueError(f"{name}: expected a name other than {', '.join(own)}, got {name}")
 
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *self.inputs]
@@ -170,28 +163,17 @@ class Explorable:
 
     def checked(self, values: Mapping[str, Any]) -> dict[str, Any]:
         """Check values of inputs, by name."""
-        for name in values:
-            if name not in self.inputs:
-                raise TypeError(f"{name}: expected one of {', '.join(self.inputs)}")
+        for name in values.keys() - self.inputs.keys():
+            raise TypeError(f"{name}: expected one of {', '.join(self.inputs)}")
         return {name: self.inputs[name].value(name, value) for name, value in values.items()}
 
     def state(self, **values: Any) -> State:
         """Compute what the model says for the present values of the inputs, or for others.
 
-        Parameters
-        ----------
-        **values
-            Values of some inputs, in place of the present ones.
-
-        Returns
-        -------
-        dict
-            As `rotedu.figures.state` describes it.
-
         Raises
         ------
-        ValueError
-            If a value cannot be one of its input, or if the model refuses them together.
+        RefusedError
+            If the model refuses the values.
         RuntimeError
             If there is no Node, and this is not how the figure starts.
         """
@@ -213,20 +195,7 @@ class Explorable:
         return plotter
 
     def spec(self, plotter: pyvista.Plotter) -> dict[str, Any]:
-        """Describe the figure to the viewer, which writes its panel and moves its parts.
-
-        Parameters
-        ----------
-        plotter : pyvista.Plotter
-            The scene.
-
-        Returns
-        -------
-        dict
-            What JSON can hold: the ``name``, the ``inputs`` and their values at the ``start``, the
-            ``model`` with its ``constants``, how ``outputs`` and ``charts`` are written, and what
-            to try, ``tries``.
-        """
+        """Describe the figure to the viewer, which writes its panel and moves its parts."""
         recorded = record_of(plotter)
         return {
             "name": self.title,

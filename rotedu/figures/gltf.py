@@ -28,23 +28,7 @@ USHORT_POINTS = 65535
 
 
 def scene_gltf(plotter: pyvista.Plotter) -> bytes:
-    """Write a scene as binary glTF (``.glb``).
-
-    Parameters
-    ----------
-    plotter : pyvista.Plotter
-        The scene. The file leaves out its labels.
-
-    Returns
-    -------
-    bytes
-        The content of the file.
-
-    Raises
-    ------
-    ValueError
-        If the scene contains something that the file cannot carry.
-    """
+    """Write a scene, without its labels, as binary glTF (``.glb``); refuse what it cannot carry."""
     _refuse_what_cannot_travel(plotter)
     binary = _Binary()
     nodes: list[dict[str, Any]] = []
@@ -78,18 +62,7 @@ def scene_gltf(plotter: pyvista.Plotter) -> bytes:
 
 
 def part_names(plotter: pyvista.Plotter) -> list[tuple[str, pyvista.Actor]]:
-    """Name the parts of a scene that are drawn, or hidden for now.
-
-    Parameters
-    ----------
-    plotter : pyvista.Plotter
-        The scene.
-
-    Returns
-    -------
-    list of tuple of str and pyvista.Actor
-        Each part with its name. A part that was added without a name gets a number.
-    """
+    """Name the parts of a scene that are drawn, or hidden for now; without a name by a number."""
     recorded = getattr(plotter, "record", None)
     named: list[tuple[str, pyvista.Actor]] = []
     for name, actor in plotter.actors.items():

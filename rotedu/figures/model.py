@@ -29,40 +29,17 @@ class RefusedError(ValueError):
 
 @dataclass(frozen=True)
 class Model:
-    """A function of JavaScript.
-
-    Parameters
-    ----------
-    file : Path
-        Where it is exported.
-    name : str
-        Its name there.
-    constants : mapping
-        Colours and texts that it cannot know, as JSON holds them.
-    """
+    """A function of JavaScript, exported in a file, with colours and texts that it cannot know."""
 
     file: Path
     name: str
     constants: Mapping[str, Any] = field(default_factory=dict)
 
     def states(self, cases: Sequence[Mapping[str, Any]]) -> list[State]:
-        """Compute states, all at once.
+        """Compute states, all at once, each for values of all inputs.
 
-        Parameters
-        ----------
-        cases : sequence of mapping
-            Values of all inputs, for each state.
-
-        Returns
-        -------
-        list of dict
-            The states, as `rotedu.figures.state` describes them; where the model refuses the
-            inputs, the state has its words under ``refused`` and nothing else.
-
-        Raises
-        ------
-        RuntimeError
-            If the model fails.
+        Where the model refuses the inputs, the state has its words under ``refused`` and nothing
+        else.
         """
         questions = [[values, self.constants, []] for values in cases]
         answers: list[State] = json.loads(
@@ -96,13 +73,7 @@ def can_ask(file: Path) -> bool:
 
 
 def start_of(title: str) -> State:
-    """Read how an explorable starts, as the bundle of the viewer has it.
-
-    Raises
-    ------
-    RuntimeError
-        If there is neither Node nor a bundle.
-    """
+    """Read how an explorable starts, as the bundle of the viewer has it."""
     if not STARTS.exists():
         raise RuntimeError(NO_NODE.format(title))
     state: State = json.loads(STARTS.read_text("utf-8"))[title]

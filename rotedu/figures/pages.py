@@ -164,45 +164,28 @@ def is_live(writer: Any) -> bool:
     return bool(writer.builder.name == "html")
 
 
-def visit_scene(writer: Any, node: scene) -> None:
-    """Open the box in the shape of the picture."""
+def visit_box(writer: Any, node: scene | scene_view) -> None:
+    """Open the box of a picture, in its shape and at most as wide as it was made."""
     if not is_live(writer):
         writer.body.append('<div class="scene">')
         return
-    attributes = {
-        "style": shape(node),
-        "data-scene": posixpath.join(writer.builder.dlpath, node["filename"]),
-    }
-    if node["stack"]:
-        attributes["style"] += f"; --stacked: {node['stack']['aspect']:.4f}"
-        attributes["data-stack"] = json.dumps(node["stack"])
-    writer.body.append(writer.starttag(node, "div", CLASS="scene", **attributes))
-
-
-def visit_scene_view(writer: Any, node: scene_view) -> None:
-    """Open the box of a second picture."""
-    if not is_live(writer):
-        writer.body.append('<div class="scene">')
-        return
-    names = {"data-view": node["title"], "data-without": node["without"], "style": shape(node)}
-    writer.body.append(writer.starttag(node, "div", CLASS="scene-view", **names))
-
-
-def depart_scene_view(writer: Any, node: scene_view) -> None:
-    """Close the box of a second picture."""
-    writer.body.append("</div>\n")
-
-
-def shape(node: nodes.Element) -> str:
-    """Style a box with the shape of a picture, at most as wide as it was made."""
     width, height = node["width"], node["height"]
-    return f"--aspect: {width} / {height}; --scene-width: {width / 16:g}rem"
+    attributes = {"style": f"--aspect: {width} / {height}; --scene-width: {width / 16:g}rem"}
+    if isinstance(node, scene_view):
+        attributes |= {"data-view": node["title"], "data-without": node["without"]}
+    else:
+        attributes["data-scene"] = posixpath.join(writer.builder.dlpath, node["filename"])
+        if node["stack"]:
+            attributes["style"] += f"; --stacked: {node['stack']['aspect']:.4f}"
+            attributes["data-stack"] = json.dumps(node["stack"])
+    name = "scene-view" if isinstance(node, scene_view) else "scene"
+    writer.body.append(writer.starttag(node, "div", CLASS=name, **attributes))
 
 
-def depart_scene(writer: Any, node: scene) -> None:
+def depart_box(writer: Any, node: scene | scene_view) -> None:
     """Close the box."""
     writer.body.append("</div>\n")
-    if is_live(writer):
+    if is_live(writer) and isinstance(node, scene):
         writer.body.append(f'<noscript><p class="scene-message">{NO_SCRIPT}</p></noscript>\n')
 
 
@@ -227,23 +210,15 @@ def depart_explorable(writer: Any, node: explorable) -> None:
         writer.body.append(f'<p class="scene-note">{ON_PAPER}</p>\n')
 
 
-def visit_scene_poster(writer: Any, node: scene_poster) -> None:
-    """Write the picture with its path among the pictures of the book."""
+def visit_picture(writer: Any, node: scene_poster | scene_stacked) -> None:
+    """Write the picture, or the one that only a phone loads, with its path in the book."""
     source = posixpath.join(writer.builder.imgpath, writer.builder.images[node["uri"]])
-    attributes = {key: node[key] for key in ("alt", "width", "height")}
+    attributes = {key: node[key] for key in ("alt", "width", "height") if key in node}
     if is_live(writer):
         attributes["loading"] = "lazy"
-    writer.body.append(writer.emptytag(node, "img", CLASS="scene-poster", src=source, **attributes))
-    raise nodes.SkipNode
-
-
-def visit_scene_stacked(writer: Any, node: scene_stacked) -> None:
-    """Write the picture for a phone, which only a phone loads."""
-    if is_live(writer):
-        source = posixpath.join(writer.builder.imgpath, writer.builder.images[node["uri"]])
-        names = {"src": source, "alt": node["alt"], "loading": "lazy"}
-        kind = "scene-poster scene-stacked"
-        writer.body.append(writer.emptytag(node, "img", CLASS=kind, **names))
+    kind = "scene-poster" if isinstance(node, scene_poster) else "scene-poster scene-stacked"
+    if is_live(writer) or isinstance(node, scene_poster):
+        writer.body.append(writer.emptytag(node, "img", CLASS=kind, src=source, **attributes))
     raise nodes.SkipNode
 
 
@@ -260,7 +235,10 @@ def visit_scene_label(writer: Any, node: scene_label) -> None:
             attributes["style"] += f"; --stacked-left: {left:.2%}; --stacked-top: {top:.2%}"
         if node["hidden"]:
             attributes["data-hidden"] = ""
-    elif node["hidden"] or (isinstance(node.parent, scene_view) and not in_view(node)):
+    elif node["hidden"] or (
+        # The page cuts off what is beside the picture.
+        isinstance(node.parent, scene_view) and not all(0 < node[x] < 1 for x in ("left", "top"))
+    ):
         raise nodes.SkipNode
     else:
         attributes = {"style": f"left: {node['left']:.2%}; top: {node['top']:.2%}"}
@@ -269,11 +247,6 @@ def visit_scene_label(writer: Any, node: scene_label) -> None:
     writer.body.append(writer.starttag(node, "span", "", CLASS="scene-label", **attributes))
     # The colour has an element of its own, because the viewer rewrites the style of the outer one.
     writer.body.append(f'<span style="color: {node["color"]}">')
-
-
-def in_view(label: scene_label) -> bool:
-    """Tell whether a label is in its picture, which cuts off the others on the page."""
-    return all(0 < label[side] < 1 for side in ("left", "top"))
 
 
 def depart_scene_label(writer: Any, node: scene_label) -> None:
@@ -297,11 +270,11 @@ def add_viewer(
 def setup(app: Sphinx) -> dict[str, Any]:
     """Register the nodes, and choose the backend ``book`` for the notebooks that Sphinx runs."""
     os.environ["PYVISTA_JUPYTER_BACKEND"] = "book"
-    app.add_node(scene, html=(visit_scene, depart_scene))
+    app.add_node(scene, html=(visit_box, depart_box))
     app.add_node(explorable, html=(visit_explorable, depart_explorable))
-    app.add_node(scene_view, html=(visit_scene_view, depart_scene_view))
-    app.add_node(scene_poster, html=(visit_scene_poster, None))
-    app.add_node(scene_stacked, html=(visit_scene_stacked, None))
+    app.add_node(scene_view, html=(visit_box, depart_box))
+    app.add_node(scene_poster, html=(visit_picture, None))
+    app.add_node(scene_stacked, html=(visit_picture, None))
     app.add_node(scene_label, html=(visit_scene_label, depart_scene_label))
     app.connect("html-page-context", add_viewer)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

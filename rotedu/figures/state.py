@@ -98,22 +98,17 @@ def new_name(taken: Mapping[str, Any], name: str) -> str:
 
 
 def place_part(plotter: pyvista.Plotter, name: str, **place: Any) -> str:
-    """Record where a part is; return the name for its actor.
+    """Record where a part is; return the name for its actor, with a number if it is taken.
 
     Parameters
     ----------
     plotter : pyvista.Plotter
         The scene.
     name : str
-        Name of the part; if taken, it gets a number.
+        Name of the part.
     **place
         One of ``at`` (a point), ``from`` and ``to`` (two points), ``paths`` (a list of arrays of
         points), and what the viewer needs to draw the part anew: its ``radius``.
-
-    Returns
-    -------
-    str
-        The name.
     """
     parts = record_of(plotter).parts
     name = new_name(parts, name)
@@ -124,13 +119,7 @@ def place_part(plotter: pyvista.Plotter, name: str, **place: Any) -> str:
 def place_label(
     plotter: pyvista.Plotter, name: str, position: ArrayLike | None, view: str = ""
 ) -> str:
-    """Record where a label is, or that it is absent, and the only view that shows it.
-
-    Returns
-    -------
-    str
-        The name for its actor.
-    """
+    """Record where a label is, or is not, in which view alone; return the name for its actor."""
     recorded = record_of(plotter)
     name = new_name(recorded.labels, name)
     recorded.labels[name] = None if position is None else np.asarray(position, float).tolist()

@@ -84,14 +84,8 @@ class Figure(anywidget.AnyWidget):
             raise FileNotFoundError(MISSING)
         loader = (STATIC / "figure-loader.js").read_text(encoding="utf-8")
         viewer = packed_viewer() if Figure.is_first else b""
-        super().__init__(
-            scene=scene,
-            gltf=gltf,
-            viewer=viewer,
-            spec=spec or {},
-            values=values or {},
-            _esm=loader,
-        )
+        about = {"spec": spec or {}, "values": values or {}}
+        super().__init__(scene=scene, gltf=gltf, viewer=viewer, _esm=loader, **about)
         Figure.is_first = False
         self.on_msg(self._answer)
 
@@ -152,11 +146,6 @@ def figure(
         The scene, best with the alternative text that `rotedu.figures.describe` gives it.
     spec, values : dict, optional
         As for `Figure`.
-
-    Returns
-    -------
-    Figure
-        The scene, to show and to turn.
 
     Raises
     ------

@@ -8,14 +8,12 @@ import pytest
 from scipy.spatial.transform import Rotation, RotationSpline, Slerp
 from spheres import close
 
-from rotedu.arcs import slerp
 from rotedu.cost import count
 from rotedu.edition import lean
 from rotedu.edition.ledger import LEDGER, PAGES, cost_table, ledger, priced
 from rotedu.general_rotation import euler_angles
 from rotedu.motion import rotation_vector
-from rotedu.ordinary_rotation import axis_angle, rotation_matrix, transform
-from rotedu.orientations import slerp_rotations
+from rotedu.ordinary_rotation import axis_angle, rotation_matrix
 from rotedu.quaternions import Quaternion
 
 ROWS = {row.written_as: row for row in LEDGER}
@@ -151,25 +149,6 @@ class TestCounts:
     )
     def test_as_counted_by_hand(self, name: str, task: str, cost: str) -> None:
         assert priced(ROWS[name].cost(task)).replace("\N{NO-BREAK SPACE}", " ") == cost
-
-    def test_none_takes_more_than_the_package(self) -> None:
-        n, theta, r, t = lean.unit(np.array([2, 3, 6])), 0.7, np.array([1, 2, 3]), 0.3
-        a, b = rotation_matrix(n, theta), rotation_matrix([6, -2, 3], 1.1)
-        p, q = (Quaternion.from_matrix(m).components for m in (a, b))
-        of = Quaternion.from_axis_angle(n, theta)
-        for name, task, package in [
-            ("matrix", "compose", count(np.matmul, a, b)),
-            ("matrix", "point", count(transform, a, r)),
-            ("matrix", "between", count(slerp_rotations, a, b, t)),
-            ("quaternion", "compose", count(lambda w, v: Quaternion(w, v) * of, p[0], p[1:])),
-            ("quaternion", "point", count(lambda w, v: Quaternion(w, v).rotate(r), p[0], p[1:])),
-            ("quaternion", "matrix", count(lambda w, v: Quaternion(w, v).matrix(), p[0], p[1:])),
-            ("quaternion", "between", count(slerp, p, q, t)),
-            ("axis and angle", "matrix", count(rotation_matrix, n, theta)),
-        ]:
-            lean_cost = ROWS[name].cost(task)
-            total = lean_cost.multiplications + lean_cost.additions + lean_cost.divisions
-            assert total <= package.multiplications + package.additions + package.divisions
 
 
 def paths() -> Array:

@@ -1,43 +1,33 @@
 """A class of six, graded by the commands of *Run a class*: nbgrader in its own environment."""
 
 import csv
-import json
 import shutil
 import subprocess
 import sys
 from collections.abc import Callable
 from pathlib import Path
+from typing import NamedTuple
 
 import nbformat
 import pytest
 from bs4 import BeautifulSoup
 from class_notebooks import Classroom
-from notebook_language import blocks, notebooks, pages, part_of
+from notebook_language import ROOT, blocks, notebooks, pages, part_of
 from uv import find_uv_bin
 
 from rotedu.edition.exercises import check
 
-ROOT = Path(__file__).parents[1]
 CHAPTER = pages()["03-ordinary-rotation.ipynb"]
 ASKED = CHAPTER.exercises
 
 pytestmark = pytest.mark.slow
 
-POINTS = """
-import json
-from nbgrader.api import Gradebook
-
-found = {}
-with Gradebook("sqlite:///gradebook.db", "rotations") as book:
-    for work in book.assignment_submissions(ASSIGNMENT):
-        grades = [grade for notebook in work.notebooks for grade in notebook.grades]
-        found[work.student.id] = {g.name: [g.score, g.needs_manual_grade] for g in grades}
-print(json.dumps(found))
-"""
 READ = """
 from nbgrader.api import Gradebook
 
 with Gradebook("sqlite:///gradebook.db", "rotations") as book:
+    works = book.assignment_submissions("chapter-3")
+    assert [work.student.id for work in works if work.needs_manual_grade] == ["solutions"]
     place = "why-3-5", "03-ordinary-rotation", "chapter-3", "solutions"
     book.find_grade(*place).manual_score = 2
     book.find_comment(*place).manual_comment = "Say what warns you."
@@ -63,20 +53,18 @@ def commands() -> tuple[str, str]:
     return before, after
 
 
-class Course:
+def bash(commands: str, folder: Path) -> None:
+    subprocess.run(["bash", "-e", "-c", commands], cwd=folder, check=True)
+
+
+class Course(NamedTuple):
     """A course of nbgrader, in a folder beside its environment."""
 
-    def __init__(self, folder: Path) -> None:
-        self.folder = folder
+    folder: Path
 
-    def run(self, command: str) -> str:
+    def run(self, command: str) -> None:
         """Type a command."""
-        activated = f". ../grading/bin/activate\n{command}"
-        return bash(activated, self.folder)
-
-    def python(self, code: str) -> str:
-        """Run Python beside nbgrader."""
-        return self.run(f"python - <<'END'\n{code}\nEND")
+        bash(f". ../grading/bin/activate\n{command}", self.folder)
 
     def hand_in(self, student: str, released: Path, answer: Callable[[str, str], str]) -> None:
         """Hand in a notebook in which each answer's cell is made anew of its number and code."""
@@ -91,15 +79,11 @@ class Course:
         place.parent.mkdir(parents=True, exist_ok=True)
         nbformat.write(notebook, place)
 
-    def points(self, assignment: str) -> dict[str, dict[str, tuple[float, bool]]]:
-        """Points of each cell, and whether somebody must read it, for each student."""
-        code = f"ASSIGNMENT = {assignment!r}{POINTS}"
-        return json.loads(self.python(code))  # type: ignore[no-any-return]
-
-
-def bash(commands: str, folder: Path) -> str:
-    command = ["bash", "-e", "-c", commands]
-    return subprocess.run(command, cwd=folder, check=True, stdout=subprocess.PIPE, text=True).stdout
+    def scores(self, assignment: str) -> dict[str, float]:
+        """What each student has got, as it is exported."""
+        with (self.folder / "grades.csv").open(encoding="utf-8", newline="") as file:
+            rows = [row for row in csv.DictReader(file) if row["assignment"] == assignment]
+        return {row["student_id"]: float(row["score"]) for row in rows}
 
 
 @pytest.fixture(scope="module")
@@ -147,59 +131,29 @@ CLASS: dict[str, Callable[[str, str], str]] = {
 
 
 @pytest.fixture(scope="module")
-def graded(course: Course) -> dict[str, dict[str, tuple[float, bool]]]:
-    """What the class of six earns for Chapter 3."""
+def graded(course: Course) -> Course:
+    """Let a class of six hand in Chapter 3, and type what the page says."""
     for student, answer in CLASS.items():
         course.hand_in(student, course.folder / "release" / "chapter-3" / CHAPTER.name, answer)
     _, after = commands()
     for command in after.splitlines():
-        if command == "jupyter lab":
-            course.python(READ)
-        else:
-            course.run(command)
-    return course.points("chapter-3")
+        course.run(f"python - <<'END'\n{READ}\nEND" if command == "jupyter lab" else command)
+    return course
 
 
-@pytest.mark.parametrize(
-    ("student", "right"),
-    [
-        ("solutions", list(ASKED)),
-        ("half", ["3.1", "3.2", "3.3"]),
-        ("wrong", []),
-        ("empty", []),
-        ("redefined", []),
-        ("crash", ["3.5", "3.6"]),
-    ],
-)
-def test_right_answers_alone_earn_points(
-    student: str, right: list[str], graded: dict[str, dict[str, tuple[float, bool]]]
-) -> None:
-    found = {name: points for name, (points, _) in graded[student].items() if "test" in name}
-    whole = {number: asked.minutes for number, asked in ASKED.items()} | {"3.5": 7}
-    assert found == {f"test-{n.replace('.', '-')}": whole[n] * (n in right) for n in ASKED}
-
-
-def test_somebody_must_read_the_reasons_that_were_given(
-    graded: dict[str, dict[str, tuple[float, bool]]],
-) -> None:
-    found = {student: work["why-3-5"] for student, work in graded.items()}
-    assert found.pop("solutions") == [2, True]
-    assert list(found.values()) == 5 * [[0, False]]
-
-
-@pytest.mark.usefixtures("graded")
-def test_grades_are_exported(course: Course) -> None:
-    with (course.folder / "grades.csv").open(encoding="utf-8", newline="") as file:
-        scores = {row["student_id"]: float(row["score"]) for row in csv.DictReader(file)}
-    # The reasons of the first have got two points of three.
-    assert scores == {
-        "solutions": 62,
-        "half": 13,
+def test_right_answers_and_reasons_alone_earn_points(graded: Course) -> None:
+    minutes = {number: asked.minutes for number, asked in ASKED.items()}
+    right = {
+        # The reasons have got two points of three.
+        "solutions": sum(minutes.values()) - 1,
+        "half": minutes["3.1"] + minutes["3.2"] + minutes["3.3"],
         "wrong": 0,
         "empty": 0,
         "redefined": 0,
-        "crash": 37,
+        # Without the reasons.
+        "crash": minutes["3.5"] - 3 + minutes["3.6"],
     }
+    assert graded.scores("chapter-3") == right
 
 
 def feedback(course: Course, student: str) -> str:
@@ -208,33 +162,31 @@ def feedback(course: Course, student: str) -> str:
     return " ".join(page.get_text().split())
 
 
-@pytest.mark.usefixtures("graded")
-def test_feedback_has_the_verdict_and_a_hint(course: Course) -> None:
-    wrong, redefined = (feedback(course, student) for student in ("wrong", "redefined"))
+def test_feedback_has_the_verdict_and_a_hint(graded: Course) -> None:
+    wrong, redefined = (feedback(graded, student) for student in ("wrong", "redefined"))
     for number, answer in WRONG.items():
         verdict = " ".join(str(check(number, eval(answer))).split())
         assert "not yet" in verdict
         assert f"AssertionError: {verdict}" in wrong
         assert f"AssertionError: {verdict}" in redefined
-    right = feedback(course, "solutions")
+    right = feedback(graded, "solutions")
     assert right.count(": right.") == 2 * len(ASKED)
     assert "AssertionError" not in right
     assert "Say what warns you." in right
-    crashed = feedback(course, "crash")
+    crashed = feedback(graded, "crash")
     assert crashed.count("AssertionError: 3.") == len(CRASHES)
     assert all(f"AssertionError: {n}: not answered yet." in crashed for n in CRASHES)
 
 
-@pytest.mark.usefixtures("graded")
-def test_run_all_does_not_stop_at_a_stub(course: Course) -> None:
+def test_run_all_does_not_stop_at_a_stub(graded: Course) -> None:
     """As a student has it, who has not begun."""
-    released = course.folder / "release" / "chapter-3" / CHAPTER.name
-    course.run(f"jupyter nbconvert --to=notebook --execute --output=run '{released}'")
-    said = released.with_name("run.ipynb").read_text("utf-8")
+    released = graded.folder / "release" / "chapter-3" / CHAPTER.name
+    run = graded.folder.parent / "run.ipynb"
+    graded.run(f"jupyter nbconvert --to=notebook --execute --output='{run}' '{released}'")
+    said = run.read_text("utf-8")
     assert said.count(": not answered yet.") == len(ASKED)
     assert "SOLUTION" not in said
     assert "HIDDEN" not in said
-    released.with_name("run.ipynb").unlink()
 
 
 def test_the_solutions_of_all_chapters_earn_all_points(course: Course) -> None:
@@ -242,11 +194,8 @@ def test_the_solutions_of_all_chapters_earn_all_points(course: Course) -> None:
     course.run("nbgrader generate_assignment book")
     for released in (course.folder / "release" / "book").glob("*.ipynb"):
         course.hand_in("teacher", released, solved)
-    course.run("nbgrader autograde book")
-    (work,) = course.points("book").values()
-    everything = [asked for page in notebooks() for asked in page.exercises.values()]
-    for asked in everything:
-        points, _ = work[f"test-{asked.number.replace('.', '-')}"]
-        assert 0 < points <= asked.minutes
-        assert (points < asked.minutes) is (asked.kind == "judge")
-    assert sum("test" in name for name in work) == len(everything)
+    course.run("nbgrader autograde book\nnbgrader export")
+    asked = [exercise for page in notebooks() for exercise in page.exercises.values()]
+    for_reasons = sum(each.minutes // 3 for each in asked if each.kind == "judge")
+    whole = sum(each.minutes for each in asked)
+    assert course.scores("book")["teacher"] == whole - for_reasons

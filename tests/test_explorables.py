@@ -2,7 +2,6 @@
 
 import importlib.util
 import json
-import re
 from pathlib import Path
 from typing import Any
 
@@ -52,6 +51,9 @@ def test_a_figure_says_what_it_takes(name: str) -> None:
         if isinstance(kind, Slider):
             assert bool(panel.select(f"input[type=range][name={key}]")) == kind.row
         assert key in dir(figure)
+    for written in panel.select(".explorable-names span"):
+        curve = panel.select_one(f'[data-curve="{written.text}"]')
+        assert str(written["style"]).startswith(str(curve["style"]))
     told = {output["name"] for output in panel.select("output")}
     assert told == set(plotter.record.outputs) == set(outputs(name))
     assert not told & set(figure.inputs)
@@ -193,69 +195,25 @@ def test_inputs_are_attributes() -> None:
     np.testing.assert_allclose(np.linalg.norm(points, axis=1), 1)
 
 
-@pytest.mark.parametrize(
-    "pose", [{"v": -90.0, "t": 0.25}, {"u": 180.0, "v": 90.0, "w": 0.0, "t": 0.25}]
-)
-def test_half_a_turn_away_the_three_angles_go_on_alone(pose: dict[str, float]) -> None:
-    [state] = states("euler_angles_by_hand", [pose])
+def test_half_a_turn_away_the_three_angles_go_on_alone() -> None:
+    [state] = states("euler_angles_by_hand", [{"u": 180.0, "v": 90.0, "w": 0.0, "t": 0.25}])
     assert "half a turn" in state["outputs"]["by_slerp"]
-    hidden = [state["parts"][f"{name} tip"].get("hidden", False) for name in ("angles", "slerp")]
+    hidden = [state["parts"][f"{name} tip"]["hidden"] for name in ("angles", "slerp")]
     assert hidden == [False, True]
-    [panel] = panels([("euler_angles_by_hand", pose)])
-    assert panel.select("[data-curve]")
-
-
-def test_a_curve_has_the_colour_of_its_name() -> None:
-    """As a colour of text, which pages give a shade of their own."""
-    [panel] = panels([("worn_spoons_by_hand", {})])
-    names = {
-        name.text: re.sub("; top:.*", "", str(name["style"]))
-        for name in panel.select(".explorable-names span")
-    }
-    assert len(names) >= 2
-    assert not panel.select("figcaption span")
-    assert {curve["data-curve"]: curve["style"] for curve in panel.select("[data-curve]")} == names
+    assert state["charts"]["speeds"]["one turn"] is None
 
 
 @pytest.mark.parametrize("repair", [False, True])
-def test_a_chart_is_there_while_it_has_a_curve(repair: bool) -> None:
-    """What is off has a number even so: by how much lengths, or by how many degrees."""
-    [panel] = panels([("worn_spoons_by_hand", {"repair": repair})])
-    chart = panel.select_one("[data-chart]")
-    assert chart.has_attr("hidden") != repair
-    numbers = [number.text for number in chart.select(".explorable-ticks span")]
-    assert [numbers[0], numbers[-1]] == ["10⁻⁸", "100"]
-    told = outputs("worn_spoons_by_hand", repair=repair)
-    edges, off = np.array(told["matrix_edges"]), told["matrix_off"]
-    assert off == ("5.5°" if repair else f"{100 * abs(edges - 1).max():.0f} % in length")
+def test_what_is_not_repaired_has_no_curve_but_a_number(repair: bool) -> None:
+    [state] = states("worn_spoons_by_hand", [{"repair": repair}])
+    assert (state["charts"]["off"]["matrix"] is not None) == repair
+    edges, off = (state["outputs"][f"matrix_{name}"] for name in ("edges", "off"))
+    percent = 100 * abs(np.array(edges) - 1).max()
+    assert off == ("5.5°" if repair else f"{percent:.0f} % in length")
 
 
 def test_a_number_is_named_in_the_colour_of_its_arrow() -> None:
     plotter = scenes.figure_1_by_hand()
-    [panel] = panels([("figure_1_by_hand", {})])
     for k, name in enumerate(("first", "along", "across"), 1):
-        label = panel.select_one(f"output[name={name}]").parent.span
-        color = plotter.actors[f"term {k}"].prop.color.hex_rgb
-        assert label["style"] == f"color: {color}"
-    assert not panel.select_one("output[name=matrix]").parent.span.has_attr("style")
-
-
-def test_a_curve_in_pieces_has_gaps_and_marks() -> None:
-    [panel] = panels([("closed_curve_by_hand", {})])
-    speeds, curvatures = panel.select("[data-chart]")
-    for chart in (speeds, curvatures):
-        paths = str(chart.select_one("[data-curve]")["d"]).split("M")[1:]
-        pieces = [path for path in paths if len(path.split()) > 3]
-        assert [float(piece.split(",")[0]) for piece in pieces] == [0, 80, 160, 240]
-        assert [float(piece.split()[-1].split(",")[0]) for piece in pieces] == [80, 160, 240, 320]
-        seen = [mark.text for mark in chart.select(".explorable-marks span:not([hidden])")]
-        assert seen == ["P0", "P1", "P2", "P3"]
-    lines = {line["data-tick"]: float(line["y1"]) for line in curvatures.select("[data-tick]")}
-    assert lines == {"-6": 128, "-3": 96, "0": 64, "3": 32, "6": 0}
-    numbers = curvatures.select(".explorable-ticks span")
-    assert [(n.text, n["style"]) for n in numbers[:2]] == [
-        ("−6", "top: 100.0%"),
-        ("−3", "top: 75.0%"),
-    ]
-    assert [n.text for n in speeds.select(".explorable-ticks span")] == ["0", "50", "100", "150"]
-    assert [n.text for n in speeds.select(".explorable-axis span")] == ["0", "once round, u", "1"]
+        arrow = plotter.actors[f"term {k}"].prop.color.hex_rgb
+        assert plotter.record.outputs[name].color == arrow

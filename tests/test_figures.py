@@ -17,7 +17,7 @@ from PIL import Image
 
 from rotedu import scenes
 from rotedu.figures import backend, describe, stack_on_phone
-from rotedu.figures.backend import MIME_TYPE, POSTER_SCALE, book_figure, scene_labels, take_poster
+from rotedu.figures.backend import MIME_TYPE, POSTER_SCALE, book_figure, scene_labels
 from rotedu.figures.gltf import scene_gltf
 from rotedu.figures.pages import stacked_poster
 from rotedu.figures.state import in_stack
@@ -130,10 +130,6 @@ class TestGltf:
         cosines = np.sum(normals * positions / 0.5, axis=1)
         assert np.rad2deg(np.arccos(cosines.clip(-1, 1))).max() < 0.6
 
-    def test_flat_surfaces_have_no_normals(self) -> None:
-        _, _, primitive, _ = single(pyvista.Cube(), smooth_shading=False)
-        assert list(primitive["attributes"]) == ["POSITION"]
-
     def test_looks(self) -> None:
         looks = {"opacity": 0.25, "color": "#d55e00", "ambient": 0.1, "diffuse": 0.8}
         _, node, _, material = single(pyvista.Sphere(), pickable=False, name="glass", **looks)
@@ -149,8 +145,9 @@ class TestGltf:
         assert node["name"] == "glass"
         assert node["extras"] == {"pickable": False}
 
-    def test_opaque_and_unlit(self) -> None:
-        _, node, _, material = single(pyvista.Plane(), lighting=False)
+    def test_opaque_flat_and_unlit(self) -> None:
+        _, node, primitive, material = single(pyvista.Plane(), lighting=False, smooth_shading=False)
+        assert list(primitive["attributes"]) == ["POSITION"]
         assert "alphaMode" not in material
         assert material["extensions"] == {"KHR_materials_unlit": {}}
         assert node["extras"] == {"pickable": True}
@@ -324,27 +321,6 @@ class TestFigure:
         np.testing.assert_allclose(color, [0x00, 0x72, 0xB2], atol=2)
         # Through both sides of the ball.
         assert abs(alpha / 255 - (1 - 0.7**2)) < 0.01
-
-    @pytest.mark.slow
-    def test_the_poster_leaves_the_scene_as_it_was(self) -> None:
-        def state(plotter: pyvista.Plotter) -> list[Any]:
-            renderer = plotter.renderer
-            return [
-                scene_gltf(plotter),
-                scene_labels(plotter),
-                plotter.window_size,
-                [actor.GetVisibility() for actor in plotter.actors.values()],
-                renderer.background_color,
-                renderer.GetUseDepthPeeling(),
-                plotter.camera.position,
-                plotter.camera.clipping_range,
-            ]
-
-        plotter = demanding_scene()
-        before = state(plotter)
-        poster = take_poster(plotter)
-        assert state(plotter) == before
-        assert take_poster(plotter) == poster
 
 
 class TestStack:

@@ -19,6 +19,7 @@ const here = dirname(fileURLToPath(import.meta.url));
 // Python gives VTK the same text.
 const shader = await readFile(join(here, "../rotedu/figures/ball.glsl"), "utf8");
 const BALL = JSON.stringify(shader.replace(/ *\/\/.*/g, "").replace(/\n\s*/g, "\n"));
+/** @type {import("esbuild").BuildOptions} */
 const common = {
   bundle: true,
   define: { BALL },

@@ -28,15 +28,18 @@ export function goTo(figure) {
 
 /** Tell whether the reader has come anew; else the browser goes where the reader was. */
 export function isNew() {
-  return performance.getEntriesByType("navigation")[0]?.type === "navigate";
+  /** @type {Partial<PerformanceNavigationTiming>[]} */
+  const [opening] = performance.getEntriesByType("navigation");
+  return opening?.type === "navigate";
 }
 
 /**
  * Let a drag that begins on a poster go on when its scene is live.
  * @param {HTMLElement[]} scenes
- * @returns {function} to be called with a scene that has become live
+ * @returns a function to be called with a scene that has become live
  */
 export function keepDrags(scenes) {
+  /** @type {{scene: HTMLElement, event: PointerEvent} | null} */
   let held = null;
   for (const scene of scenes) {
     scene.addEventListener("pointerdown", (event) => (held = { scene, event }));
@@ -44,7 +47,7 @@ export function keepDrags(scenes) {
     scene.addEventListener("dragstart", (event) => event.preventDefault());
   }
   for (const kind of LET_GO) addEventListener(kind, () => (held = null));
-  return (scene) => {
+  return (/** @type {HTMLElement} */ scene) => {
     if (held?.scene !== scene) return;
     const { event } = held;
     const below = document.elementFromPoint(event.clientX, event.clientY);

@@ -1,6 +1,4 @@
-/* The geometry of the camera: what it sees of a scene, and which way is right and up. */
-import { Quaternion, Vector3 } from "three";
-
+/* The geometry of the camera: what it sees of a scene. */
 const DEGREES = 180 / Math.PI;
 // How far a turned scene may reach: labels need some room at the border.
 const ROOM = 0.93;
@@ -67,9 +65,8 @@ function spread(count) {
  * @param {number} distance from the camera to what it looks at
  * @param {number[]} half width and height of the picture, at distance 1
  */
-export function reach(points, axes, distance, half) {
-  const along = (axis, [x, y, z]) => axis[0] * x + axis[1] * y + axis[2] * z;
-  const [right, up, back] = axes;
+export function reach(points, [right, up, back], distance, half) {
+  const along = (axis, point) => axis[0] * point[0] + axis[1] * point[1] + axis[2] * point[2];
   const far = points.map((point) => {
     const depth = distance - along(back, point);
     const x = Math.abs(along(right, point)) / half[0];
@@ -88,31 +85,4 @@ export function reach(points, axes, distance, half) {
 export function widened(angle, now, atRest) {
   const half = Math.tan(angle / 2 / DEGREES);
   return 2 * DEGREES * Math.atan(half * Math.max(1, now / Math.max(ROOM, atRest)));
-}
-
-/**
- * Turn a point about the origin to the right or up, as the camera sees it.
- * @param {number[]} point
- * @param {number[][]} axes of the camera: right, up, back
- * @param {number[]} arrow steps to the right and up, one of them 0
- * @param {number} angle of a step
- */
-export function turned(point, [right, up], [x, y], angle) {
-  const axis = new Vector3(...up).multiplyScalar(x).addScaledVector(new Vector3(...right), -y);
-  return new Vector3(...point).applyAxisAngle(axis, angle).toArray();
-}
-
-/**
- * Turn a body as the camera sees it.
- * @param {number[]} pose a unit quaternion, scalar first
- * @param {number[][]} axes of the camera: right, up, back
- * @param {number[]} turn axis times angle along these axes
- */
-export function spun([w, x, y, z], axes, turn) {
-  const axis = new Vector3();
-  axes.forEach((direction, i) => axis.addScaledVector(new Vector3(...direction), turn[i]));
-  const angle = axis.length();
-  const by = new Quaternion().setFromAxisAngle(axis.normalize(), angle);
-  const now = by.multiply(new Quaternion(x, y, z, w)).normalize();
-  return [now.w, now.x, now.y, now.z];
 }

@@ -1,5 +1,6 @@
 /* The charts below a figure: curves as paths, the names beside their ends, and the input along them. */
-import { ALONG, drag } from "./pointer.js";
+import { all, one } from "./elements.js";
+import { ALONG, drag, stepped } from "./pointer.js";
 import { statement } from "./speak.js";
 
 export const [WIDTH, HEIGHT] = [320, 128];
@@ -9,53 +10,60 @@ const ARROW = [4, 7];
 // How far apart the names of curves are, as a share of the height of their chart.
 const LINE = 0.13;
 
-/**
- * What draws the curves of a chart, and its mark at the value of the input along it. In the chart this
- * input is dragged.
- * @param {HTMLElement} chart as `panel-html.js` writes it
- * @param specs the inputs of the figure
- * @param {function} now returns the present inputs
- * @param {function} scrub takes the name of an input and its new value
- */
-export function bindChart(chart, specs, now, scrub) {
-  const { over } = chart.dataset;
-  const [[first, last], y] = [chart.dataset.x, chart.dataset.y].map((range) =>
-    range.split(" ").map(Number),
-  );
-  const lines = new Map(
-    [...chart.querySelectorAll("[data-curve]")].map((line) => [line.dataset.curve, line]),
-  );
-  const names = [...chart.querySelectorAll("[data-name]")];
-  const known = {};
-  const marks = chart.querySelectorAll(".explorable-marks span");
-  const here = chart.querySelectorAll("[data-mark]");
-  const plot = chart.querySelector("svg");
-  if (specs[over]?.kind === "number") {
-    grabbed(plot, chart.dataset.chart, specs[over], {
-      to: (share) => scrub(over, first + share * (last - first)),
-      by: (steps) => scrub(over, now()[over] + steps * specs[over].step),
+/** The curves of a chart, and its mark at the value of the input along it, which is dragged there. */
+export class Chart {
+  /**
+   * @param {HTMLElement} box as `panel-html.js` writes it
+   * @param {import("./types.js").Specs} specs the inputs of the figure
+   * @param {() => import("./types.js").Inputs} now returns the present inputs
+   * @param {(name: string, value: number) => void} scrub takes the new value of an input
+   */
+  constructor(box, specs, now, scrub) {
+    const { chart = "", over = "", x = "", y = "" } = box.dataset;
+    this.box = box;
+    this.name = chart;
+    this.over = over;
+    this.specs = specs;
+    this.x = x.split(" ").map(Number);
+    this.y = y.split(" ").map(Number);
+    this.plot = one(box, "svg");
+    this.lines = new Map(all(box, "[data-curve]").map((line) => [line.dataset.curve, line]));
+    this.names = all(box, "[data-name]");
+    this.marks = all(box, ".explorable-marks span");
+    this.here = all(box, "[data-mark]");
+    this.known = {};
+    const spec = specs[over];
+    if (spec?.kind !== "number") return;
+    const [first, last] = this.x;
+    grabbed(this.plot, chart, spec, {
+      to: (share) => scrub(over, stepped(spec, first + share * (last - first))),
+      by: (steps) => scrub(over, stepped(spec, now()[over] + steps * spec.step)),
     });
   }
-  return {
-    over,
-    draw(curves, value) {
-      for (const [curve, heights] of Object.entries(curves)) {
-        lines.get(curve).setAttribute("d", path(heights, y));
-        marks.forEach((mark, i) => (mark.hidden = i >= piecesOf(heights).length));
-      }
-      const tops = nameTops(Object.assign(known, curves), y);
-      for (const name of names) {
-        name.hidden = !tops[name.dataset.name];
-        if (!name.hidden) name.style.top = tops[name.dataset.name];
-      }
-      chart.hidden = [...lines.values()].every((line) => !line.getAttribute("d"));
-      const at = ((value - first) / (last - first)) * WIDTH;
-      for (const line of here) for (const x of ["x1", "x2"]) line.setAttribute(x, at);
-      plot.setAttribute("aria-valuenow", value);
-      if (specs[over])
-        plot.setAttribute("aria-valuetext", statement(specs, [over], { [over]: value }));
-    },
-  };
+
+  /**
+   * @param {import("./types.js").Curves} curves those that are others than before
+   * @param {number} value of the input along the chart
+   */
+  draw(curves, value) {
+    const { box, lines, marks, plot, specs, over, x, y } = this;
+    for (const [curve, heights] of Object.entries(curves)) {
+      lines.get(curve)?.setAttribute("d", path(heights, y));
+      marks.forEach((mark, i) => (mark.hidden = i >= piecesOf(heights).length));
+    }
+    const tops = nameTops(Object.assign(this.known, curves), y);
+    for (const name of this.names) {
+      const top = tops[name.dataset.name ?? ""];
+      name.hidden = !top;
+      if (top) name.style.top = top;
+    }
+    box.hidden = [...lines.values()].every((line) => !line.getAttribute("d"));
+    const at = String(((value - x[0]) / (x[1] - x[0])) * WIDTH);
+    for (const line of this.here) for (const end of ["x1", "x2"]) line.setAttribute(end, at);
+    plot.setAttribute("aria-valuenow", String(value));
+    if (specs[over])
+      plot.setAttribute("aria-valuetext", statement(specs, [over], { [over]: value }));
+  }
 }
 
 /** Let a number be dragged along a chart, and be moved by keys. */
@@ -84,9 +92,12 @@ const piecesOf = (heights) => (Array.isArray(heights?.[0]) ? heights : [heights 
 
 /**
  * How far down the names of curves stand, by name: beside their ends, but apart.
- * @returns {Object<string, string>} as CSS says it; without the curves that are not there for now
+ * @param {import("./types.js").Curves} curves
+ * @param {number[]} range of their chart
+ * @returns {Record<string, string>} as CSS says it; without the curves that are not there for now
  */
-export function nameTops(curves, [low, high]) {
+export function nameTops(curves, range) {
+  const [low, high] = range;
   const found = Object.entries(curves).filter(([, heights]) => heights);
   const places = found.map(([name, heights]) => {
     const end = (high - piecesOf(heights).at(-1).at(-1)) / (high - low);
@@ -101,8 +112,13 @@ export function nameTops(curves, [low, high]) {
   return Object.fromEntries(tops);
 }
 
-/** A curve, in one or more pieces, as an SVG path, with arrows where it is cut off. */
-export function path(curve, [low, high]) {
+/**
+ * A curve, in one or more pieces, as an SVG path, with arrows where it is cut off.
+ * @param {import("./types.js").Curve} curve
+ * @param {number[]} range of its chart
+ */
+export function path(curve, range) {
+  const [low, high] = range;
   const pieces = piecesOf(curve);
   const each = WIDTH / pieces.length;
   const paths = pieces.map((heights, i) => {

@@ -1,6 +1,6 @@
 /*
  * The geometry of dragging: a point over a sphere about the origin, a number along a path, a body
- * about its middle.
+ * about its middle. Axes are those of the camera: to the right, up and back.
  */
 
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -113,7 +113,7 @@ export function nearest(path, [x, y], about = 0.5, reach = 0.5, closed = false) 
  * @param {number[]} to the next place
  */
 export function rolling(from, to) {
-  const [a, b] = [from, to].map(onBall);
+  const [a, b] = [onBall(from), onBall(to)];
   const axis = cross(a, b);
   const sine = Math.hypot(...axis);
   const angle = Math.atan2(sine, dot(a, b));
@@ -121,9 +121,53 @@ export function rolling(from, to) {
 }
 
 /** A point of the ball of radius 1 or, farther out, of the slope around it. */
-function onBall([x, y]) {
+function onBall(place) {
+  const [x, y] = place;
   const square = x * x + y * y;
   const z = square < 0.5 ? Math.sqrt(1 - square) : 0.5 / Math.sqrt(square);
   const length = Math.hypot(x, y, z);
   return [x, y, z].map((value) => value / length);
+}
+
+/**
+ * Turn a point about the origin.
+ * @param {number[]} point
+ * @param {number[][]} axes
+ * @param {number[]} arrow steps to the right and up, one of them 0
+ * @param {number} angle of a step
+ */
+export function turned(point, axes, arrow, angle) {
+  const [right, up] = axes;
+  const [x, y] = arrow;
+  const axis = along(
+    right.map((value) => -y * value),
+    x,
+    up,
+  );
+  const ahead = cross(axis, point);
+  const still = (1 - Math.cos(angle)) * dot(axis, point);
+  return along(
+    along(
+      point.map((value) => Math.cos(angle) * value),
+      Math.sin(angle),
+      ahead,
+    ),
+    still,
+    axis,
+  );
+}
+
+/**
+ * Turn a body.
+ * @param {number[]} pose a unit quaternion, scalar first
+ * @param {number[]} turn axis times angle along the axes
+ */
+export function spun([w, ...v], axes, turn) {
+  const axis = [0, 1, 2].map((i) => axes.reduce((sum, way, k) => sum + turn[k] * way[i], 0));
+  const angle = Math.hypot(...axis);
+  const cosine = Math.cos(angle / 2);
+  const by = axis.map((x) => angle && (x * Math.sin(angle / 2)) / angle);
+  const across = cross(by, v);
+  const spun = [cosine * w - dot(by, v), ...v.map((x, i) => cosine * x + w * by[i] + across[i])];
+  return spun.map((x) => x / Math.hypot(...spun));
 }

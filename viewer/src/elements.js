@@ -13,6 +13,32 @@ const ICONS = {
   full: "M4 9V4h5M15 4h5v5M20 15v5h-5M9 20H4v-5",
 };
 
+/**
+ * What a selector finds in an element that surely has it.
+ * @template {Element} [E=HTMLElement]
+ * @param {ParentNode} within
+ */
+export function one(within, selector) {
+  /** @type {E[]} */
+  const [first] = all(within, selector);
+  return first;
+}
+
+/**
+ * All that a selector finds in an element.
+ * @template {Element} [E=HTMLElement]
+ * @param {ParentNode} within
+ */
+export function all(within, selector) {
+  /** @type {NodeListOf<E>} */
+  const found = within.querySelectorAll(selector);
+  return [...found];
+}
+
+/**
+ * @template {keyof HTMLElementTagNameMap} N
+ * @param {N} name
+ */
 export function element(name, attributes, ...children) {
   const made = document.createElement(name);
   for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);

@@ -3,161 +3,231 @@
  * The names in the page are those of the inputs and outputs; `dataset.values` of the figure holds
  * all of their values after each state. A model may correct inputs: a state's `inputs` take their place.
  */
+import { element as create, one } from "./elements.js";
 import { addHandles } from "./handles.js";
 import { address, found, fromText, keep } from "./link.js";
-import { bindPanel } from "./panel.js";
+import { Panel } from "./panel.js";
 import { changedSince, statement } from "./speak.js";
 import { trails } from "./trails.js";
 
+/** @import { Inputs, Model, Models, Spec, State } from "./types.js" */
+
+// How long a hand rests when it has come to an end, in milliseconds.
 const QUIET = 500;
 
 /**
  * @param {HTMLElement} element the figure: a scene and a panel
- * @param live what `show` has returned for the scene
- * @param data as `rotedu.figures.explorable` describes the figure
- * @param {Object<string, function>} models states from inputs and constants, by name
- * @param {{values: object, tell: function}} [python] in a notebook: the values that Python has set, and
- *   a function that tells it what the hand has changed
- * @returns {{set: function}} sets inputs
+ * @param {import("./viewer.js").View} view of the scene
+ * @param {Spec} data
+ * @param {Models} models
+ * @param {{values: Inputs, tell: (inputs: Inputs) => void}} [python] in a notebook: the values that
+ *   Python has set, and a function that tells it what the hand has changed
+ * @returns {{set: (changes: Inputs) => void}} sets inputs
  */
-export function explore(element, live, data, models, python) {
-  const model = models[data.model];
-  const scene = element.querySelector(".scene");
-  // The status line stands where the hint was.
-  const hint = scene.querySelector(".scene-hint");
-  const status = element.querySelector(".explorable-status");
-  const alt = live.canvas.getAttribute("aria-label");
-  let inputs = structuredClone({ ...data.start, ...python?.values });
-  const ways = trails();
-  let held = false;
-  let moved = false;
-  let refused = "";
-  let timer;
-  let spoken = null;
-  let keptAt = -Infinity;
+export function explore(element, view, data, models, python) {
+  const figure = new Exploration(element, view, data, models[data.model], python);
+  figure.begin();
+  return { set: (changes) => figure.set(changes) };
+}
 
-  /** Show a text to all, or say it to those who do not see the figure. */
-  const write = (text, kind = "shown") => {
-    status.innerHTML = `<span class="explorable-${kind}"></span>`;
-    status.firstChild.textContent = text;
-  };
-  const store = () => {
-    if (!python) keep(data, inputs);
-  };
+class Exploration {
+  constructor(element, view, data, model, python) {
+    this.element = element;
+    this.view = view;
+    this.python = python;
+    /** @type {Spec} */
+    this.data = data;
+    /** @type {Model} */
+    this.model = model;
+    this.scene = one(element, ".scene");
+    // The status line stands where the hint was.
+    this.hint = this.scene.querySelector(".scene-hint");
+    this.status = one(element, ".explorable-status");
+    this.alt = view.canvas.getAttribute("aria-label");
+    /** @type {Inputs} */
+    this.inputs = structuredClone({ ...data.start, ...python?.values });
+    this.ways = trails();
+    // Whether a hand is moving something just now, or has done so since all was at rest.
+    this.held = false;
+    this.moved = false;
+    this.refused = false;
+    /** @type {(() => string) | null} what to say when the hand rests */
+    this.spoken = null;
+    /** @type {ReturnType<typeof setTimeout> | undefined} */
+    this.timer = undefined;
+    this.keptAt = -Infinity;
+    const now = () => this.inputs;
+    const change = (changes, said) => this.change(changes, said);
+    this.handles = addHandles(this.scene, view, data.inputs, now, change);
+    this.panel = new Panel(element, data.inputs, now, this);
+  }
+
+  /** Show the figure as Python, the address or the history has it, and listen to them. */
+  begin() {
+    const { data, element, inputs, python } = this;
+    this.set({}, JSON.stringify(inputs) === JSON.stringify(data.start));
+    // In a page, Python runs beside the figure.
+    element.addEventListener("rotedu:set", ({ detail }) => this.set(detail));
+    if (!python) {
+      this.arrive();
+      for (const kind of ["hashchange", "popstate"]) addEventListener(kind, () => this.arrive());
+    }
+    // A cell with this tag shows what its figure does, unless the reader has come to a state of it.
+    if (element.closest(".tag_plays") && this.isAt(data.start)) {
+      this.panel.playOnce((changes) => this.set(changes));
+    }
+  }
+
+  isAt(inputs) {
+    return address(this.data, this.inputs) === address(this.data, inputs);
+  }
+
+  /** Show what the address or the history speaks of. */
+  arrive() {
+    const wanted = { ...this.data.start, ...(found(this.data) ?? this.inputs) };
+    if (!this.isAt(wanted)) this.set(wanted);
+    this.store();
+  }
+
+  /** Keep the state with the page; a notebook keeps it itself. */
+  store() {
+    if (!this.python) keep(this.data, this.inputs);
+  }
+
+  /**
+   * Set inputs.
+   * @param {Inputs} changes
+   * @param {boolean} [drawn] whether the scene shows this state already
+   */
+  set(changes, drawn = false) {
+    this.inputs = { ...this.inputs, ...changes };
+    let state;
+    try {
+      state = this.model(this.inputs, this.data.constants, Object.keys(changes));
+    } catch (error) {
+      if (!(error instanceof Error) || error.name !== "DegenerateError") throw error;
+      return this.refuse(error.message);
+    }
+    this.show(state, drawn);
+  }
+
+  /**
+   * Show a state everywhere.
+   * @param {State} state
+   */
+  show(state, drawn) {
+    this.refused = false;
+    this.write("");
+    this.scene.removeAttribute("data-refused");
+    if (drawn) {
+      // The start needs no correction but for rounding, by which it would no longer be the start.
+      this.view.look(state.views);
+    } else {
+      this.inputs = { ...this.inputs, ...state.inputs };
+      this.view.apply({ ...state, parts: { ...state.parts, ...this.waysOf(state) } });
+    }
+    this.panel.show(this.inputs, state);
+    this.note(state.outputs, state.grips);
+  }
+
+  /** Keep the last picture, pale, and say why there is no other. */
+  refuse(why) {
+    this.refused = true;
+    this.write(`${why[0].toUpperCase()}${why.slice(1)}.`);
+    this.scene.setAttribute("data-refused", "");
+    this.hint?.remove();
+    this.view.look();
+    this.panel.show(this.inputs, {});
+    this.panel.withhold();
+    this.note({ refused: why });
+  }
+
+  /**
+   * What shows the ways; a state that speaks of no trails forgets them.
+   * @param {State} state
+   */
+  waysOf({ trails: places }) {
+    return this.held && places ? this.ways.follow(places) : this.ways.clear();
+  }
+
+  note(outputs, grips = {}) {
+    this.handles.update(grips);
+    this.element.dataset.values = JSON.stringify({ ...this.inputs, ...outputs });
+    clearTimeout(this.timer);
+    this.timer = setTimeout(() => this.settle(), QUIET);
+  }
+
   /** Once the hand rests, say how things stand then: a model may have corrected an input. */
-  const settle = () => {
-    if (refused) return;
+  settle() {
+    const { data, inputs, moved, panel, view } = this;
+    if (this.refused) return;
     // What showed only while the hand moved goes.
-    if (moved) live.apply(model(inputs, data.constants, []));
-    moved = false;
+    if (moved) view.apply(this.model(inputs, data.constants, []));
+    this.moved = false;
     const changed = changedSince(data.start, inputs);
     const name = `Changed: ${statement(data.inputs, changed, inputs)}. ${panel.outcome()}`;
-    live.canvas.setAttribute("aria-label", changed.length ? name : alt);
-    if (spoken) write(spoken(), "spoken");
-    spoken = null;
-    store();
-  };
-  /** A state that speaks of no trails forgets them. */
-  const marks = ({ trails: places }) => (held && places ? ways.follow(places) : ways.clear());
-  /** Show a state everywhere; a refusal keeps the last picture, pale. */
-  const show = (state, drawn = false) => {
-    refused = state.refused ?? "";
-    write(refused && `${refused[0].toUpperCase()}${refused.slice(1)}.`);
-    // The start needs no correction but for rounding, by which it would no longer be the start.
-    if (!drawn) inputs = { ...inputs, ...state.inputs };
-    scene.toggleAttribute("data-refused", Boolean(refused));
-    if (refused) {
-      hint?.remove();
-      live.look();
-    }
-    // The scene has come as it is at the start.
-    else if (drawn) live.look(state.views);
-    else live.apply({ ...state, parts: { ...state.parts, ...marks(state) } });
-    panel.show(inputs, state);
-    if (refused) panel.withhold();
-    handles.update(state.grips);
-    const { outputs = { refused } } = state;
-    element.dataset.values = JSON.stringify({ ...inputs, ...outputs });
-    clearTimeout(timer);
-    timer = setTimeout(settle, QUIET);
-  };
-  const set = (changes, drawn) => {
-    inputs = { ...inputs, ...changes };
-    try {
-      show(model(inputs, data.constants, Object.keys(changes)), drawn);
-    } catch (error) {
-      if (error.name !== "DegenerateError") throw error;
-      show({ refused: error.message });
-    }
-  };
+    view.canvas.setAttribute("aria-label", changed.length ? name : this.alt);
+    if (this.spoken) this.write(this.spoken(), "spoken");
+    this.spoken = null;
+    this.store();
+  }
+
+  /** Show a text to all, or say it to those who do not see the figure. */
+  write(text, kind = "shown") {
+    this.status.replaceChildren(create("span", { class: `explorable-${kind}` }, text));
+  }
+
   /** What the hand does, unlike what Python sets, is told to Python. */
-  const change = (changes, said) => {
-    hint?.remove();
-    held = moved = true;
-    set(changes);
-    held = false;
-    python?.tell(inputs);
-    const what = said || (() => statement(data.inputs, Object.keys(changes), inputs));
-    spoken = () => `${what()}. ${panel.outcome()}`;
+  change(changes, said) {
+    this.hint?.remove();
+    this.held = this.moved = true;
+    this.set(changes);
+    this.held = false;
+    this.python?.tell(this.inputs);
+    const what = said ?? (() => statement(this.data.inputs, Object.keys(changes), this.inputs));
+    this.spoken = () => `${what()}. ${this.panel.outcome()}`;
     // Browsers refuse who writes too often.
-    if (Date.now() - keptAt < QUIET) return;
-    keptAt = Date.now();
-    store();
-  };
+    if (Date.now() - this.keptAt < QUIET) return;
+    this.keptAt = Date.now();
+    this.store();
+  }
+
   /** Go to a state as a whole, by no way. */
-  const jump = (values, said) => {
-    hint?.remove();
-    set({ ...data.start, ...values });
-    python?.tell(inputs);
-    spoken = said;
-    store();
-  };
-  const reset = () => {
-    jump({}, () => "Reset");
-    live.reset();
-  };
+  jump(values, said) {
+    this.hint?.remove();
+    this.set({ ...this.data.start, ...values });
+    this.python?.tell(this.inputs);
+    this.spoken = said;
+    this.store();
+  }
+
+  reset() {
+    this.jump({}, () => "Reset");
+    this.view.reset();
+  }
+
   /** Go where a link of the figure leads; in a page, its address says so. */
-  const follow = ({ hash, textContent: words }) => {
-    const wanted = fromText(hash, data);
-    if (!python) history.pushState(null, "", hash);
-    jump(wanted, () => `${words}. ${panel.outcome()}`);
-  };
+  follow({ hash, textContent: words }) {
+    const wanted = fromText(hash, this.data);
+    if (!this.python) history.pushState(null, "", hash);
+    this.jump(wanted, () => `${words}. ${this.panel.outcome()}`);
+  }
+
   /** Copy the address of this state; where that is refused, the reader can. */
-  const link = async () => {
-    hint?.remove();
-    spoken = null;
+  async link() {
+    this.hint?.remove();
+    this.spoken = null;
     // A new address that the figure does not follow: it is there already.
-    history.replaceState(history.state, "", address(data, inputs));
+    history.replaceState(history.state, "", address(this.data, this.inputs));
     try {
       await navigator.clipboard.writeText(location.href);
-      write("Link copied. It opens the figure as it is set.");
+      this.write("Link copied. It opens the figure as it is set.");
     } catch {
-      write("Copy this link to the figure as it is set: ");
-      const field = document.createElement("input");
-      Object.assign(field, { readOnly: true, value: location.href, ariaLabel: "Link" });
-      status.append(field);
+      this.write("Copy this link to the figure as it is set: ");
+      const field = create("input", { readonly: "", value: location.href, "aria-label": "Link" });
+      this.status.append(field);
       field.focus();
       field.select();
     }
-  };
-
-  const handles = addHandles(scene, live, data.inputs, () => inputs, change);
-  const panel = bindPanel(element, data.inputs, () => inputs, { change, reset, link, follow });
-  const arrive = () => {
-    const wanted = { ...data.start, ...(found(data) ?? inputs) };
-    if (address(data, wanted) !== address(data, inputs)) set(wanted);
-    store();
-  };
-  set({}, JSON.stringify(inputs) === JSON.stringify(data.start));
-  // In a page, Python runs beside the figure.
-  element.addEventListener("rotedu:set", ({ detail }) => set(detail));
-  if (!python) {
-    arrive();
-    for (const kind of ["hashchange", "popstate"]) addEventListener(kind, arrive);
   }
-  // A cell with this tag shows what its figure does, unless the reader has come to a state of it.
-  if (element.closest(".tag_plays") && address(data, inputs) === address(data, data.start)) {
-    panel.playOnce(set);
-  }
-  return { set };
 }

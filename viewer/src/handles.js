@@ -4,9 +4,12 @@
  * Each has a button over the picture; a path can be grabbed anywhere, or in its place a body that turns
  * with the number.
  */
-import { alongSphere, carried, isClosed, nearest, pointOf, rolling } from "./drag-geometry.js";
-import { ALONG, drag, stepped } from "./pointer.js";
-import { numberText, titleOf } from "./speak.js";
+import { alongSphere, rolling, spun, turned } from "./drag-geometry.js";
+import { element } from "./elements.js";
+import { PathHandle } from "./path-handle.js";
+import { drag, keys, put2d } from "./pointer.js";
+
+/** @import { Grip, Inputs, Specs } from "./types.js" */
 
 const HINTS = {
   points: () => "Drag a ring to move what it holds",
@@ -15,7 +18,6 @@ const HINTS = {
     `Drag ${Array.isArray(names) ? `a ${names[0].replace(/ \d+$/, "")}` : names} to turn it`,
 };
 const STEP = Math.PI / 90;
-const STEPS = { Shift: 5, Alt: 0.1 };
 const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 // Turns of a body: about the axis to the right, the one that points up, the line of sight.
 const TURNS = {
@@ -30,298 +32,210 @@ const TURNS = {
 const TURN = 2.5 * STEP;
 // Beyond the rim by no more than rounding, a point has not gone to the far side.
 const RIM = -1e-3;
-// How much of a path is searched to both sides of a finger: it can jump, but not to the next turn.
-const REACH = 0.2;
-// Share of the picture from its border to a handle.
-const BORDER = 0.02;
-const IDENTITY = [
-  [1, 0, 0],
-  [0, 1, 0],
-  [0, 0, 1],
-];
-const SVG = "http://www.w3.org/2000/svg";
 
 /**
  * @param {HTMLElement} scene
- * @param live what `show` has returned
- * @param specs all inputs of the figure, of any kind
- * @param {function} now returns the present inputs
- * @param {function} change takes changed inputs and a function that says for those who cannot see
- *   them what has come of it
- * @returns {{update: function}} takes the grips of a state, by input; handles go there with the picture
+ * @param {import("./viewer.js").View} view
+ * @param {Specs} specs all inputs of the figure, of any kind
+ * @param {() => Inputs} now returns the present inputs
+ * @param {(changes: Inputs, said?: () => string) => void} change takes changed inputs and a function
+ *   that says for those who cannot see them what has come of it
+ * @returns {{update: (grips?: Record<string, Grip>) => void}} takes the grips of a state, by input;
+ *   handles go there with the picture
  */
-export function addHandles(scene, live, specs, now, change) {
-  const layer = document.createElement("div");
-  layer.className = "scene-handles";
-  live.canvas.after(layer);
-  let grips = {};
-  let made = [];
-
-  const groups = Object.entries(specs).map(([name, spec]) => ({ name, spec, handles: [] }));
-  const begin = { points: addPoint, poses: addBody, number: addPath };
-  const context = { layer, live, now, change, grips: () => grips };
-  const count = ({ name, spec }) => {
-    if (spec.kind === "points") return listed(now()[name]).length;
-    if (spec.kind === "poses") {
-      // What is refused may have more bodies than the picture that stays.
-      return grips[name]
-        ? Math.min(...[now()[name], grips[name].at].map((all) => listed(all).length))
-        : 0;
-    }
-    return spec.kind === "number" && grips[name] ? 1 : 0;
-  };
-  const update = (changed = {}) => {
-    grips = { ...grips, ...changed };
-    for (const group of groups) {
-      const { spec, handles } = group;
-      const wanted = count(group);
-      for (let i = handles.length; i < wanted; i++) {
-        handles[i] = begin[spec.kind](context, group, i);
-        handles[i].cover();
-      }
-      for (const { remove } of handles.splice(wanted)) remove();
-    }
-    made = groups.flatMap(({ handles }) => handles);
-    for (const { name } of made) name();
-    sayHow();
-  };
+export function addHandles(scene, view, specs, now, change) {
+  const layer = element("div", { class: "scene-handles" });
+  view.canvas.after(layer);
   const hint = scene.querySelector(".scene-hint");
-  const sayHow = () => {
-    const held = groups.filter(({ handles }) => handles.length).map(({ spec }) => spec);
-    const kind = Object.keys(HINTS).find((kind) => held.some((spec) => spec.kind === kind));
+  /** @type {Record<string, Grip>} */
+  const grips = {};
+  const kinds = { points: PointHandle, poses: BodyHandle, number: PathHandle };
+  const groups = Object.entries(specs).map(([name, spec]) => ({
+    hand: { layer, view, name, spec, now: () => now()[name], grip: () => grips[name], change },
+    /** @type {(PointHandle | BodyHandle | PathHandle)[]} */
+    handles: [],
+  }));
+  const update = (changed = {}) => {
+    Object.assign(grips, changed);
+    for (const { hand, handles } of groups) {
+      const wanted = countOf(hand.spec, hand.now(), hand.grip());
+      while (handles.length < wanted) {
+        const handle = new kinds[hand.spec.kind](hand, handles.length);
+        handle.cover();
+        handles.push(handle);
+      }
+      for (const handle of handles.splice(wanted)) handle.remove();
+      for (const handle of handles) handle.name();
+    }
+    const held = groups.filter(({ handles }) => handles.length).map(({ hand }) => hand.spec);
+    const kind = Object.keys(HINTS).find((each) => held.some((spec) => spec.kind === each));
     if (kind && hint) hint.textContent = HINTS[kind](held.find((spec) => spec.kind === kind));
   };
-  live.onDraw(() => made.forEach(({ cover }) => cover()));
+  view.onDraw(() => {
+    for (const { handles } of groups) for (const handle of handles) handle.cover();
+  });
   return { update };
+}
+
+/** How many handles an input has. */
+function countOf({ kind }, value, grip) {
+  if (kind === "points") return listed(value).length;
+  // What is refused may have more bodies than the picture that stays.
+  if (kind === "poses" && grip) return Math.min(listed(value).length, listed(grip.at).length);
+  return kind === "number" && grip ? 1 : 0;
 }
 
 /** The values of an input as a list, also if it is only one. */
 const listed = (value) => (Array.isArray(value[0]) ? value : [value]);
 
-/** An input with another value in one place. */
-const replaced = (old, i, value) => (Array.isArray(old[0]) ? old.with(i, value) : value);
+/** One of the points or bodies of an input. */
+class Handle {
+  constructor({ layer, view, name, spec, now, grip, change }, i, what) {
+    this.layer = layer;
+    this.view = view;
+    this.spec = spec;
+    this.now = now;
+    this.grip = grip;
+    this.i = i;
+    this.button = element("button", {
+      type: "button",
+      class: "scene-handle",
+      "data-handle": Array.isArray(spec.names) ? `${name}-${i}` : name,
+      "aria-roledescription": what,
+    });
+    layer.append(this.button);
+    /** Set the value, and say what it is then. */
+    this.put = (value, spoken) => {
+      const all = Array.isArray(now()[0]) ? now().with(i, value) : value;
+      change({ [name]: all }, spoken ? () => this.said() : undefined);
+    };
+  }
+
+  get value() {
+    return listed(this.now())[this.i];
+  }
+
+  /** Name and coordinates, as a screen reader says them. */
+  said() {
+    const { names } = this.spec;
+    const name = Array.isArray(names) ? names[this.i] : names;
+    const coordinates = this.value.map((x) => x.toFixed(2).replace("-", "\u2212"));
+    return `${name} at ${coordinates.join(", ")}`;
+  }
+
+  name() {
+    this.button.setAttribute("aria-label", this.said());
+  }
+
+  remove() {
+    this.button.remove();
+  }
+}
 
 /** A point of a sphere. */
-function addPoint({ layer, live, now, change, grips }, { name, spec }, i) {
-  const handle = createHandle(layer, Array.isArray(spec.names) ? `${name}-${i}` : name, "point");
-  const value = () => listed(now()[name])[i];
-  const turn = () => grips()[name]?.turn ?? IDENTITY;
-  const point = () => scaled(transformed(turn(), value()), spec.reach);
-  const isFar = () => {
-    const eye = live.eye();
-    return point().reduce((sum, x, k) => sum + x * (eye[k] - x), 0) < RIM;
-  };
-  const said = () => label(spec, i, value());
-  const put = (moved, spoken) => {
-    const back = scaled(transformed(transposed(turn()), moved), 1 / spec.reach);
-    change({ [name]: replaced(now()[name], i, back) }, spoken && said);
-  };
-  const grabbed = drag(handle, layer, {
-    grab(place) {
-      const { left, top } = live.project(point());
-      // The point keeps its distance from the finger.
-      const shift = [left - place.share[0], top - place.share[1]];
-      return { shift, radius: Math.hypot(...point()), far: spec.through && isFar() };
-    },
-    move({ shift, radius, far }, { share }) {
-      const { eye, direction } = live.sight(share[0] + shift[0], share[1] + shift[1], point());
-      put(alongSphere(eye, direction, radius, far), false);
-    },
-    drop: () => put(point(), true),
-  });
-  keys(handle, ARROWS, (arrow, size) => put(live.turned(point(), arrow, STEP * size), true));
-  return {
-    name: () => handle.setAttribute("aria-label", said()),
-    cover() {
-      const { left, top } = live.project(point());
-      put2d(handle, left, top);
-      // What a ball hides on its far side cannot be caught, but what is held stays in hand.
-      handle.toggleAttribute("data-behind", isFar() && !spec.through && !grabbed());
-      handle.toggleAttribute("data-far", isFar());
-    },
-    remove: () => handle.remove(),
-  };
+class PointHandle extends Handle {
+  constructor(hand, i) {
+    super(hand, i, "point");
+    const { button, layer, view } = this;
+    this.isHeld = drag(button, layer, {
+      grab: ({ share }) => {
+        const { left, top } = view.rows.project(this.point());
+        // The point keeps its distance from the finger.
+        const shift = [left - share[0], top - share[1]];
+        const far = this.spec.through && this.isFar();
+        return { shift, radius: Math.hypot(...this.point()), far };
+      },
+      move: ({ shift, radius, far }, { share }) => {
+        const place = [share[0] + shift[0], share[1] + shift[1]];
+        const { eye, direction } = view.rows.sight(place[0], place[1], this.point());
+        this.move(alongSphere(eye, direction, radius, far), false);
+      },
+      drop: () => this.move(this.point(), true),
+    });
+    keys(button, ARROWS, (arrow, size) =>
+      this.move(turned(this.point(), view.aim.axes(), arrow, STEP * size), true),
+    );
+  }
+
+  /** Where the point is in the scene. */
+  point() {
+    const { turn } = this.grip() ?? {};
+    const point = turn ? turn.map((row) => dot(row, this.value)) : this.value;
+    return scaled(point, this.spec.reach);
+  }
+
+  /** Bring the point to a place in the scene. */
+  move(place, spoken) {
+    const { turn } = this.grip() ?? {};
+    const back = scaled(place, 1 / this.spec.reach);
+    const column = (k) => turn.map((row) => row[k]);
+    this.put(turn ? back.map((_, k) => dot(column(k), back)) : back, spoken);
+  }
+
+  isFar() {
+    const eye = this.view.aim.eye();
+    return this.point().reduce((sum, x, k) => sum + x * (eye[k] - x), 0) < RIM;
+  }
+
+  cover() {
+    const { button, spec } = this;
+    put2d(button, this.view.rows.project(this.point()));
+    // What a ball hides on its far side cannot be caught, but what is held stays in hand.
+    button.toggleAttribute("data-behind", this.isFar() && !spec.through && !this.isHeld());
+    button.toggleAttribute("data-far", this.isFar());
+  }
 }
+
+const dot = (a, b) => a.reduce((sum, x, k) => sum + x * b[k], 0);
+
+const scaled = (point, factor) => (factor === 1 ? point : point.map((x) => x * factor));
 
 /** A body. */
-function addBody({ layer, live, now, change, grips }, { name, spec }, i) {
-  const handle = createHandle(layer, Array.isArray(spec.names) ? `${name}-${i}` : name, "body");
-  handle.classList.add("scene-body");
-  layer.prepend(handle);
-  const value = () => listed(now()[name])[i];
-  const said = () => label(spec, i, value());
-  const turn = (by, spoken) =>
-    change({ [name]: replaced(now()[name], i, live.spun(value(), by)) }, spoken && said);
-  /** The middle of the body and its size in the picture. */
-  const disc = () => {
-    const { at, size } = grips()[name];
-    const middle = listed(at)[i];
-    const [right] = live.axes();
-    const { left, top } = live.project(middle);
-    const rim = live.project(
-      middle.map((x, k) => x + size * right[k]),
-      middle,
-    );
-    return { left, top, width: Math.abs(rim.left - left) };
-  };
-  /** A place in radii from the middle of the body. */
-  const within = ({ share, aspect }) => {
-    const { left, top, width } = disc();
-    return [(share[0] - left) / width, (top - share[1]) / (width * aspect)];
-  };
-  drag(handle, layer, {
-    grab: (place) => ({ last: within(place) }),
-    move(grip, place) {
-      const here = within(place);
-      const by = rolling(grip.last, here);
-      grip.last = here;
-      turn(by, false);
-    },
-    drop: () => turn([0, 0, 0], true),
-  });
-  keys(handle, TURNS, (axis, size) =>
-    turn(
-      axis.map((x) => x * TURN * size),
-      true,
-    ),
-  );
-  return {
-    name: () => handle.setAttribute("aria-label", said()),
-    cover() {
-      const { left, top, width } = disc();
-      put2d(handle, left, top);
-      handle.style.width = `${200 * width}%`;
-    },
-    remove: () => handle.remove(),
-  };
-}
-
-/** A number along a path. */
-function addPath({ layer, live, now, change, grips }, { name, spec }) {
-  const { low, high, step } = spec;
-  const handle = createHandle(layer, name, "");
-  handle.setAttribute("role", "slider");
-  handle.setAttribute("aria-label", titleOf(spec, name));
-  handle.setAttribute("aria-valuemin", low);
-  handle.setAttribute("aria-valuemax", high);
-  const svg = document.createElementNS(SVG, "svg");
-  const line = document.createElementNS(SVG, "path");
-  line.setAttribute("class", "scene-path");
-  svg.setAttribute("viewBox", "0 0 100 100");
-  svg.setAttribute("preserveAspectRatio", "none");
-  svg.setAttribute("aria-hidden", "true");
-  svg.append(line);
-  layer.querySelector(".scene-handle:not(.scene-body)").before(svg);
-
-  const path = () => grips()[name].path;
-  const share = () => (now()[name] - low) / (high - low);
-  const put = (number) => {
-    const beyond = number < low || number > high;
-    const lap = high - low;
-    const within =
-      beyond && isClosed(path()) ? number - lap * Math.floor((number - low) / lap) : number;
-    change({ [name]: stepped(spec, within) });
-  };
-  /** A path in the picture, in units of its width. */
-  const flat = (points, aspect) =>
-    points.map((point) => {
-      const { left, top } = live.project(point);
-      return [left, top / aspect];
+class BodyHandle extends Handle {
+  constructor(hand, i) {
+    super(hand, i, "body");
+    const { button, layer } = this;
+    button.classList.add("scene-body");
+    layer.prepend(button);
+    drag(button, layer, {
+      grab: (place) => ({ last: this.within(place) }),
+      move: (grip, place) => {
+        const here = this.within(place);
+        const by = rolling(grip.last, here);
+        grip.last = here;
+        this.turn(by, false);
+      },
+      drop: () => this.turn([0, 0, 0], true),
     });
-  const spot = ({ share, aspect }) => [share[0], share[1] / aspect];
-  const hands = {
-    grab(place) {
-      const { body } = grips()[name];
-      const find = (points, ...near) =>
-        nearest(flat(points, place.aspect), spot(place), ...near).share;
-      const way = body && carried(path(), pointOf(body, find(body)), share());
-      const found = way ? find(way, share(), REACH, true) : find(path());
-      // The value keeps its distance from the finger along the path.
-      return { way, at: found, value: share() - found };
-    },
-    move(grip, place) {
-      const way = grip.way ?? path();
-      grip.at = nearest(flat(way, place.aspect), spot(place), grip.at, REACH, isClosed(way)).share;
-      put(low + (grip.at + grip.value) * (high - low));
-    },
-  };
-  drag(handle, layer, {
-    ...hands,
-    // The path may cross itself, but the ring is in one place.
-    grab: (place) => ({
-      at: nearest(flat(path(), place.aspect), spot(place), share(), 0.05).share ?? share(),
-      value: 0,
-    }),
-  });
-  drag(line, layer, { ...hands, focus: handle });
-  keys(handle, ALONG, (way, size) => put(now()[name] + way * Math.max(step, step * size)));
-  return {
-    name() {
-      handle.setAttribute("aria-valuenow", now()[name]);
-      handle.setAttribute("aria-valuetext", numberText(spec, now()[name]));
-    },
-    cover() {
-      const there = path();
-      handle.hidden = !there;
-      svg.toggleAttribute("hidden", !there);
-      if (!there) return;
-      const { left, top } = live.project(pointOf(there, share()));
-      put2d(handle, left, top);
-      const places = (grips()[name].body ?? there).map((point) => live.project(point));
-      line.setAttribute(
-        "d",
-        `M${places.map((p) => `${round(100 * p.left)} ${round(100 * p.top)}`).join(" ")}`,
-      );
-    },
-    remove() {
-      handle.remove();
-      svg.remove();
-    },
-  };
-}
+    keys(button, TURNS, (axis, size) => {
+      const by = axis.map((x) => x * TURN * size);
+      this.turn(by, true);
+    });
+  }
 
-const round = (x) => Math.round(x * 100) / 100;
+  turn(by, spoken) {
+    this.put(spun(this.value, this.view.aim.axes(), by), spoken);
+  }
 
-function createHandle(layer, name, what) {
-  const handle = document.createElement("button");
-  handle.type = "button";
-  handle.className = "scene-handle";
-  handle.dataset.handle = name;
-  if (what) handle.setAttribute("aria-roledescription", what);
-  layer.append(handle);
-  return handle;
-}
+  /** The middle of the body and its size in the picture. */
+  disc() {
+    const { at, size } = this.grip();
+    const middle = listed(at)[this.i];
+    const [right] = this.view.aim.axes();
+    const rim = middle.map((x, k) => x + size * right[k]);
+    const { left, top } = this.view.rows.project(middle);
+    return { left, top, width: Math.abs(this.view.rows.project(rim, middle).left - left) };
+  }
 
-/** Name and coordinates, as a screen reader says them. */
-function label({ names }, i, point) {
-  const name = Array.isArray(names) ? names[i] : names;
-  return `${name} at ${point.map((x) => x.toFixed(2).replace("-", "\u2212")).join(", ")}`;
-}
+  /** A place in radii from the middle of the body. */
+  within({ share, aspect }) {
+    const { left, top, width } = this.disc();
+    return [(share[0] - left) / width, (top - share[1]) / (width * aspect)];
+  }
 
-const transformed = (matrix, point) =>
-  matrix.map((row) => row.reduce((sum, x, k) => sum + x * point[k], 0));
-
-const transposed = (matrix) => matrix.map((_, i) => matrix.map((row) => row[i]));
-
-function scaled(point, factor) {
-  return factor === 1 ? point : point.map((x) => x * factor);
-}
-
-/**
- * Put a handle to a place of the picture, in fractions of its size. What has left the picture can be
- * caught at its border.
- */
-function put2d({ style }, ...place) {
-  [style.left, style.top] = place.map((x) => `${100 * Math.min(1 - BORDER, Math.max(BORDER, x))}%`);
-}
-
-/** Let some keys move a handle, with others by larger and smaller steps. */
-function keys(handle, ways, move) {
-  handle.addEventListener("keydown", (event) => {
-    const way = ways[event.key];
-    if (!way || event.ctrlKey || event.metaKey) return;
-    event.preventDefault();
-    event.stopPropagation();
-    move(way, (event.shiftKey ? STEPS.Shift : 1) * (event.altKey ? STEPS.Alt : 1));
-  });
+  cover() {
+    const place = this.disc();
+    put2d(this.button, place);
+    this.button.style.width = `${200 * place.width}%`;
+  }
 }

@@ -1,4 +1,5 @@
 /* Where labels are on the screen, which of them are hidden, and how they give way to each other. */
+import { Ray, Vector3 } from "three";
 
 // A label often lies on a surface itself, so its line of sight ends just short of it.
 const SHORT = 1 - 1e-3;
@@ -22,45 +23,29 @@ export function project(matrix, [x, y, z]) {
   return { left, top, inside };
 }
 
+const ray = new Ray();
+const face = [new Vector3(), new Vector3(), new Vector3()];
+const place = new Vector3();
+
 /**
  * Count how often the segment from one point to another crosses a surface, up to a limit.
- * @param {{positions: ArrayLike<number>, corners: ArrayLike<number>}} surface three corners a face
+ * @param {import("./types.js").Surface} surface
  * @param {number[]} from
  * @param {number[]} to
- * @param {number} limit
  */
 export function crossings({ positions, corners }, from, to, limit = Infinity) {
-  const [ox, oy, oz] = from;
-  const [dx, dy, dz] = to.map((value, i) => value - from[i]);
+  ray.origin.fromArray(from);
+  const length = ray.direction.fromArray(to).sub(ray.origin).length();
+  ray.direction.divideScalar(length);
+  const [a, b, c] = face;
   const found = [];
   for (let i = 0; i < corners.length && found.length < limit; i += 3) {
-    const a = 3 * corners[i];
-    const b = 3 * corners[i + 1];
-    const c = 3 * corners[i + 2];
-    // Möller and Trumbore: the edges e and f, and the vector s from their corner.
-    const ex = positions[b] - positions[a];
-    const ey = positions[b + 1] - positions[a + 1];
-    const ez = positions[b + 2] - positions[a + 2];
-    const fx = positions[c] - positions[a];
-    const fy = positions[c + 1] - positions[a + 1];
-    const fz = positions[c + 2] - positions[a + 2];
-    const px = dy * fz - dz * fy;
-    const py = dz * fx - dx * fz;
-    const pz = dx * fy - dy * fx;
-    const volume = ex * px + ey * py + ez * pz;
-    if (volume === 0) continue;
-    const sx = ox - positions[a];
-    const sy = oy - positions[a + 1];
-    const sz = oz - positions[a + 2];
-    const u = (sx * px + sy * py + sz * pz) / volume;
-    if (u < 0 || u > 1) continue;
-    const qx = sy * ez - sz * ey;
-    const qy = sz * ex - sx * ez;
-    const qz = sx * ey - sy * ex;
-    const v = (dx * qx + dy * qy + dz * qz) / volume;
-    if (v < 0 || u + v > 1) continue;
-    const t = (fx * qx + fy * qy + fz * qz) / volume;
-    if (t > 0 && t < 1 && !found.some((other) => Math.abs(other - t) < SAME)) found.push(t);
+    a.fromArray(positions, 3 * corners[i]);
+    b.fromArray(positions, 3 * corners[i + 1]);
+    c.fromArray(positions, 3 * corners[i + 2]);
+    if (!ray.intersectTriangle(a, b, c, false, place)) continue;
+    const share = place.distanceTo(ray.origin) / length;
+    if (share < 1 && !found.some((other) => Math.abs(other - share) < SAME)) found.push(share);
   }
   return found.length;
 }

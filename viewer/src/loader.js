@@ -3,12 +3,12 @@
  * browser has nothing better to do. For a reader who saves data, a click does so. Until then, and where
  * it fails, the posters stay. The data-state of a scene is poster, loading, live or failed.
  */
-/* global VIEWER, EXPLORABLES */
 import { goTo, isInSight, isNew, keepDrags, spokenOf } from "./arrival.js";
+import { all } from "./elements.js";
 import { fail, loading, onClickOnly, openWebGL, reason, SERVE } from "./startup.js";
 
-const home = document.currentScript.src;
-const scenes = [...document.querySelectorAll(".scene[data-scene]")];
+const { src: home } = /** @type {HTMLScriptElement} */ (document.currentScript);
+const scenes = all(document, ".scene[data-scene]");
 const NEAR = "50% 0%";
 // Milliseconds after which a busy browser begins, too.
 const BUSY = 2000;
@@ -33,9 +33,9 @@ async function goLive(scene) {
     // The size of the scene as it was made, not of the poster as it is shown.
     const [width, height] = [attributes.width, attributes.height].map(({ value }) => Number(value));
     const alt = attributes.alt.value;
-    const live = await viewer.show(scene, file, context, { width, height, alt });
+    const view = await viewer.show(scene, file, context, { width, height, alt });
     scene.dataset.state = "live";
-    if (figure) explorables.answer(figure, live, JSON.parse(new TextDecoder().decode(data)));
+    if (figure) explorables.answer(figure, view, JSON.parse(new TextDecoder().decode(data)));
     goOn(scene);
   } catch (error) {
     fail(scene, reason(error));
@@ -45,7 +45,7 @@ async function goLive(scene) {
 }
 
 function loadModule(name) {
-  return import(new URL(name, home)).catch(() => {
+  return import(String(new URL(name, home))).catch(() => {
     throw new Error("the viewer did not load");
   });
 }

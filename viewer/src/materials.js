@@ -17,8 +17,6 @@ import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js
 
 ColorManagement.enabled = false;
 
-/* global BALL -- the text of rotedu/figures/ball.glsl */
-
 // What the unit ball has to do with a part.
 const NOTHING = 0;
 const IS_BALL = 1;
@@ -58,6 +56,7 @@ const VERTEX = /* glsl */ `
   }
 `;
 
+// BALL is the text of rotedu/figures/ball.glsl.
 const FRAGMENT = () => /* glsl */ `
   ${BALL}
   uniform int ballRole;

@@ -6,49 +6,56 @@ const STEP = Math.PI / 24;
 const ZOOM = 0.9;
 
 /**
- * Let the reader move the camera around a point.
- * @param camera
+ * Let the reader move the camera around what it looks at.
+ * @param {import("./aim.js").Aim} aim
  * @param {HTMLElement} scene
  * @param {HTMLCanvasElement} canvas
- * @param {number[]} target the point that the camera turns about
- * @param {number} [swing] degrees by which it may turn to each side; by default it turns all round
  */
-export function orbit(camera, scene, canvas, target, swing) {
+export function orbit({ camera, pose }, scene, canvas) {
   const controls = new OrbitControls(camera, canvas);
-  controls.target.set(...target);
+  controls.target.fromArray(pose.target);
   controls.minDistance = 0.2 * controls.getDistance();
   controls.maxDistance = 4 * controls.getDistance();
   controls.update();
-  if (swing) {
-    const [around, down] = [controls.getAzimuthalAngle(), controls.getPolarAngle()];
-    const limit = (swing * Math.PI) / 180;
-    controls.minAzimuthAngle = around - limit;
-    controls.maxAzimuthAngle = around + limit;
-    controls.minPolarAngle = Math.max(0, down - limit);
-    controls.maxPolarAngle = Math.min(Math.PI, down + limit);
-  }
+  if (pose.swing) swing(controls, (pose.swing * Math.PI) / 180);
   controls.saveState();
 
   // A figure that answers the hand takes its controls along.
-  const whole = scene.closest(".explorable") ?? scene;
+  const whole = /** @type {HTMLElement} */ (scene.closest(".explorable") ?? scene);
   const isFull = () => document.fullscreenElement === whole;
   const full = () => (isFull() ? document.exitFullscreen() : whole.requestFullscreen());
-
-  // Within the page, the wheel and a finger that moves up or down scroll the page.
+  // Within the page, a finger that moves up or down scrolls the page.
   const grip = () => {
     canvas.style.touchAction = isFull() ? "none" : "pan-y";
     controls.touches.TWO = isFull() ? TOUCH.DOLLY_PAN : TOUCH.DOLLY_ROTATE;
   };
   grip();
   whole.addEventListener("fullscreenchange", grip);
-  scene.addEventListener(
-    "wheel",
-    (event) => {
-      if (!event.ctrlKey && !event.metaKey && !isFull()) event.stopPropagation();
-    },
-    { capture: true },
-  );
-  // A finger that turns out to scroll the page has already moved the figure a little.
+  leaveTheWheel(scene, isFull);
+  leaveScrolling(controls, camera, canvas);
+  bindKeys(controls, canvas, full);
+  return { controls, full };
+}
+
+/** Let the camera turn by no more than an angle to each side; by default it turns all round. */
+function swing(controls, limit) {
+  const [around, down] = [controls.getAzimuthalAngle(), controls.getPolarAngle()];
+  controls.minAzimuthAngle = around - limit;
+  controls.maxAzimuthAngle = around + limit;
+  controls.minPolarAngle = Math.max(0, down - limit);
+  controls.maxPolarAngle = Math.min(Math.PI, down + limit);
+}
+
+/** Within the page, the wheel scrolls the page. */
+function leaveTheWheel(scene, isFull) {
+  const pass = (event) => {
+    if (!event.ctrlKey && !event.metaKey && !isFull()) event.stopPropagation();
+  };
+  scene.addEventListener("wheel", pass, { capture: true });
+}
+
+/** A finger that turns out to scroll the page has already moved the figure a little: undo that. */
+function leaveScrolling(controls, camera, canvas) {
   const before = { position: camera.position.clone(), target: controls.target.clone() };
   canvas.addEventListener("pointerdown", () => {
     before.position.copy(camera.position);
@@ -59,16 +66,15 @@ export function orbit(camera, scene, canvas, target, swing) {
     controls.target.copy(before.target);
     controls.update();
   });
+  const keepTwo = (event) => {
+    if (event.touches.length > 1 && event.cancelable) event.preventDefault();
+  };
   for (const kind of ["touchstart", "touchmove"]) {
-    canvas.addEventListener(
-      kind,
-      (event) => {
-        if (event.touches.length > 1 && event.cancelable) event.preventDefault();
-      },
-      { passive: false },
-    );
+    canvas.addEventListener(kind, keepTwo, { passive: false });
   }
+}
 
+function bindKeys(controls, canvas, full) {
   const keys = {
     ArrowLeft: () => controls.rotateLeft(-STEP),
     ArrowRight: () => controls.rotateLeft(STEP),
@@ -88,5 +94,4 @@ export function orbit(camera, scene, canvas, target, swing) {
     event.preventDefault();
     action();
   });
-  return { controls, full };
 }

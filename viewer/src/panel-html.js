@@ -15,8 +15,8 @@ const MORE = '<details class="explorable-more"><summary>More numbers</summary>';
 
 /**
  * Write the panel of a figure.
- * @param {object} data as `rotedu.figures.explorable` describes the figure
- * @param {{inputs?: object, outputs: object, charts?: object}} state what its model computes at the start
+ * @param {import("./types.js").Spec} data
+ * @param {import("./types.js").State} state what its model computes at the start
  * @returns {string}
  */
 export function panelHtml({ name, inputs, start, outputs, charts, tries }, state) {
@@ -30,7 +30,7 @@ export function panelHtml({ name, inputs, start, outputs, charts, tries }, state
       .map((output) => outputHtml(output, state.outputs[output.name]))
       .join("");
   const box = (kind, content) => content && `<div class="explorable-${kind}">${content}</div>`;
-  const drawn = charts.map((chart) => chartHtml(chart, state.charts[chart.name], values, inputs));
+  const drawn = charts.map((chart) => chartHtml(chart, state.charts?.[chart.name], values, inputs));
   const links = tries.map(([words, wanted]) => {
     const address = `#explore-${name}?${toText(wanted, {})}`;
     return `<a class="try" href="${escaped(address)}">${written(words)}</a>`;
@@ -67,6 +67,7 @@ function escaped(text) {
 
 const quoted = (text) => escaped(text).replaceAll('"', "&quot;");
 
+/** @type {Record<string, (name: string, spec: any, value: any, figure: string) => string>} */
 const CONTROLS = {
   number: sliderHtml,
   points: (name, { most }) => (most ? addAndRemove(name, "point") : ""),

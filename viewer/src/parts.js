@@ -1,43 +1,33 @@
 /* The parts of a scene by name, and how a state moves them. */
-import { BufferAttribute, BufferGeometry, Matrix4 } from "three";
+import { BufferAttribute, BufferGeometry } from "three";
 import { arrow, tubes } from "./shapes.js";
 
-/**
- * @typedef {object} Part
- * @property {object[]} objects what draws the part
- * @property {{at?: number[], radius?: number}} place as `rotedu.figures.state` recorded it
- * @property {object} [surface] what hides labels, if the part does
- */
+/** @import { Change, Drawn, Part } from "./types.js" */
 
 /**
  * Move a part.
  * @param {Part} part
- * @param {object} change one entry of the parts of a state
+ * @param {Change} change
  */
-export function move(part, change) {
-  const { objects, place } = part;
-  if ("hidden" in change) for (const object of objects) object.visible = !change.hidden;
-  if (change.color) paint(objects, change.color);
-  if (change.at) {
-    shift(objects, change.at, place.at);
-  } else if (change.paths) {
-    part.tubes = tubes(change.paths, place.radius, part.tubes);
-    dress(part, part.tubes);
-  } else if (change.from) {
-    dress(part, arrow(change.from, change.to, place.radius));
-  } else if (change.points) {
-    bend(part, change.points);
-  }
-  if (change.matrix) {
-    for (const { matrix } of objects) matrix.fromArray(change.matrix);
-    if (part.surface) carry(part.surface, objects[0].matrix);
+export function move(part, { at, color, from, hidden, matrix, paths, points, to }) {
+  const { objects, place, surface } = part;
+  const { radius = 0 } = place;
+  if (hidden !== undefined) for (const object of objects) object.visible = !hidden;
+  if (color) paint(objects, color);
+  if (at) shift(objects, at, place.at ?? [0, 0, 0]);
+  if (paths) dress(part, (part.tubes = tubes(paths, radius, part.tubes)));
+  if (from && to) dress(part, arrow(from, to, radius));
+  if (points) bend(part, points);
+  if (matrix) {
+    for (const object of objects) object.matrix.fromArray(matrix);
+    if (surface) carry(surface, objects[0].matrix);
   }
 }
 
 /** Put a ball elsewhere; its points are where the scene was made. */
 function shift(objects, at, from) {
-  const matrix = new Matrix4().makeTranslation(...at.map((value, i) => value - from[i]));
-  for (const object of objects) object.matrix.copy(matrix);
+  const [x, y, z] = at.map((value, i) => value - from[i]);
+  for (const object of objects) object.matrix.makeTranslation(x, y, z);
 }
 
 /** Give a part the points of a new surface. */

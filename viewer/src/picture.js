@@ -1,5 +1,5 @@
 /* Paints what a figure shows, labels and all, for places where it is not alive. */
-import { element } from "./elements.js";
+import { all, element } from "./elements.js";
 
 // Pixels per CSS pixel.
 const DENSITY = 1.5;
@@ -14,7 +14,7 @@ const LOOKS = "--scene-ink: #000; --scene-paper: #fff; content-visibility: visib
  *   which the page shows it
  */
 export async function takePicture(scene, styles) {
-  const boxes = [scene, ...scene.parentElement.querySelectorAll(":scope > .scene-view")];
+  const boxes = [scene, ...all(scene.parentElement ?? scene, ":scope > .scene-view")];
   const sides = boxes.map((box) => box.getBoundingClientRect());
   const left = Math.min(...sides.map((side) => side.left));
   const top = Math.min(...sides.map((side) => side.top));
@@ -22,17 +22,18 @@ export async function takePicture(scene, styles) {
   const height = Math.max(...sides.map((side) => side.bottom)) - top;
   const density = Math.min(devicePixelRatio, DENSITY);
   const paper = element("canvas", { width: width * density, height: height * density });
-  const brush = paper.getContext("2d");
+  const brush = /** @type {CanvasRenderingContext2D} */ (paper.getContext("2d"));
   brush.fillStyle = "#fff";
   brush.fillRect(0, 0, paper.width, paper.height);
   brush.scale(density, density);
   for (const [i, box] of boxes.entries()) {
     const { clientWidth, clientHeight } = box;
-    const place = [sides[i].left - left, sides[i].top - top, clientWidth, clientHeight];
+    const [x, y] = [sides[i].left - left, sides[i].top - top];
     const canvas = box.querySelector("canvas");
     if (!canvas) continue;
-    brush.drawImage(canvas, ...place);
-    brush.drawImage(await paintLabels(box, styles, clientWidth, clientHeight), ...place);
+    brush.drawImage(canvas, x, y, clientWidth, clientHeight);
+    const labels = await paintLabels(box, styles, clientWidth, clientHeight);
+    brush.drawImage(labels, x, y, clientWidth, clientHeight);
   }
   const file = await new Promise((resolve) => paper.toBlob(resolve, "image/png"));
   return { size: { width: Math.round(width), height: Math.round(height) }, file };

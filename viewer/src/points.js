@@ -23,7 +23,7 @@ export function added(points) {
 function away(points, from) {
   const point = points[from];
   const dot = (p, q) => p.reduce((sum, x, k) => sum + x * q[k], 0);
-  const outwards = point.map((_, k) => points.reduce((sum, { [k]: x }) => sum - x, 0));
+  const outwards = point.map((_, k) => points.reduce((sum, other) => sum - other[k], 0));
   const axes = point.map((_, i) => point.map((_, k) => Number(i === k)));
   return [outwards, ...axes]
     .map((way) => way.map((x, k) => x - (dot(way, point) / dot(point, point)) * point[k]))

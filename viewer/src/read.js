@@ -3,6 +3,8 @@ import { Sphere } from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 import { dress } from "./materials.js";
 
+/** @import { BufferGeometry, Material, Mesh } from "three" */
+
 /**
  * @param {ArrayBuffer} file binary glTF as `rotedu.figures.gltf` writes it
  * @returns the objects to draw, the parts by name, the surfaces that hide labels, the sphere around everything, the
@@ -13,26 +15,28 @@ export async function read(file) {
   scene.updateMatrixWorld(true);
   const { camera, lights } = scene.userData;
   const objects = [];
+  /** @type {Map<string, import("./types.js").Part>} */
   const parts = new Map();
   const surfaces = [];
   const clouds = [];
   const around = new Sphere();
-  scene.traverse((part) => {
+  scene.traverse((object) => {
+    const part = /** @type {Mesh<BufferGeometry, Material>} */ (object);
     if (!part.geometry) return;
-    part.geometry.computeBoundingSphere();
-    around.union(part.geometry.boundingSphere.clone().applyMatrix4(part.matrixWorld));
-    const positions = part.geometry.attributes.position
-      .clone()
-      .applyMatrix4(part.matrixWorld).array;
+    const { geometry, matrixWorld } = part;
+    const positions = geometry.attributes.position.clone().applyMatrix4(matrixWorld).array;
     clouds.push(positions);
+    geometry.computeBoundingSphere();
+    if (geometry.boundingSphere)
+      around.union(geometry.boundingSphere.clone().applyMatrix4(matrixWorld));
     // A node with several primitives becomes a group.
-    const node = "pickable" in part.userData ? part : part.parent;
+    const { userData } = "pickable" in part.userData ? part : (part.parent ?? part);
+    const { name, pickable, hidden, ...place } = userData;
     const drawn = dress(part, lights);
-    const { name, pickable, hidden, ...place } = node.userData;
-    const entry = { objects: drawn, place };
-    if (part.isMesh && pickable) surfaces.push((entry.surface = surface(part, positions)));
+    const hides = part.isMesh && pickable ? surface(part, positions) : undefined;
+    if (hides) surfaces.push(hides);
     for (const object of drawn) object.visible = !hidden;
-    parts.set(name, entry);
+    parts.set(name, { objects: drawn, place, surface: hides });
     objects.push(...drawn);
   });
   return { objects, parts, surfaces, around, clouds, camera };

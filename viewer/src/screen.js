@@ -5,6 +5,7 @@
 import { LinearSRGBColorSpace, WebGLRenderer } from "three";
 import { WHOLE } from "./stack.js";
 
+/** @type {WebGLRenderer} */
 let renderer;
 const restored = new Set();
 
@@ -38,11 +39,20 @@ export function onRestored(redraw) {
   return () => restored.delete(redraw);
 }
 
+/** Do something while some objects cannot be seen. */
+export function without(objects, act) {
+  const hidden = objects.filter(({ visible }) => visible);
+  for (const object of hidden) object.visible = false;
+  act();
+  for (const object of hidden) object.visible = true;
+}
+
 /**
  * Draw a scene into its canvas, as a whole or in rows.
- * @param {function} [only] takes the number of a row, and hides what belongs to others until it is called again
+ * @param {import("./types.js").Row[]} [rows]
+ * @param {(row: number) => import("./types.js").Drawn[]} [elsewhere] what belongs to other rows
  */
-export function draw(scene, camera, canvas, rows = WHOLE, only = () => {}) {
+export function draw(scene, camera, canvas, rows = WHOLE, elsewhere = () => []) {
   if (renderer.getContext().isContextLost()) return;
   const { width, height } = canvas;
   const shared = renderer.domElement;
@@ -52,17 +62,15 @@ export function draw(scene, camera, canvas, rows = WHOLE, only = () => {}) {
   renderer.clear();
   renderer.setScissorTest(true);
   for (const [i, { from, to }] of rows.entries()) {
-    only(i);
-    const [x, y, across, down] = to.map((value, i) => Math.round(value * (i % 2 ? height : width)));
+    const [x, y, across, down] = to.map((value, k) => Math.round(value * (k % 2 ? height : width)));
     const above = height - y - down;
     renderer.setViewport(x, above, across, down);
     renderer.setScissor(x, above, across, down);
     const [left, top, wide, high] = from;
     const { aspect } = camera;
     camera.setViewOffset(aspect, 1, left * aspect, top, wide * aspect, high);
-    renderer.render(scene, camera);
+    without(elsewhere(i), () => renderer.render(scene, camera));
   }
-  only();
   renderer.setScissorTest(false);
   camera.clearViewOffset();
   const paper = canvas.getContext("2d");

@@ -7,8 +7,7 @@ const AROUND = 20;
  * Round lines through points.
  * @param {number[][][]} paths
  * @param {number} radius
- * @param {{positions: Float32Array, normals: Float32Array, corners: Uint32Array, size: string}} [old]
- *   a surface to overwrite if it has as many points
+ * @param {import("./types.js").Tubes} [old] a surface to overwrite if it has as many points
  */
 export function tubes(paths, radius, old) {
   const size = paths.map((path) => path.length).join();

@@ -36,7 +36,11 @@ export function changedSince(start, inputs) {
   return Object.keys(inputs).filter((name) => text(inputs[name]) !== text(start[name]));
 }
 
-/** What an output says: a number, a text or a matrix. */
+/**
+ * What an output says: a number, a text or a matrix.
+ * @param {any} value
+ * @param {{digits?: number | string, unit?: string}} how
+ */
 export function outputText(value, { digits, unit }) {
   if (typeof value === "string") return value;
   const number = (x) => {

@@ -1,4 +1,5 @@
 /* What a scene needs before it is live: messages, a button that starts it, WebGL. */
+import { all, element } from "./elements.js";
 
 // Nobody sees more pixels than this per CSS pixel.
 const DENSITY = 2;
@@ -20,10 +21,7 @@ export function reason(error) {
 
 /** Make an empty line whose text a screen reader will announce. */
 export function status(kind = "scene-message") {
-  const line = document.createElement("p");
-  line.className = kind;
-  line.setAttribute("role", "status");
-  return line;
+  return element("p", { class: kind, role: "status" });
 }
 
 /** Put a line with a text below a scene. */
@@ -55,10 +53,7 @@ export function loading(scene) {
 
 /** Let the reader decide whether to fetch a scene. */
 export function onClickOnly(scene, goLive) {
-  const button = document.createElement("button");
-  button.type = "button";
-  button.className = "scene-start";
-  button.textContent = "Turn this figure";
+  const button = element("button", { type: "button", class: "scene-start" }, "Turn this figure");
   button.addEventListener("click", () => goLive(scene));
   scene.append(button);
 }
@@ -84,13 +79,13 @@ function standIn(canvas) {
   const lines = new Map();
   let timer;
   const rest = () => {
-    for (const scene of document.querySelectorAll(".scene[data-state=live]")) {
+    for (const scene of all(document, ".scene[data-state=live]")) {
       scene.dataset.state = "failed";
       lines.set(scene, say(scene, LOST));
       switchControls(scene, false);
     }
     // Their next picture sets them right.
-    for (const view of document.querySelectorAll(".scene-view")) view.dataset.state = "poster";
+    for (const view of all(document, ".scene-view")) view.dataset.state = "poster";
   };
   canvas.addEventListener("webglcontextlost", (event) => {
     // Else the browser would never give it back.

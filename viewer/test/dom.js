@@ -1,6 +1,6 @@
 /* A page without a browser: what panels, handles and figures ask of one. Import it before them. */
 import { Window } from "happy-dom";
-import { spun, turned } from "../src/camera.js";
+import { X, Z } from "./near.js";
 
 const window = new Window({ url: "http://localhost/" });
 const { document, location, history } = window;
@@ -25,20 +25,19 @@ Object.assign(globalThis, {
   cancelAnimationFrame: () => (ticks = []),
 });
 
-/** Draw the next frame at a time in milliseconds. */
-export function tick(time) {
-  const due = ticks;
-  ticks = [];
-  for (const callback of due) callback(time);
+/** Draw the next frame at each of some times in milliseconds. */
+export function tick(...times) {
+  for (const time of times) {
+    const due = ticks;
+    ticks = [];
+    for (const callback of due) callback(time);
+  }
 }
 
 /** Tell an element of an event, with some properties. */
 export function tell(element, type, properties = {}) {
-  const event = Object.assign(
-    new window.Event(type, { bubbles: true, cancelable: true }),
-    properties,
-  );
-  element.dispatchEvent(event);
+  const event = new window.Event(type, { bubbles: true, cancelable: true });
+  element.dispatchEvent(Object.assign(event, properties));
   return event;
 }
 
@@ -46,7 +45,8 @@ export function tell(element, type, properties = {}) {
 export function figure(panel) {
   for (const listener of listening) window.removeEventListener(...listener);
   listening = [];
-  document.body.innerHTML = `<div class="explorable"><div class="scene"><p class="scene-hint"></p></div>${panel}</div>`;
+  const scene = '<div class="scene"><p class="scene-hint"></p></div>';
+  document.body.innerHTML = `<div class="explorable">${scene}${panel}</div>`;
   return document.querySelector(".explorable");
 }
 
@@ -59,45 +59,37 @@ export function liveScene(scene) {
   canvas.setAttribute("aria-label", "A ball");
   scene.append(canvas);
   const watchers = [];
-  const live = {
+  const view = {
     canvas,
     applied: [],
-    looks: [],
     resets: 0,
-    apply: (state) => live.applied.push(state),
-    look: (views) => live.looks.push(views),
+    apply: (state) => view.applied.push(state),
+    look() {},
     onDraw: (watch) => watchers.push(watch),
     draw: () => watchers.forEach((watch) => watch()),
-    project: ([x, , z]) => ({ left: 0.5 + x / 4, top: 0.5 - z / 4 }),
-    sight: (left, top) => ({ eye: [4 * left - 2, -1e6, 2 - 4 * top], direction: [0, 1, 0] }),
-    eye: () => [0, -1e6, 0],
-    axes: () => [
-      [1, 0, 0],
-      [0, 0, 1],
-      [0, -1, 0],
-    ],
-    spun: (pose, turn) => spun(pose, live.axes(), turn),
-    turned: (point, arrow, angle) =>
-      turned(
-        point,
-        [
-          [1, 0, 0],
-          [0, 0, 1],
-        ],
-        arrow,
-        angle,
-      ),
-    reset: () => (live.resets += 1),
+    rows: {
+      project: ([x, , z]) => ({ left: 0.5 + x / 4, top: 0.5 - z / 4 }),
+      sight: (left, top) => ({ eye: [4 * left - 2, -1e6, 2 - 4 * top], direction: [0, 1, 0] }),
+    },
+    aim: { eye: () => [0, -1e6, 0], axes: () => [X, Z, [0, -1, 0]] },
+    reset: () => (view.resets += 1),
   };
-  return live;
+  return view;
 }
 
-/** Drag a handle by some pixels. */
-export function drag(handle, dx, dy) {
-  const layer = handle.parentElement;
+/** Press a handle at a place of the picture, in pixels, and move to others; the page has it at 10, 20. */
+export function hold(handle, ...places) {
+  const layer = handle.closest(".scene-handles");
   layer.getBoundingClientRect = () => ({ left: 10, top: 20, width: 100, height: 100 });
-  handle.setPointerCapture = () => {};
-  tell(handle, "pointerdown", { button: 0, pointerId: 1, clientX: 50, clientY: 60 });
-  tell(handle, "pointermove", { clientX: 50 + dx, clientY: 60 + dy });
+  handle.setPointerCapture ??= () => {};
+  places.forEach(([x, y], i) => {
+    const place = { button: 0, pointerId: 7, clientX: 10 + x, clientY: 20 + y };
+    tell(handle, i ? "pointermove" : "pointerdown", place);
+  });
+}
+
+/** Drag a handle. */
+export function drag(handle, ...places) {
+  hold(handle, ...places);
   tell(handle, "pointerup");
 }

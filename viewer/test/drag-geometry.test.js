@@ -1,80 +1,61 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { alongSphere, carried, isClosed, nearest, pointOf, rolling } from "../src/drag-geometry.js";
+import { Quaternion, Vector3 } from "three";
+import {
+  alongSphere,
+  carried,
+  isClosed,
+  nearest,
+  pointOf,
+  rolling,
+  spun,
+  turned,
+} from "../src/drag-geometry.js";
+import { stepped } from "../src/pointer.js";
+import { near, points, X, Y, Z } from "./near.js";
 
-const near = (mine, wanted, within = 1e-12) =>
-  mine.forEach((x, i) => assert.ok(Math.abs(x - wanted[i]) < within, `${mine} is not ${wanted}`));
 const EYE = [5, 0, 0];
+const unit = (point) => point.map((x) => x / Math.hypot(...point));
 
-test("a line of sight meets the near side of the sphere", () => {
+test("a line of sight meets the near side of the sphere, or leaves it on the far side", () => {
   near(alongSphere(EYE, [-1, 0, 0], 2), [2, 0, 0]);
-  const towards = [-4, 0, 1].map((x) => x / Math.hypot(4, 1));
-  const hit = alongSphere(EYE, towards, 1.5);
-  assert.ok(Math.abs(Math.hypot(...hit) - 1.5) < 1e-12);
-  const [x, , z] = hit;
-  assert.ok(Math.abs(z / (5 - x) - 1 / 4) < 1e-12);
+  near(alongSphere(EYE, [-1, 0, 0], 2, true), [-2, 0, 0]);
+  const [x, y, z] = alongSphere(EYE, unit([-4, 0, 1]), 1.5);
+  near([Math.hypot(x, y, z), z / (5 - x)], [1.5, 1 / 4]);
   assert.ok(x > 0);
 });
 
-test("a line of sight leaves the sphere on its far side, whose rim is the same", () => {
-  near(alongSphere(EYE, [-1, 0, 0], 2, true), [-2, 0, 0]);
-  const aside = [-1, 1, 0].map((x) => x / Math.sqrt(2));
-  near(alongSphere(EYE, aside, 1, true), alongSphere(EYE, aside, 1));
-});
-
-test("beside the sphere a point slides along the rim", () => {
-  for (const angle of [0.1, 2, 4]) {
-    const direction = [-1, 2 * Math.cos(angle), 2 * Math.sin(angle)].map((x) => x / Math.sqrt(5));
-    const [x, y, z] = alongSphere(EYE, direction, 1);
-    near([x], [1 / 5]);
-    near([Math.hypot(x, y, z)], [1]);
-    near([Math.atan2(z, y)], [angle > Math.PI ? angle - 2 * Math.PI : angle]);
+test("beside the sphere a point slides along the rim, which both sides share", () => {
+  for (const angle of [0.1, 2, 3]) {
+    const direction = unit([-1, 2 * Math.cos(angle), 2 * Math.sin(angle)]);
+    for (const far of [false, true]) {
+      const [x, y, z] = alongSphere(EYE, direction, 1, far);
+      near([x, Math.hypot(x, y, z), Math.atan2(z, y)], [1 / 5, 1, angle]);
+    }
   }
 });
 
-const SQUARE = [
-  [0, 0],
-  [4, 0],
-  [4, 4],
-  [0, 4],
-  [0, 0],
-];
+const SQUARE = points("0,0 4,0 4,4 0,4 0,0");
 
 test("a path gives the point of a share, and the share of what is nearest to a place", () => {
   near(pointOf(SQUARE, 0.375), [4, 2]);
   near(pointOf(SQUARE, 1), [0, 0]);
-  near([nearest(SQUARE, [5, 2]).share], [0.375]);
-  near([nearest(SQUARE, [1, 5]).share], [0.6875]);
-  near(
-    [
-      nearest(
-        [
-          [0, 0],
-          [0, 0],
-          [2, 0],
-        ],
-        [1, 3],
-      ).share,
-    ],
-    [0.75],
-  );
-});
-
-test("an open path ends; a closed one goes on", () => {
+  const share = (path, ...where) => nearest(path, ...where).share;
+  near([share(SQUARE, [5, 2]), share(SQUARE, [1, 5])], [0.375, 0.6875]);
+  near([share(points("0,0 0,0 2,0"), [1, 3])], [0.75]);
+  // An open path ends; a closed one goes on.
   assert.ok(isClosed(SQUARE) && !isClosed(SQUARE.slice(1)));
-  near([nearest(SQUARE, [-1, 3.9], 0.02, 0.2).share], [0]);
-  near([nearest(SQUARE, [-1, 1], 0.02, 0.2, true).share], [-0.0625]);
-  near([nearest(SQUARE, [1, -1], 0.98, 0.2, true).share], [1.0625]);
-});
-
-test("where a path runs twice along one way, the finger stays on its own", () => {
-  const there_and_back = [
-    [0, 0],
-    [4, 0],
-    [0, 0],
-  ];
-  near([nearest(there_and_back, [1, 1], 0.2, 0.2).share], [0.125]);
-  near([nearest(there_and_back, [1, 1], 0.8, 0.2).share], [0.875]);
+  near(
+    [share(SQUARE, [-1, 3.9], 0.02, 0.2), share(SQUARE, [-1, 1], 0.02, 0.2, true)],
+    [0, -0.0625],
+  );
+  near([share(SQUARE, [1, -1], 0.98, 0.2, true)], [1.0625]);
+  // Where it runs twice along one way, the finger stays on its own.
+  const there_and_back = points("0,0 4,0 0,0");
+  near(
+    [0.2, 0.8].map((about) => share(there_and_back, [1, 1], about, 0.2)),
+    [0.125, 0.875],
+  );
 });
 
 test("a ball rolls under a finger: what is under it stays there, and the rim turns it in the picture", () => {
@@ -82,8 +63,7 @@ test("a ball rolls under a finger: what is under it stays there, and the rim tur
   near(rolling([0, 0], [0, 0.6]), [-Math.asin(0.6), 0, 0]);
   near(rolling([0.3, 0.2], [0.3, 0.2]), [0, 0, 0]);
   // Far out the slope is almost level, so a quarter round turns by almost a quarter about the line of sight.
-  const [x, y, z] = rolling([1e3, 0], [0, 1e3]);
-  near([x, y, z], [0, 0, Math.PI / 2], 1e-2);
+  near(rolling([1e3, 0], [0, 1e3]), [0, 0, Math.PI / 2], 1e-2);
 });
 
 test("a point of a body goes on a circle about the axis of the body's path", () => {
@@ -94,9 +74,35 @@ test("a point of a body goes on a circle about the axis of the body's path", () 
   // At a quarter of the path the body points down; the point sticks out from it.
   const way = carried(round, [1, 3.5, 3.8], 0.25);
   assert.equal(way.length, 25);
-  near(way[6], [1, 3.5, 3.8]);
-  near(way[0], [2.2, 3.5, 5]);
-  near(way[12], [-0.2, 3.5, 5]);
+  near([way[6], way[0], way[12]], points("1,3.5,3.8 2.2,3.5,5 -0.2,3.5,5"));
   near(pointOf(way, 0.75), [1, 3.5, 6.2]);
   assert.equal(carried(round, [1.1, 9, 5], 0.25), round);
+});
+
+test("an arrow key moves a point to where it says", () => {
+  near(turned([1, 0, 0], [Y, Z, X], [1, 0], 0.1), [Math.cos(0.1), Math.sin(0.1), 0]);
+  near(turned([1, 0, 0], [Y, Z, X], [0, 1], 0.1), [Math.cos(0.1), 0, Math.sin(0.1)]);
+  near(turned([0, 2, 0], [Y, Z, X], [0, -1], 0.1), [0, 2, 0]);
+  const [right, up] = [unit([1, 2, 2]), unit([-2, -1, 2])];
+  const wanted = new Vector3(3, 1, 2).applyAxisAngle(new Vector3(...up), 0.7);
+  near(turned([3, 1, 2], [right, up, []], [1, 0], 0.7), wanted.toArray());
+});
+
+test("a body turns as the camera sees it", () => {
+  const [x, y, z, w] = new Quaternion().setFromAxisAngle(new Vector3(...unit([1, -2, 3])), 2);
+  const by = new Quaternion().setFromAxisAngle(
+    new Vector3(...unit([0.1, 0.3, -0.2])),
+    Math.hypot(0.1, 0.3, 0.2),
+  );
+  const wanted = by.multiply(new Quaternion(x, y, z, w));
+  near(spun([w, x, y, z], [Y, Z, X], [0.3, -0.2, 0.1]), [wanted.w, wanted.x, wanted.y, wanted.z]);
+  near(spun([w, x, y, z], [Y, Z, X], [0, 0, 0]), [w, x, y, z]);
+});
+
+test("a number goes to the nearest step of its slider, and not beyond its ends", () => {
+  const spec = { low: 1, high: 3, step: 0.5 };
+  near(
+    [1.8, 2.2, 9, -9].map((number) => stepped(spec, number)),
+    [2, 2, 3, 1],
+  );
 });

@@ -2,6 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { panelHtml, roundHeights, written } from "../src/panel-html.js";
 import { figure } from "./dom.js";
+import { points } from "./near.js";
 
 test("letters that stand for quantities look as in formulas", () => {
   assert.equal(
@@ -16,89 +17,34 @@ test("hairlines stand at round heights, or at the ends alone", () => {
   assert.deepEqual(roundHeights(0, 7), [0, 7]);
 });
 
+const NUMBER = { kind: "number", low: 0, high: 2, step: 0.01, plays: 4, label: "", row: false };
+const WRITTEN = { digits: 1, unit: "", loud: "no", where: "panel", color: "" };
 const SPEC = {
   name: "some-figure",
   inputs: {
-    u: {
-      kind: "number",
-      low: 0,
-      high: 2,
-      step: 0.01,
-      stride: 0.25,
-      plays: 4,
-      label: "turn, °",
-      row: true,
-    },
-    hidden: {
-      kind: "number",
-      low: 0,
-      high: 1,
-      step: 0.1,
-      stride: 0.1,
-      plays: 0,
-      label: "",
-      row: false,
-    },
+    u: { ...NUMBER, label: "turn, °", row: true },
+    hidden: NUMBER,
     points: { kind: "points", names: ["P", "Q"], least: 2, most: 3 },
     on: { kind: "switch", label: 'the "other" <way>' },
     way: { kind: "choice", label: "way", options: ["short", "long"], words: ["short", "long"] },
   },
-  start: {
-    u: 0.5,
-    hidden: 0,
-    points: [
-      [1, 0, 0],
-      [0, 1, 0],
-    ],
-    on: true,
-    way: "long",
-  },
+  start: { u: 0.5, hidden: 0, points: points("1,0,0 0,1,0"), on: true, way: "long" },
   outputs: [
-    {
-      name: "length",
-      label: "length",
-      digits: 1,
-      unit: "°",
-      loud: "no",
-      where: "picture",
-      color: "#123456",
-    },
-    { name: "fits", label: "it fits", digits: 2, unit: "", loud: "yes", where: "panel", color: "" },
-    { name: "matrix", label: "M", digits: 1, unit: "", loud: "no", where: "folded", color: "" },
+    { ...WRITTEN, name: "length", label: "length", unit: "°", where: "picture", color: "#123456" },
+    { ...WRITTEN, name: "fits", label: "it fits", loud: "yes" },
+    { ...WRITTEN, name: "matrix", label: "M", where: "folded" },
   ],
   charts: [
     {
-      name: "heights",
-      label: "height",
-      over: "u",
-      x: [0, 2],
-      y: [-1, 1],
-      colors: { one: "#654321" },
-      marks: ["P₀", "P₁", "P₂"],
-      dashed: ["two"],
-      ticks: [],
+      ...{ name: "heights", label: "height", over: "u", x: [0, 2], y: [-1, 1], ticks: [] },
+      ...{ colors: { one: "#654321" }, marks: ["P₀", "P₁", "P₂"], dashed: ["two"] },
     },
   ],
   tries: [["further & on", { u: 2, way: "short" }]],
 };
 const STATE = {
-  outputs: {
-    length: -1.25,
-    fits: "yes",
-    matrix: [
-      [1, 0],
-      [0, 1],
-    ],
-  },
-  charts: {
-    heights: {
-      one: [
-        [0, 1],
-        [0.5, 0.25],
-      ],
-      two: null,
-    },
-  },
+  outputs: { length: -1.25, fits: "yes", matrix: points("1,0 0,1") },
+  charts: { heights: { one: points("0,1 0.5,0.25"), two: null } },
 };
 
 /** A panel in a page. */

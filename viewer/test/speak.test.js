@@ -1,6 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { changedSince, numberText, statement, titleOf } from "../src/speak.js";
+import { changedSince, numberText, outputText, statement, titleOf } from "../src/speak.js";
+import { points } from "./near.js";
 
 const SPECS = {
   theta: { kind: "number", label: "turned by θ, °" },
@@ -13,10 +14,9 @@ const SPECS = {
 };
 
 test("a title has no unit, a number has it", () => {
-  assert.deepEqual(
-    Object.entries(SPECS).map(([name, spec]) => titleOf(spec, name)),
-    ["turned by θ", "once round, u", "w", "flip the end", "between", "n", "points"],
-  );
+  const titles = Object.entries(SPECS).map(([name, spec]) => titleOf(spec, name));
+  const wanted = ["turned by θ", "once round, u", "w", "flip the end", "between", "n", "points"];
+  assert.deepEqual(titles, wanted);
   assert.equal(numberText(SPECS.theta, -30), "\u221230°");
   assert.equal(numberText(SPECS.u, 0.1 + 0.2), "0.3");
   assert.equal(numberText({}, 2), "2");
@@ -41,31 +41,19 @@ test("each kind of input has its words", () => {
 });
 
 test("points have changed if a coordinate has", () => {
-  const start = {
-    p: [
-      [0, 1],
-      [1, 0],
-    ],
-    u: 1,
-  };
-  assert.deepEqual(
-    changedSince(start, {
-      p: [
-        [0, 1],
-        [1, 0],
-      ],
-      u: 2,
-    }),
-    ["u"],
-  );
-  assert.deepEqual(
-    changedSince(start, {
-      p: [
-        [0, 1],
-        [1, 0.5],
-      ],
-      u: 1,
-    }),
-    ["p"],
-  );
+  const start = { p: points("0,1 1,0"), u: 1 };
+  assert.deepEqual(changedSince(start, { p: points("0,1 1,0"), u: 2 }), ["u"]);
+  assert.deepEqual(changedSince(start, { p: points("0,1 1,0.5"), u: 1 }), ["p"]);
+});
+
+test("numbers, texts and matrices are written with their digits", () => {
+  for (const [value, digits, unit, wanted] of [
+    [-1.236, 2, "°", "−1.24°"],
+    [-0.001, 2, "", "0.00"],
+    ["no", 2, "", "no"],
+    [[1, 2], 1, "°", "1.0, 2.0°"],
+    [points("1,-10.04 0,-0.04"), 1, "", "  1.0 −10.0\n  0.0   0.0"],
+  ]) {
+    assert.equal(outputText(value, { digits, unit }), wanted);
+  }
 });

@@ -1,0 +1,123 @@
+/* A number that is dragged along a path in the picture, by a ring or anywhere on the path. */
+import { carried, isClosed, nearest, pointOf } from "./drag-geometry.js";
+import { element } from "./elements.js";
+import { ALONG, drag, keys, put2d, stepped } from "./pointer.js";
+import { numberText, titleOf } from "./speak.js";
+
+const SVG = "http://www.w3.org/2000/svg";
+// How much of a path is searched to both sides of a finger: it can jump, but not to the next turn.
+const REACH = 0.2;
+// The path may cross itself, but the ring is in one place.
+const AT_RING = 0.05;
+
+export class PathHandle {
+  constructor({ layer, view, name, spec, now, grip, change }) {
+    this.view = view;
+    this.spec = spec;
+    this.now = now;
+    /** @type {() => import("./types.js").Grip} */
+    this.grip = grip;
+    this.change = (value) => change({ [name]: stepped(spec, value) });
+    this.button = element("button", {
+      type: "button",
+      class: "scene-handle",
+      role: "slider",
+      "data-handle": name,
+      "aria-label": titleOf(spec, name),
+      "aria-valuemin": spec.low,
+      "aria-valuemax": spec.high,
+    });
+    layer.append(this.button);
+    this.svg = document.createElementNS(SVG, "svg");
+    this.svg.innerHTML = '<path class="scene-path"/>';
+    for (const [key, value] of [
+      ["viewBox", "0 0 100 100"],
+      ["preserveAspectRatio", "none"],
+      ["aria-hidden", "true"],
+    ]) {
+      this.svg.setAttribute(key, value);
+    }
+    this.line = /** @type {SVGPathElement} */ (this.svg.firstElementChild);
+    layer.querySelector(".scene-handle:not(.scene-body)").before(this.svg);
+
+    const move = (held, place) => this.follow(held, place);
+    drag(this.button, layer, { grab: (place) => this.grabRing(place), move });
+    drag(this.line, layer, { grab: (place) => this.grab(place), move, focus: this.button });
+    keys(this.button, ALONG, (way, size) =>
+      this.put(now() + way * Math.max(spec.step, spec.step * size)),
+    );
+  }
+
+  path() {
+    return this.grip().path ?? [];
+  }
+
+  /** How far along the path the number is. */
+  share() {
+    return (this.now() - this.spec.low) / (this.spec.high - this.spec.low);
+  }
+
+  /** Set the number; a closed path goes on beyond its ends. */
+  put(number) {
+    const { low, high } = this.spec;
+    const beyond = number < low || number > high;
+    const laps = beyond && isClosed(this.path()) ? Math.floor((number - low) / (high - low)) : 0;
+    this.change(number - laps * (high - low));
+  }
+
+  /** Where a path in the scene comes nearest to a place of the picture. */
+  find(path, { share, aspect }, ...near) {
+    const flat = path.map((point) => {
+      const { left, top } = this.view.rows.project(point);
+      return [left, top / aspect];
+    });
+    return nearest(flat, [share[0], share[1] / aspect], ...near).share;
+  }
+
+  grabRing(place) {
+    const at = this.find(this.path(), place, this.share(), AT_RING) ?? this.share();
+    return { way: null, at, value: 0 };
+  }
+
+  /** Grab the path, or what turns with the number: then the way of the point that is grabbed. */
+  grab(place) {
+    const { body } = this.grip();
+    const point = body && pointOf(body, this.find(body, place));
+    const way = point && carried(this.path(), point, this.share());
+    const at = way
+      ? this.find(way, place, this.share(), REACH, true)
+      : this.find(this.path(), place);
+    // The value keeps its distance from the finger along the path.
+    return { way, at, value: this.share() - at };
+  }
+
+  follow(held, place) {
+    const { low, high } = this.spec;
+    const way = held.way ?? this.path();
+    held.at = this.find(way, place, held.at, REACH, isClosed(way));
+    this.put(low + (held.at + held.value) * (high - low));
+  }
+
+  name() {
+    this.button.setAttribute("aria-valuenow", this.now());
+    this.button.setAttribute("aria-valuetext", numberText(this.spec, this.now()));
+  }
+
+  cover() {
+    const { path, body } = this.grip();
+    this.button.hidden = !path;
+    this.svg.toggleAttribute("hidden", !path);
+    if (!path) return;
+    put2d(this.button, this.view.rows.project(pointOf(path, this.share())));
+    const places = (body ?? path).map((point) => {
+      const { left, top } = this.view.rows.project(point);
+      return `${Math.round(1e4 * left) / 100} ${Math.round(1e4 * top) / 100}`;
+    });
+    this.line.setAttribute("d", `M${places.join(" ")}`);
+  }
+
+  remove() {
+    this.button.remove();
+    this.svg.remove();
+  }
+}

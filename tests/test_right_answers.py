@@ -197,6 +197,7 @@ WRONG: list[tuple[str, Any, str]] = [
     ("6.5", (0, 0), "do differ"),
     ("A.1", [0, 0, 4.71], "a shorter one"),
     ("A.1", [0, 0, 1.57], "not the direction"),
+    ("A.1", [0, 0, 270], "degrees"),
     ("A.1", [0, 0, -90], "degrees"),
     ("A.1", [0, 0, -0.785], "half of the angle"),
     ("A.1", [0, 0, -1], "the axis"),

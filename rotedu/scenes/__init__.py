@@ -1,7 +1,8 @@
 """The figures of the book in three dimensions: one function each, returning a pyvista scene.
 
-Each module holds the scenes of the chapter with the same name. `parts` holds what they share, and
-`rotedu.colors` lists what the colours mean. To show a scene, write ``figure_1().show()``.
+Each module holds the scenes of the chapter with the same name. `parts`, `looks` and `shapes` hold
+what they share, and `rotedu.colors` lists what the colours mean. To show a scene, write
+``figure_1().show()``.
 """
 
 from rotedu.scenes import (
@@ -16,8 +17,8 @@ from rotedu.scenes import (
     motion,
     ordinary_rotation,
     orientations,
-    parts,
     quaternions,
+    shapes,
 )
 from rotedu.scenes.arcs import *
 from rotedu.scenes.averages import *
@@ -30,8 +31,8 @@ from rotedu.scenes.introduction import *
 from rotedu.scenes.motion import *
 from rotedu.scenes.ordinary_rotation import *
 from rotedu.scenes.orientations import *
-from rotedu.scenes.parts import *
 from rotedu.scenes.quaternions import *
+from rotedu.scenes.shapes import *
 
 __all__ = [
     *arcs.__all__,
@@ -45,6 +46,6 @@ __all__ = [
     *motion.__all__,
     *ordinary_rotation.__all__,
     *orientations.__all__,
-    *parts.__all__,
     *quaternions.__all__,
+    *shapes.__all__,
 ]

@@ -12,7 +12,6 @@ from rotedu.figures import State, describe, draw_chart, explorable, read_out
 from rotedu.figures.inputs import Handles, Slider, Switch
 from rotedu.scenes.looks import Arrow, Ball, Lines, Look, Mesh, Text, draw
 from rotedu.scenes.parts import (
-    ORIGIN,
     add_angle,
     add_arc,
     add_arrow,
@@ -22,11 +21,9 @@ from rotedu.scenes.parts import (
     add_point,
     add_sphere,
     new_scene,
-    normalised,
     sphere_scene,
-    teaspoon,
-    turning,
 )
+from rotedu.scenes.shapes import ORIGIN, normalised, teaspoon, turning
 
 __all__ = ["CAMERA_SEES", "CAMERA_TARGETS", "camera_arcs", "figure_2", "slerp_by_hand"]
 

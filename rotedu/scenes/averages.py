@@ -9,7 +9,8 @@ from rotedu.figures.inputs import Poses, Switch
 from rotedu.quaternions import Quaternion
 from rotedu.scenes.looks import Ball, Look, Text, draw
 from rotedu.scenes.orientations import spoon
-from rotedu.scenes.parts import U, V, W, add_sphere, new_scene
+from rotedu.scenes.parts import add_sphere, new_scene
+from rotedu.scenes.shapes import U, V, W
 
 __all__ = ["mean_by_hand"]
 

@@ -13,17 +13,15 @@ from rotedu.ordinary_rotation import rotate
 from rotedu.scenes.arcs import CAMERA_SEES, CAMERA_TARGETS, camera
 from rotedu.scenes.looks import Arrow, Ball, Lines, Look, Mesh, Text, draw
 from rotedu.scenes.parts import (
-    JUST_INSIDE,
     add_arc,
     add_label,
     add_line,
     add_point,
     add_sphere,
     new_scene,
-    normalised,
     sphere_scene,
-    turning,
 )
+from rotedu.scenes.shapes import JUST_INSIDE, normalised, turning
 
 __all__ = ["ARCS", "FIGURE_8", "arcs_of_arcs", "camera_by_hand", "closed_curve_by_hand", "figure_8"]
 

@@ -12,7 +12,8 @@ from rotedu.figures import State, describe, draw_chart, explorable, read_out
 from rotedu.figures.inputs import Choice, Slider, Switch
 from rotedu.quaternions import Quaternion
 from rotedu.scenes.looks import Lines, Look, Mesh, Text, draw
-from rotedu.scenes.parts import ORIGIN, new_scene, teaspoon
+from rotedu.scenes.parts import new_scene
+from rotedu.scenes.shapes import ORIGIN, teaspoon
 
 __all__ = ["worn_rotations", "worn_spoons_by_hand"]
 

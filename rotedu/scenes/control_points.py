@@ -14,17 +14,15 @@ from rotedu.figures import State, describe, explorable, read_out
 from rotedu.figures.inputs import Handles, Slider, Switch
 from rotedu.scenes.looks import Ball, Lines, Look, Text, draw
 from rotedu.scenes.parts import (
-    U,
-    W,
     add_angle,
     add_arc,
     add_axis,
     add_label,
     add_line,
     add_point,
-    normalised,
     sphere_scene,
 )
+from rotedu.scenes.shapes import U, W, normalised
 
 __all__ = [
     "LOOP",

@@ -21,8 +21,6 @@ from rotedu.general_rotation import (
 from rotedu.ordinary_rotation import transform
 from rotedu.scenes.looks import Arrow, Ball, Lines, Look, Mesh, Text, draw
 from rotedu.scenes.parts import (
-    ORIGIN,
-    U,
     add_arrow,
     add_coordinate_axes,
     add_label,
@@ -30,11 +28,9 @@ from rotedu.scenes.parts import (
     add_point,
     add_sphere,
     new_scene,
-    shade,
     sphere_scene,
-    teaspoon,
-    turning,
 )
+from rotedu.scenes.shapes import ORIGIN, U, shade, teaspoon, turning
 
 __all__ = ["euler_angles_by_hand", "one_for_three", "stages", "three_turns_by_hand"]
 

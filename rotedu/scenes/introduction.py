@@ -9,15 +9,13 @@ from rotedu.figures import describe
 from rotedu.ordinary_rotation import rotation_matrix, transform
 from rotedu.scenes.parts import (
     NARROW,
-    ORIGIN,
     add_arrow,
     add_coordinate_axes,
     add_label,
     add_line,
     new_scene,
-    teaspoon,
-    turning,
 )
+from rotedu.scenes.shapes import ORIGIN, teaspoon, turning
 
 __all__ = ["four_descriptions"]
 

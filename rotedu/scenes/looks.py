@@ -10,7 +10,8 @@ import pyvista
 from numpy.typing import ArrayLike, NDArray
 
 from rotedu.figures.state import State, place_part
-from rotedu.scenes.parts import ORIGIN, W, add_arrow, add_label, add_lines, add_point, add_thin
+from rotedu.scenes.parts import add_arrow, add_label, add_lines, add_point, add_thin
+from rotedu.scenes.shapes import ORIGIN, W
 
 
 @dataclass(frozen=True)

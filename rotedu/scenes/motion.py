@@ -7,7 +7,8 @@ from rotedu.colors import AXIS, MATRIX, NEUTRAL, QUATERNION, RESULT
 from rotedu.figures import State, describe, draw_chart, explorable, read_out
 from rotedu.figures.inputs import Handles, Slider, Switch
 from rotedu.scenes.looks import Arrow, Lines, Look, Mesh, Text, draw
-from rotedu.scenes.parts import new_scene, teaspoon
+from rotedu.scenes.parts import new_scene
+from rotedu.scenes.shapes import teaspoon
 
 __all__ = ["spinning_by_hand"]
 

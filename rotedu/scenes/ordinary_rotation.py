@@ -9,18 +9,8 @@ from rotedu.figures import State, describe, explorable, read_out
 from rotedu.figures.inputs import Handles, Slider
 from rotedu.ordinary_rotation import rotate, rotation_matrix, transform
 from rotedu.scenes.looks import Arrow, Ball, Lines, Look, Mesh, Text, draw
-from rotedu.scenes.parts import (
-    NARROW,
-    ORIGIN,
-    add_arrow,
-    add_label,
-    add_line,
-    fan,
-    new_scene,
-    normalised,
-    teaspoon,
-    turning,
-)
+from rotedu.scenes.parts import NARROW, add_arrow, add_label, add_line, new_scene
+from rotedu.scenes.shapes import ORIGIN, fan, normalised, teaspoon, turning
 
 __all__ = ["figure_1", "figure_1_by_hand", "rotated_mesh"]
 

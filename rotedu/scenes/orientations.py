@@ -16,21 +16,15 @@ from rotedu.orientations import slerp_rotations
 from rotedu.quaternions import Quaternion
 from rotedu.scenes.looks import Arrow, Ball, Lines, Look, Mesh, Text, draw
 from rotedu.scenes.parts import (
-    JUST_INSIDE,
-    U,
-    V,
-    W,
     add_label,
     add_line,
     add_point,
     add_sphere,
     add_thin,
-    fan,
     new_scene,
     sphere_scene,
-    teaspoon,
-    triangle_mesh,
 )
+from rotedu.scenes.shapes import JUST_INSIDE, U, V, W, fan, teaspoon, triangle_mesh
 
 __all__ = [
     "TWO_ORIENTATIONS",

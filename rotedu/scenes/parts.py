@@ -7,12 +7,10 @@ import pyvista
 from numpy.typing import ArrayLike, NDArray
 
 from rotedu.arcs import slerp
-from rotedu.colors import AXIS, NEUTRAL, RESULT, VECTOR
+from rotedu.colors import AXIS, NEUTRAL
 from rotedu.figures.ball import draw_as_ball, fade_behind_ball
 from rotedu.figures.state import limit_turning, place_label, place_part, stack_on_phone
-from rotedu.ordinary_rotation import rotate
-
-__all__ = ["teaspoon"]
+from rotedu.scenes.shapes import ORIGIN, fan
 
 SIZE = (720, 480)
 NARROW = (576, 480)
@@ -21,10 +19,6 @@ ROUND = (540, 480)
 """Size of a scene with a sphere, which then fills it, also on a phone."""
 FILLED = 0.865
 """How much of the height the sphere fills; above and below, there is room for a label."""
-ORIGIN = np.zeros(3)
-U, V, W = np.eye(3)
-JUST_INSIDE = 0.99
-"""Radius of a surface along the unit sphere: two surfaces in one place would show stripes."""
 
 
 def new_scene(
@@ -239,81 +233,3 @@ def add_angle(
     for direction in (start, end):
         add_line(plotter, [ORIGIN, np.asarray(direction, float)], NEUTRAL, radius=0.004)
     add_label(plotter, place * rim[len(rim) // 2], text)
-
-
-def normalised(vectors: ArrayLike) -> NDArray[np.float64]:
-    """Scale points or quaternions, shape (..., k), to length 1."""
-    return np.asarray(np.divide(vectors, np.linalg.norm(vectors, axis=-1, keepdims=True)))
-
-
-def turning(
-    point: ArrayLike, axis: ArrayLike, angle: float, steps: int = 48
-) -> NDArray[np.float64]:
-    """Sample the path of a turned point, shape (steps + 1, 3)."""
-    return rotate(point, axis, np.linspace(0, angle, steps + 1))
-
-
-def fan(center: ArrayLike, rim: ArrayLike) -> pyvista.PolyData:
-    """Fill the region between a point, shape (3,), and a rim, shape (n, 3), with triangles."""
-    points = np.vstack([center, rim])
-    second = np.arange(1, len(points) - 1)
-    triangles = np.column_stack([np.zeros_like(second), second, second + 1])
-    return triangle_mesh(points, triangles)
-
-
-def triangle_mesh(points: ArrayLike, triangles: ArrayLike) -> pyvista.PolyData:
-    """Make a mesh from points, shape (n, 3), and triples of their indices, shape (m, 3)."""
-    corners = np.asarray(triangles)
-    faces = np.insert(corners, 0, 3, axis=1).ravel()
-    return pyvista.PolyData(np.asarray(points), faces=faces)
-
-
-def teaspoon(stations: int = 121, around: int = 40) -> pyvista.PolyData:
-    """Model a teaspoon as a closed surface of ``stations * around`` vertices.
-
-    Every cross-section is a flat closed ring. It is as wide as the outline of the spoon and as
-    thick as the metal, and its middle sinks by the depth of the bowl.
-
-    Parameters
-    ----------
-    stations : int
-        Number of cross-sections from the end of the handle to the tip of the bowl.
-    around : int
-        Number of vertices in each cross-section.
-
-    Returns
-    -------
-    pyvista.PolyData
-        A triangle mesh about 2 units long, along the U axis, with the bowl open upwards.
-    """
-    # Cross-sections are close together at both ends, where the outline turns.
-    s = (1 - np.cos(np.linspace(0, np.pi, stations)))[:, np.newaxis] / 2
-    bowl = np.clip((s - 0.62) / 0.38, 0, 1)
-    ends = np.clip(np.minimum(s / 0.03, (1 - s) / 0.004), 0, 1)
-    rounding = np.sqrt(ends * (2 - ends))
-    handle = (0.035 + 0.055 * np.exp(-((s / 0.14) ** 2))) * (1 - bowl)
-    egg = np.sqrt(bowl * (1 - bowl)) * (0.55 - 0.175 * bowl)
-    width = rounding * (handle + egg)
-    depth = 0.62 * width * np.sin(np.pi * np.sqrt(bowl))
-    lift = 0.16 * np.sin(np.pi * np.clip(s / 0.62, 0, 1)) + 0.05 * (1 - s)
-
-    phi = np.linspace(0, 2 * np.pi, around, endpoint=False)
-    u = np.broadcast_to(2 * s - 1, (stations, around))
-    v = width * np.cos(phi)
-    w = lift - depth * np.sin(phi) ** 2 + 0.022 * rounding * np.sin(phi)
-    points = np.stack([u, v, w], axis=-1).reshape(-1, 3)
-
-    ring = np.arange(stations * around).reshape(stations, around)
-    after = np.roll(ring, -1, axis=1)
-    corners = (
-        (ring[:-1], ring[1:], after[1:]),
-        (ring[:-1], after[1:], after[:-1]),
-    )
-    triangles = np.vstack([np.stack(three, axis=-1).reshape(-1, 3) for three in corners])
-    return triangle_mesh(points, triangles)
-
-
-def shade(t: float) -> NDArray[np.float64]:
-    """Mix a colour between `VECTOR` (0) and `RESULT` (1)."""
-    first, last = (np.array(pyvista.Color(color).float_rgb) for color in (VECTOR, RESULT))
-    return np.asarray((1 - t) * first + t * last)

@@ -10,18 +10,8 @@ from rotedu.figures.inputs import Choice, Poses, Slider
 from rotedu.ordinary_rotation import rotate
 from rotedu.quaternions import Quaternion
 from rotedu.scenes.looks import Arrow, Ball, Lines, Look, Mesh, Text, draw
-from rotedu.scenes.parts import (
-    ORIGIN,
-    U,
-    W,
-    add_arrow,
-    add_label,
-    add_point,
-    add_sphere,
-    new_scene,
-    teaspoon,
-    triangle_mesh,
-)
+from rotedu.scenes.parts import add_arrow, add_label, add_point, add_sphere, new_scene
+from rotedu.scenes.shapes import ORIGIN, U, W, teaspoon, triangle_mesh
 
 __all__ = ["double_cover_by_hand", "grab_the_spoon", "letter_f", "two_mirrors_by_hand"]
 

@@ -50,7 +50,7 @@ test-rest:
 test-slow: $(READY) $(VIEWER) $(LIVE) .venv/browser ## install the wheel on its own; test random input for minutes
 	$(BIN)/pytest -m "slow or hypothesis" --hypothesis-profile=long
 
-audit: .venv/browser book ## weigh the pages; Lighthouse and axe judge them
+audit: .venv/browser book ## weigh the pages, let axe judge them, time their figures and cells
 	$(BIN)/python tools/audit.py
 
 bench: $(READY) ## measure speed beside other packages (one minute)

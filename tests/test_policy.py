@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 from browser import QuietHandler, serve
-from test_figures_in_browser import bring_live
+from live_pages import bring_live
 
 MAINTAINING = Path(__file__).parents[1] / ".github" / "MAINTAINING.md"
 # Once, because each of the thousand formulas of a page may break a rule.
@@ -77,7 +77,7 @@ def complaints(browser: Any, book: Path, policy: str, address: str, *uses: Use) 
 
     said: list[str] = []
     page = browser.new_page(viewport={"width": 1440, "height": 900})
-    page.expose_function("violated", said.append)
+    page.expose_function("violated", lambda what: said.append(what))
     page.add_init_script(LISTEN)
     page.on("console", lambda message: message.type == "error" and said.append(message.text))
     page.on("pageerror", lambda error: said.append(str(error)))

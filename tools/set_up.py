@@ -35,12 +35,9 @@ plotter = pyvista.Plotter(off_screen=True)
 plotter.add_mesh(pyvista.Sphere())
 assert plotter.screenshot().std() > 1
 """
-OPENGL_PACKAGES = ("libosmesa6", "libegl1")
 NO_OPENGL = """\
-VTK finds no OpenGL library that it can draw with. Install one, then call make again:
-  Debian, Ubuntu  sudo apt-get install libosmesa6
-  Fedora          sudo dnf install mesa-libEGL mesa-dri-drivers
-  macOS           OpenGL is part of the system: log in to a desktop session"""
+VTK finds no OpenGL library that it can draw with. Install one, then call make again: libosmesa6
+on Debian and Ubuntu, mesa-libEGL and mesa-dri-drivers on Fedora."""
 
 
 def uv(*arguments: "str | Path") -> None:
@@ -57,9 +54,9 @@ def apt_install(package: str) -> bool:
     if not shutil.which("apt-get") or os.geteuid() != 0:
         return False
     print(f"[set-up] installing the system package {package}", flush=True)
-    install = "apt-get update -qq && apt-get install -qq --no-install-recommends " + package
-    environment = {**os.environ, "DEBIAN_FRONTEND": "noninteractive"}
-    return subprocess.run(install, shell=True, env=environment, capture_output=True).returncode == 0
+    command = "apt-get update -qq && apt-get install -qq --no-install-recommends " + package
+    environment = dict(os.environ, DEBIAN_FRONTEND="noninteractive")
+    return subprocess.run(command, shell=True, env=environment, capture_output=True).returncode == 0
 
 
 def can_draw() -> bool:
@@ -89,7 +86,8 @@ def set_up() -> None:
         subprocess.check_call([sys.executable, "-m", "venv", "--clear", VENV])
         subprocess.check_call([PYTHON, "-m", "pip", "install", "--quiet", locked])
     uv("pip", "install", "--quiet", "--python", PYTHON, "-r", "requirements.txt")
-    if not can_draw() and not any(apt_install(name) and can_draw() for name in OPENGL_PACKAGES):
+    libraries = ("libosmesa6", "libegl1")
+    if not can_draw() and not any(apt_install(name) and can_draw() for name in libraries):
         sys.exit(NO_OPENGL)
     MADE_OF.write_bytes(made_of)
 

@@ -141,8 +141,8 @@ def great_circle_flight() -> Iterator[Part]:
             np.rad2deg(northernmost).round(), "Round it less, or not at all."
         ),
         "The length is right, but the latitude is not yet.": otherwise(
-            "The latitude of a point is the arcsine of its third coordinate. Take the largest"
-            " on the way."
+            "The latitude of a point is the arcsine of its third coordinate. Take the largest on"
+            " the way."
         ),
     }
     yield Part(np.rad2deg(northernmost), hints, item=1, within=0.1)

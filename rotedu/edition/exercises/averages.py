@@ -63,8 +63,8 @@ def three_chords() -> Iterator[Part]:
             "A distance is not negative, and no chord exceeds the diameter.",
         ),
         "How large is the turn that leads from one to the other?": otherwise(
-            "Draw the two quaternions as points of a circle: the arc between them is half the"
-            " angle of the turn."
+            "Draw the two quaternions as points of a circle: the arc between them is half the angle"
+            " of the turn."
         ),
     }
     yield Part(right, hints, within=5e-3)

@@ -113,8 +113,8 @@ def joints_of_an_arm() -> Iterator[Part]:
         ),
         "The answer is the smallest whole number of joints that will do. Compare the totals for"
         " a whole number and for one joint fewer.": otherwise(
-            "The points cost the same on both sides. What does each product save, and what does"
-            " the conversion cost?"
+            "The points cost the same on both sides. What does each product save, and what does the"
+            " conversion cost?"
         ),
     }
     yield Part(enough, hints, within=0)
@@ -217,8 +217,8 @@ def two_ways_to_average() -> Iterator[Part]:
         ),
         "The first angle is right. The two averages of all three rotations do differ.": when(
             [two, two],
-            "Have you taken the sum of matrices to the nearest rotation, and the sum of"
-            " quaternions to length 1?",
+            "Have you taken the sum of matrices to the nearest rotation, and the sum of quaternions"
+            " to length 1?",
         ),
         "The first angle is right, but the second is not yet.": when(
             lambda angles: close(angles[0], two, 0.1), how, example=(two, 5)

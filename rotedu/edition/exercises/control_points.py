@@ -137,8 +137,8 @@ def reversed_ring() -> Iterator[Part]:
     hints = {
         "With the axis as printed, they are not the same points.": when(
             np.zeros(4),
-            "You have the symmetry of the correct construction. Exchange the operands of the"
-            " cross product.",
+            "You have the symmetry of the correct construction. Exchange the operands of the cross"
+            " product.",
         ),
         "You compare different points of the ring.": when(
             np.rad2deg(angle_between(a, back_b)),
@@ -161,8 +161,8 @@ def reversed_ring() -> Iterator[Part]:
         ),
         **in_radians(np.deg2rad(right)),
         "Are your a_i made with the axis as printed?": otherwise(
-            "Only the middle of step two is turned wrongly. It turns by half the angle between"
-            " the points that it should bisect."
+            "Only the middle of step two is turned wrongly. It turns by half the angle between the"
+            " points that it should bisect."
         ),
     }
     yield Part(right, hints, within=0.5)

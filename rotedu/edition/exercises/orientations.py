@@ -30,8 +30,8 @@ def turn_between_cameras() -> Iterator[Part]:
     hints = {
         "Your turn leads from the first to the second if it stands on the left.": when(
             r2 @ r1.T,
-            "Here it stands on the right: R1 T = R2. From which side do you multiply by the"
-            " inverse of R1?",
+            "Here it stands on the right: R1 T = R2. From which side do you multiply by the inverse"
+            " of R1?",
         ),
         "Your turn leads from the second to the first.": when(
             r2.T @ r1, "Multiply R1 by your matrix. Which of the two has to be undone?"
@@ -78,8 +78,8 @@ def halfway_in_three_ways() -> Iterator[Part]:
         ),
         "You have the two signs the wrong way round.": when(
             [changed, as_they_stand, changed],
-            "The sign of the dot product tells which way slerp goes. It is the cosine of half"
-            " the angle.",
+            "The sign of the dot product tells which way slerp goes. It is the cosine of half the"
+            " angle.",
         ),
         "The third way is not right yet.": when(
             [as_they_stand, changed, as_they_stand],
@@ -195,8 +195,8 @@ def upright_flights() -> Iterator[Part]:
             np.roll(rolls, -1), "The first flight leads from the first sight to the second."
         ),
         "The rolls, in the first column, are not right yet.": otherwise(
-            "At many moments, make an upright camera with the same line of sight. The turn"
-            " from it to the camera is the roll."
+            "At many moments, make an upright camera with the same line of sight. The turn from it"
+            " to the camera is the roll."
         ),
     }
     yield Part(rolls, hints, item=0, within=0.5)

@@ -2,7 +2,6 @@
 
 import base64
 import io
-import json
 import os
 import sys
 from collections.abc import Callable, Iterator
@@ -12,21 +11,23 @@ from typing import Any
 import nbformat
 import numpy as np
 import pytest
-from PIL import Image
-from servers import jupyterlab, until
-from test_figures_in_browser import (
+from live_pages import (
     CONTEXTS,
     INK,
     NO_WEBGL,
+    Open,
     difference,
     drag,
     live_picture,
     lost_contexts,
+    turn,
+    values,
 )
+from PIL import Image
+from servers import jupyterlab, until
 
 from rotedu import scenes
 from rotedu.figures.backend import scene_labels
-from rotedu.figures.gltf import scene_gltf
 from rotedu.figures.widget import packed_viewer
 
 # Counts the buffers that the page has made on the graphics card, and those it still holds.
@@ -51,7 +52,8 @@ IMPORTS = "from rotedu import scenes"
 KERNEL_IS_THERE = """
     () => window.jupyterapp?.shell.currentWidget?.sessionContext?.session?.kernel?.status === "idle"
 """
-Open = Callable[..., Any]
+
+pytestmark = pytest.mark.slow
 
 
 def numbered(i: int) -> str:
@@ -124,7 +126,6 @@ def wear(page: Any, theme: str) -> None:
     page.wait_for_function(f"document.body.dataset.jpThemeLight === '{light}'")
 
 
-@pytest.mark.slow
 def test_a_figure_lives_in_a_notebook(run: Open) -> None:
     page = run("one", IMPORTS, "scenes.figure_1().show()", "import time\nwhile True: time.sleep(1)")
     scene = page.locator(LIVE)
@@ -143,9 +144,7 @@ def test_a_figure_lives_in_a_notebook(run: Open) -> None:
 
     # The keys are the figure's: in JupyterLab, 0 twice would ask whether to restart the kernel.
     active = page.locator(".jp-Cell.jp-mod-active").inner_text()
-    scene.locator("canvas").focus()
-    for key in ("ArrowDown", "0", "0", "Home"):
-        page.keyboard.press(key)
+    turn(scene, "canvas", "ArrowDown", "0", "0", "Home")
     until(lambda: difference(before, live_picture(scene)) < 0.1, "the view of the start")
     assert page.locator(".jp-Dialog").count() == 0
     assert page.locator(".jp-Cell.jp-mod-active").inner_text() == active
@@ -159,22 +158,6 @@ def test_a_figure_lives_in_a_notebook(run: Open) -> None:
     assert scene.evaluate(INK) != light
 
 
-@pytest.mark.slow
-def test_ten_figures_bring_the_viewer_once(run: Open, folder: Path) -> None:
-    count = 10
-    page = run("ten", IMPORTS, *map(numbered, range(count)))
-    page.locator(LIVE).first.wait_for(timeout=PATIENCE)
-    page.get_by_text(f"[{count + 1}]:").wait_for(timeout=PATIENCE)
-    viewer, gltf = len(packed_viewer()), len(scene_gltf(scenes.figure_1()))
-    assert viewer > 4 * gltf
-    assert sum(size > viewer for size in page.received) == 1
-    # Each figure has a picture, though most of them have never been seen.
-    assert len(saved_pictures(page, folder, "ten", count)) == count
-    # These come back from Python, each of them twice, and other messages of JupyterLab count, too.
-    assert sum(page.received) < viewer + count * (gltf + 45_000) + 100_000
-
-
-@pytest.mark.slow
 def test_thirty_figures_stay_usable(run: Open) -> None:
     count = 30
     page = run("thirty", IMPORTS, *map(numbered, range(count)), script=CONTEXTS + BUFFERS)
@@ -192,6 +175,7 @@ def test_thirty_figures_stay_usable(run: Open) -> None:
         page.mouse.wheel(0, 250)
         page.wait_for_timeout(200)
     assert len(seen) == count
+    assert sum(size > len(packed_viewer()) for size in page.received) == 1
     assert lost_contexts(page) == [False]
     # Far figures have given back what they had on the graphics card.
     buffers = page.evaluate("buffers")
@@ -209,7 +193,6 @@ def test_thirty_figures_stay_usable(run: Open) -> None:
     page.wait_for_function("buffers.held === 0", timeout=10_000)
 
 
-@pytest.mark.slow
 def test_missing_webgl_is_said(run: Open) -> None:
     page = run("without", IMPORTS, numbered(7), script=NO_WEBGL)
     message = page.locator("p.scene-message")
@@ -218,7 +201,6 @@ def test_missing_webgl_is_said(run: Open) -> None:
     assert "Number 7" in message.inner_text()
 
 
-@pytest.mark.slow
 def test_a_figure_asks_for_the_viewer_if_the_first_one_is_closed(run: Open) -> None:
     first = "from rotedu.figures.widget import figure\nfirst = figure(scenes.figure_1())"
     page = run("closed", IMPORTS, first, numbered(1), "first.close()")
@@ -243,23 +225,12 @@ EXECUTE = """async (code) => {
 EXPLORE = "from rotedu import scenes\nfrom rotedu.figures import explore"
 
 
-def values(figure: Any) -> dict[str, Any]:
-    told: dict[str, Any] = json.loads(figure.get_attribute("data-values"))
-    return told
-
-
-@pytest.mark.slow
 def test_the_hand_and_python_move_the_same_figure(run: Open) -> None:
-    page = run(
-        "explore",
-        EXPLORE,
-        "curve = explore(scenes.closed_curve_by_hand)\ncurve",
-    )
+    page = run("explore", EXPLORE, "curve = explore(scenes.closed_curve_by_hand)\ncurve")
     figure = page.locator('.explorable[data-name="closed-curve-by-hand"][data-values]')
     figure.wait_for(timeout=30_000)
-    handle = figure.locator('[data-handle="points-2"]')
-    handle.focus()
-    page.keyboard.press("Shift+ArrowRight")
+    handle, slider = '[data-handle="points-2"]', "input[type=range][name=u]"
+    turn(figure, handle, "Shift+ArrowRight")
     told = values(figure)
     printed = page.evaluate(EXECUTE, "print(curve.points.tolist(), curve.u)")
     assert printed.strip() == f"{told['points']} {told['u']}"
@@ -270,17 +241,13 @@ def test_the_hand_and_python_move_the_same_figure(run: Open) -> None:
     )
     assert values(figure)["fraction"] == 0.25
     assert values(figure)["points"] == told["points"]
-    assert figure.locator("input[type=range][name=u]").input_value() == "0.75"
+    assert figure.locator(slider).input_value() == "0.75"
     assert "expected 0.2 to 0.5, got 2" in page.evaluate(EXECUTE, "curve.fraction = 2")
 
     # JupyterLab would go to the next cell, and delete this one.
-    figure.locator("input[type=range][name=u]").focus()
-    for key in ("End", "ArrowLeft", "d", "d"):
-        page.keyboard.press(key)
+    turn(figure, slider, "End", "ArrowLeft", "d", "d")
     assert values(figure)["u"] == pytest.approx(0.995)
-    handle.focus()
-    page.keyboard.press("d")
-    page.keyboard.press("d")
+    turn(figure, handle, "d", "d")
     assert figure.count() == 1
 
 
@@ -308,7 +275,6 @@ def saved_pictures(page: Any, folder: Path, name: str, count: int) -> list[np.nd
     return list(map(image, found))
 
 
-@pytest.mark.slow
 def test_a_saved_notebook_shows_its_figures(run: Open, folder: Path) -> None:
     far = "from IPython.display import HTML\nHTML('<div style=\"height: 3000px\"></div>')"
     unseen = "explore(scenes.closed_curve_by_hand)"
@@ -344,11 +310,11 @@ def test_a_saved_notebook_shows_its_figures(run: Open, folder: Path) -> None:
     assert not any(error.is_visible() for error in page.get_by_text(ERROR).all())
 
 
-@pytest.mark.slow
 def test_a_saved_notebook_shows_a_figure_as_the_hand_has_left_it(run: Open, folder: Path) -> None:
     page = run("left", EXPLORE, "explore(scenes.spinning_by_hand)")
     live = page.locator(LIVE).first
     live.wait_for(timeout=PATIENCE)
+    wear(page, "Light")
     picture = page.locator(PICTURES_OF_FIGURES).first
     (before,) = saved_pictures(page, folder, "left", 1)
 
@@ -359,13 +325,12 @@ def test_a_saved_notebook_shows_a_figure_as_the_hand_has_left_it(run: Open, fold
         (found,) = saved_pictures(page, folder, "left", 1)
         return found
 
-    def slide() -> None:
-        page.locator("input[type=range][name=t]").focus()
-        page.keyboard.press("Home")
-
     turned = after(lambda: drag(live, 120, 30))
     assert np.abs(turned - before).mean() > 1
-    slid = after(slide)
+    # Whatever the theme, a picture is black on white.
+    wear(page, "Dark")
+    slid = after(lambda: turn(page, "input[type=range][name=t]", "Home"))
+    assert (slid[0] == 255).all()
     assert np.abs(slid - turned).mean() > 0.1
     assert picture.get_attribute("alt").startswith("Changed: ")
     wear(page, "Light")
@@ -374,7 +339,6 @@ def test_a_saved_notebook_shows_a_figure_as_the_hand_has_left_it(run: Open, fold
     assert np.abs(slid - shot).mean() < 1
 
 
-@pytest.mark.slow
 def test_a_notebook_from_elsewhere_shows_its_pictures(run: Open, folder: Path) -> None:
     """JupyterLab trusts only what has run on the machine."""
     page = run("sent", IMPORTS, "scenes.figure_1().show()")
@@ -389,19 +353,3 @@ def test_a_notebook_from_elsewhere_shows_its_pictures(run: Open, folder: Path) -
     assert picture.evaluate("image => image.complete && image.naturalWidth > 0")
     assert "turned" in picture.get_attribute("alt")
     assert page.get_by_text(ERROR).count() == 0
-
-
-@pytest.mark.slow
-def test_a_picture_does_not_depend_on_the_theme(run: Open, folder: Path) -> None:
-    page = run("themes", IMPORTS, "scenes.figure_1().show()")
-    pictures = []
-    for theme in ("Light", "Dark"):
-        page.locator(PICTURES_OF_FIGURES).wait_for(state="attached", timeout=PATIENCE)
-        wear(page, theme)
-        command(page, "notebook:restart-run-all", wait=False)
-        page.locator(".jp-Dialog .jp-mod-accept").click()
-        page.locator(PICTURES_OF_FIGURES).wait_for(state="detached", timeout=PATIENCE)
-        pictures += saved_pictures(page, folder, "themes", 1)
-    light, dark = pictures
-    assert (dark[0] == 255).all()
-    assert np.abs(dark - light).mean() < 0.5

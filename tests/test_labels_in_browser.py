@@ -1,24 +1,15 @@
 """Labels of figures that answer the hand: whatever a slider does, none lies on another."""
 
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 import pytest
-from test_explorables_in_browser import (
-    EXPLORABLES,
-    PHONE,
-    in_sight,
-    live,
-    off_screen,
-    open_figure,
-    pages,
-)
-from test_figures_in_browser import open_page
+from explorables import EXPLORABLES
+from live_pages import PHONE, Open, come_to, live, open_figure, open_page, pages, values
 
 from rotedu.figures import Choice, Slider, Switch
 
-__all__ = ["off_screen", "open_figure", "open_page", "pages"]
+__all__ = ["open_figure", "open_page", "pages"]
 
 WIDTHS = {"wide": {"viewport": {"width": 1440, "height": 900}}, "phone": PHONE}
 PLACES = 13
@@ -72,10 +63,9 @@ def swept(inputs: dict[str, Any], count: int) -> list[dict[str, Any]]:
 
 def check_sweep(figure: Any, name: str, states: list[dict[str, Any]]) -> None:
     """Set a figure to some states, each from its start, and look at its labels."""
-    in_sight(figure)
-    start = figure.evaluate("element => JSON.parse(element.dataset.values)")
-    inputs = EXPLORABLES[name].inputs
-    start = {key: start[key] for key in inputs}
+    come_to(figure.locator(".scene"))
+    told = values(figure)
+    start = {key: told[key] for key in EXPLORABLES[name].inputs}
     found = figure.page.evaluate(SWEEP, [figure.element_handle(), [start | s for s in states]])
     assert len(found) == len(states)
     for state, (covered, *labels, pushed) in zip(states, found, strict=True):
@@ -86,7 +76,7 @@ def check_sweep(figure: Any, name: str, states: list[dict[str, Any]]) -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("width", WIDTHS)
 @pytest.mark.parametrize("name", EXPLORABLES)
-def test_no_label_lies_on_another(name: str, width: str, open_figure: Callable[..., Any]) -> None:
+def test_no_label_lies_on_another(name: str, width: str, open_figure: Open) -> None:
     figure = live(open_figure(name, **WIDTHS[width]))
     check_sweep(figure, name, swept(EXPLORABLES[name].inputs, PLACES))
 
@@ -99,6 +89,6 @@ def test_no_label_lies_on_another(name: str, width: str, open_figure: Callable[.
     ],
 )
 def test_labels_that_met_give_way(
-    name: str, states: list[dict[str, Any]], open_figure: Callable[..., Any]
+    name: str, states: list[dict[str, Any]], open_figure: Open
 ) -> None:
     check_sweep(live(open_figure(name, **PHONE)), name, states)

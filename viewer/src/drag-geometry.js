@@ -2,20 +2,10 @@
  * The geometry of dragging: a point over a sphere about the origin, a number along a path, a body
  * about its middle. Axes are those of the camera: to the right, up and back.
  */
-
-const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-
-const cross = (a, b) => [
-  a[1] * b[2] - a[2] * b[1],
-  a[2] * b[0] - a[0] * b[2],
-  a[0] * b[1] - a[1] * b[0],
-];
+import { along, cross, dot, unit } from "./vectors.js";
 
 // A point of a body this close to its axis, in radii of its path, does not say how far the body turns.
 const CLOSE = 0.2;
-
-/** The point that lies so far from another in a direction. */
-const along = (point, distance, direction) => point.map((x, i) => x + distance * direction[i]);
 
 /**
  * Where a line of sight meets the sphere first, or last; beside it, the nearest point of the rim.
@@ -31,7 +21,7 @@ export function alongSphere(eye, direction, radius, far) {
   if (beside <= 0) return along(eye, middle + (far ? 1 : -1) * Math.sqrt(-beside), direction);
   // The rim seen from the eye is the circle of the points p with p . eye = radius^2.
   const distance = Math.hypot(...eye);
-  const towards = eye.map((x) => x / distance);
+  const towards = unit(eye);
   const across = along(foot, -dot(foot, towards), towards);
   const cosine = radius / distance;
   const out = (radius * Math.sqrt(1 - cosine * cosine)) / Math.hypot(...across);
@@ -67,9 +57,8 @@ export function carried(path, point, share) {
   const middle = [0, 1, 2].map((i) => path.slice(1).reduce((sum, p) => sum + p[i], 0) / steps);
   const [first, second] = path.map((p) => along(p, -1, middle));
   const normal = cross(first, second);
-  const size = Math.hypot(...normal);
-  const axis = normal.map((x) => x / size);
-  const step = Math.atan2(size, dot(first, second));
+  const axis = unit(normal);
+  const step = Math.atan2(Math.hypot(...normal), dot(first, second));
   const offset = along(point, -1, middle);
   const height = dot(offset, axis);
   const spoke = along(offset, -height, axis);
@@ -125,8 +114,7 @@ function onBall(place) {
   const [x, y] = place;
   const square = x * x + y * y;
   const z = square < 0.5 ? Math.sqrt(1 - square) : 0.5 / Math.sqrt(square);
-  const length = Math.hypot(x, y, z);
-  return [x, y, z].map((value) => value / length);
+  return unit([x, y, z]);
 }
 
 /**
@@ -168,6 +156,6 @@ export function spun([w, ...v], axes, turn) {
   const cosine = Math.cos(angle / 2);
   const by = axis.map((x) => angle && (x * Math.sin(angle / 2)) / angle);
   const across = cross(by, v);
-  const spun = [cosine * w - dot(by, v), ...v.map((x, i) => cosine * x + w * by[i] + across[i])];
-  return spun.map((x) => x / Math.hypot(...spun));
+  const now = [cosine * w - dot(by, v), ...v.map((x, i) => cosine * x + w * by[i] + across[i])];
+  return unit(now);
 }

@@ -8,6 +8,7 @@ import { alongSphere, rolling, spun, turned } from "./drag-geometry.js";
 import { element } from "./elements.js";
 import { PathHandle } from "./path-handle.js";
 import { drag, keys, put2d } from "./pointer.js";
+import { dot } from "./vectors.js";
 
 /** @import { Grip, Inputs, Specs } from "./types.js" */
 
@@ -185,8 +186,6 @@ class PointHandle extends Handle {
     button.toggleAttribute("data-far", this.isFar());
   }
 }
-
-const dot = (a, b) => a.reduce((sum, x, k) => sum + x * b[k], 0);
 
 const scaled = (point, factor) => (factor === 1 ? point : point.map((x) => x * factor));
 

@@ -1,10 +1,12 @@
 /* A number that is dragged along a path in the picture, by a ring or anywhere on the path. */
 import { carried, isClosed, nearest, pointOf } from "./drag-geometry.js";
-import { element } from "./elements.js";
+import { element, one } from "./elements.js";
 import { ALONG, drag, keys, put2d, stepped } from "./pointer.js";
 import { numberText, titleOf } from "./speak.js";
 
-const SVG = "http://www.w3.org/2000/svg";
+const SVG =
+  '<svg viewBox="0 0 100 100" preserveAspectRatio="none" aria-hidden="true">' +
+  '<path class="scene-path"/></svg>';
 // How much of a path is searched to both sides of a finger: it can jump, but not to the next turn.
 const REACH = 0.2;
 // The path may cross itself, but the ring is in one place.
@@ -28,17 +30,11 @@ export class PathHandle {
       "aria-valuemax": spec.high,
     });
     layer.append(this.button);
-    this.svg = document.createElementNS(SVG, "svg");
-    this.svg.innerHTML = '<path class="scene-path"/>';
-    for (const [key, value] of [
-      ["viewBox", "0 0 100 100"],
-      ["preserveAspectRatio", "none"],
-      ["aria-hidden", "true"],
-    ]) {
-      this.svg.setAttribute(key, value);
-    }
-    this.line = /** @type {SVGPathElement} */ (this.svg.firstElementChild);
-    layer.querySelector(".scene-handle:not(.scene-body)").before(this.svg);
+    const ring = one(layer, ".scene-handle:not(.scene-body)");
+    ring.insertAdjacentHTML("beforebegin", SVG);
+    this.svg = /** @type {SVGElement} */ (ring.previousElementSibling);
+    /** @type {SVGElement} */
+    this.line = one(this.svg, "path");
 
     const move = (held, place) => this.follow(held, place);
     drag(this.button, layer, { grab: (place) => this.grabRing(place), move });

@@ -80,13 +80,6 @@ test("lines follow their paths; with as many points they are written over", () =
   near([Math.max(...along(part, 2))], [3]);
 });
 
-test("an arrow reaches from one point to the other", () => {
-  const part = square({ radius: 0.02 });
-  move(part, { from: [0, 0, 1], to: [0, 0, 3] });
-  near([Math.min(...along(part, 2)), Math.max(...along(part, 2))], [1, 3]);
-  assert.ok(part.objects[0].geometry.index.count > 0);
-});
-
 test("the points of a surface move, and those of its equal stay", () => {
   const [part, equal] = [square(), square()];
   for (const object of equal.objects) object.geometry = part.objects[0].geometry;

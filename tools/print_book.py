@@ -39,12 +39,9 @@ RUNNING_TITLES = """() => [...document.querySelectorAll("article h1")].map((titl
     return `@page ${name} { @top-right { content: ${text} } }`;
 }).join("\\n")"""
 
-# For those who listen, a page has MathML beside each typeset formula, which it hides from them. A
-# tagged PDF cannot hold MathML, so they get the signs of the formula.
-SHOW_FORMULAS = """() => document.querySelectorAll(".katex").forEach(formula => {
-    formula.querySelector(".katex-mathml").remove();
-    formula.querySelector(".katex-html").removeAttribute("aria-hidden");
-})"""
+# The website hides these signs from those who listen, for whom MathML stands beside them.
+SHOW_FORMULAS = """() => document.querySelectorAll(".katex-html").forEach(
+    formula => formula.removeAttribute("aria-hidden"))"""
 
 # Chromium makes no target of some of the signatures of functions, but of a text in them it does.
 NAME_SIGNATURES = """() => document.querySelectorAll("dt.sig[id]").forEach(signature => {
@@ -79,7 +76,7 @@ def starts(pdf: Path) -> dict[str, int]:
     reader = PdfReader(pdf)
     targets = reader.named_destinations
     return {
-        name.removeprefix("/"): reader.get_destination_page_number(target) + 1
+        name.removeprefix("/"): (reader.get_destination_page_number(target) or 0) + 1
         for name, target in targets.items()
     }
 

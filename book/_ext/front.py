@@ -1,6 +1,7 @@
 """What the front page shows of the others: a square for each claim, a card for each chapter.
 
-Only the website has them: in a book on paper, the contents and the list of claims say as much.
+Only the website has them: in a book on paper, the contents and the list of claims say as much. How
+many there are of what, any page may say: ``{{ claims }}``.
 """
 
 import re
@@ -12,11 +13,15 @@ from typing import Any
 from docutils import nodes
 from PIL import Image
 from sphinx.application import Sphinx
+from sphinx.config import Config
 from sphinx.environment import BuildEnvironment
 from sphinx.transforms.post_transforms import SphinxPostTransform
 from sphinx.util.docutils import SphinxDirective
 
+from rotedu import scenes
 from rotedu.edition.claims import CLAIMS, SIGNS, VERDICTS
+from rotedu.edition.equations import EQUATIONS
+from rotedu.edition.errata import ERRATA
 from rotedu.figures.pages import scene_poster
 
 # What a square says, and how many of them it says it of.
@@ -143,11 +148,24 @@ def follow(
     return [app.config.root_doc] if added or changed else []
 
 
+def count(app: Sphinx, config: Config) -> None:
+    """Add what is counted to the substitutions of MyST."""
+    config.myst_substitutions |= {
+        "claims": len(CLAIMS),
+        "claims_of_paper": sum(claim.of_paper for claim in CLAIMS),
+        "equations": len(EQUATIONS),
+        # Open entries are no errors.
+        "errata": sum(erratum.kind != "open" for erratum in ERRATA),
+        "figures": sum(hasattr(scene, "inputs") for scene in vars(scenes).values()),
+    }
+
+
 def setup(app: Sphinx) -> dict[str, Any]:
-    """Register the directives and the step."""
+    """Register the directives and the step, and count before pages are read."""
     app.add_node(shown)
     app.add_directive("verdicts", Place)
     app.add_directive("chapters", Place)
     app.add_post_transform(ShowPages)
+    app.connect("config-inited", count)
     app.connect("env-get-outdated", follow)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -1,6 +1,9 @@
-"""Link the first use of each glossary term on a page to its explanation.
+"""Running text: what stays on one line, what links to the glossary, what the margin repeats.
 
-The notebooks therefore need no markup for these links, which JupyterLab would show as plain text.
+Browsers may break a line after any formula, as after a picture, and no character prevents it, so a
+formula and its comma or brackets, (4-1), 5-b and 18 + 12 are put together. The first use of each
+term on a page leads to its explanation without markup, which JupyterLab would show as plain text.
+In the margin stand the errata that a paragraph speaks of, so that they are found by leafing.
 """
 
 import re
@@ -14,6 +17,18 @@ from sphinx.application import Sphinx
 from sphinx.transforms.post_transforms import SphinxPostTransform
 from sphinx.util.nodes import make_refnode
 
+OPENING = re.compile(r"[(\N{LEFT DOUBLE QUOTATION MARK}]+$")
+MARKS = re.compile(r"[.,;:!?)\N{RIGHT DOUBLE QUOTATION MARK}]+")
+UNSEEN = re.compile(r"\\textcolor\{[^}]*\}|\\[A-Za-z]+|[\\{}^_\s]")
+# Numbers of equations and of pictures, counts of operations, shapes.
+NUMBERS = re.compile(r"(\(\d-\d+\)|\b[\dA-Z]-[a-z]\b|\d+ [+×] \d+)")
+AROUND = (
+    *(nodes.paragraph, nodes.caption, nodes.emphasis, nodes.strong),
+    *(nodes.inline, nodes.reference),
+)
+# On a phone, a longer formula must be able to break.
+SHORT = 16
+
 PAGES_WITHOUT = ("book/glossary", "book/api", "book/equations", "book/references")
 PLURALS = {"matrix": "matrices", "erratum": "errata", "degrees of freedom": "degree of freedom"}
 NOT_PROSE = (
@@ -26,6 +41,47 @@ NOT_PROSE = (
     nodes.thead,
     nodes.title,
 )
+
+# A screen reader has met the link itself.
+NOTE = '<span class="in-margin" aria-hidden="true">{}</span>'
+
+
+def unbroken(*content: nodes.Node) -> nodes.inline:
+    """Make an element that does not break."""
+    return nodes.inline("", "", *content, classes=["unbroken"])
+
+
+class KeepTogether(SphinxPostTransform):
+    """Put what belongs together into one element."""
+
+    default_priority = 5
+
+    def run(self, **_: Any) -> None:
+        """Treat the numbers in all texts, and the marks around each formula."""
+        for text in list(self.document.findall(nodes.Text)):
+            if not isinstance(text.parent, AROUND):
+                continue
+            # Every second part is a match of the pattern.
+            parts = [nodes.Text(part) for part in NUMBERS.split(text)]
+            parts[1::2] = map(unbroken, parts[1::2])
+            if len(parts) > 1:
+                text.parent.replace(text, parts)
+        for formula in list(self.document.findall(nodes.math)):
+            around = formula.parent
+            at = around.index(formula)
+            before, after = around[max(at - 1, 0)], around[min(at + 1, len(around) - 1)]
+            opening = isinstance(before, nodes.Text) and OPENING.search(before)
+            marks = isinstance(after, nodes.Text) and MARKS.match(after)
+            if not (opening or marks) or len(UNSEEN.sub("", formula.astext())) > SHORT:
+                continue
+            whole = [formula.deepcopy()]
+            if opening:
+                whole.insert(0, nodes.Text(opening[0]))
+                around[at - 1] = nodes.Text(before[: opening.start()])
+            if marks:
+                whole.append(nodes.Text(marks[0]))
+                around[at + 1] = nodes.Text(after[marks.end() :])
+            around[at] = unbroken(*whole)
 
 
 def spellings(term: str) -> list[str]:
@@ -100,7 +156,24 @@ class LinkFirstUses(SphinxPostTransform):
                     node.replace_self(link(form, node.deepcopy()))
 
 
+class InMargin(SphinxPostTransform):
+    """Add the numbers, once links know where they lead; book.css says where there is a margin."""
+
+    # After all that looks at how a paragraph begins.
+    default_priority = 900
+    formats = ("html",)
+
+    def run(self, **_: Any) -> None:
+        """Treat the paragraphs that stand beside the margin."""
+        for paragraph in self.document.findall(nodes.paragraph):
+            links = paragraph.findall(nodes.reference)
+            found = [link.astext() for link in links if "#erratum-" in link.get("refuri", "")]
+            if found and isinstance(paragraph.parent, nodes.section):
+                paragraph.insert(0, nodes.raw("", NOTE.format(" ".join(found)), format="html"))
+
+
 def setup(app: Sphinx) -> dict[str, Any]:
-    """Register the step."""
-    app.add_post_transform(LinkFirstUses)
+    """Register the steps; what stays together is put together before words become links."""
+    for step in (KeepTogether, LinkFirstUses, InMargin):
+        app.add_post_transform(step)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -1,8 +1,22 @@
-// Let the keyboard reach every box that scrolls sideways.
-const boxes = "article :is(pre, .table-wrapper, .text_html, .katex-display)";
+/**
+ * The elements that a selector finds.
+ *
+ * @param {string} selector
+ * @param {ParentNode} within
+ * @returns {HTMLElement[]}
+ */
+const every = (selector, within = document) => Array.from(within.querySelectorAll(selector));
 
+/** What a title says, once. */
+const saidBy = (title) => {
+  const words = title.cloneNode(true);
+  for (const unsaid of every(".katex-mathml, .headerlink", words)) unsaid.remove();
+  return words.textContent.trim();
+};
+
+// Let the keyboard reach every box that scrolls sideways.
 const letReach = () => {
-  for (const box of document.querySelectorAll(boxes)) {
+  for (const box of every("article :is(pre, .table-wrapper, .text_html, .katex-display)")) {
     if (box.scrollWidth > box.clientWidth) box.tabIndex = 0;
     else box.removeAttribute("tabindex");
   }
@@ -12,26 +26,24 @@ for (const event of ["load", "resize"]) addEventListener(event, letReach);
 document.addEventListener("toggle", letReach, true);
 
 // MyST-NB gives the buttons of hidden cells a label that differs from their text.
-for (const button of document.querySelectorAll(".cell summary"))
-  button.removeAttribute("aria-label");
+for (const button of every(".cell summary")) button.removeAttribute("aria-label");
 
 // Who reports a mistake need not say in which section.
-document.addEventListener("click", ({ target }) => {
-  const link = target.closest("a.report");
-  if (!link) return;
-  const titles = [...document.querySelectorAll("article :is(h1, h2, h3)")];
-  const above = titles.filter((title) => title.getBoundingClientRect().top < innerHeight / 2);
-  const words = above.at(-1)?.cloneNode(true);
-  if (!words || words.tagName === "H1") return;
-  for (const unsaid of words.querySelectorAll(".katex-mathml, .headerlink")) unsaid.remove();
-  const url = new URL(link.href);
-  const page = url.searchParams.get("place").split(", § ")[0];
-  url.searchParams.set("place", `${page}, § ${words.textContent.trim()}`);
-  link.href = url;
-});
+for (const link of every("a.report")) {
+  link.addEventListener("click", () => {
+    const titles = every("article :is(h1, h2, h3)");
+    const above = (title) => title.getBoundingClientRect().top < innerHeight / 2;
+    const title = titles.findLast(above);
+    if (!title || title.tagName === "H1") return;
+    const url = new URL(link.getAttribute("href") ?? "");
+    const page = url.searchParams.get("place")?.split(", § ")[0];
+    url.searchParams.set("place", `${page}, § ${saidBy(title)}`);
+    link.setAttribute("href", url.href);
+  });
+}
 
 // The squares of the first page are one stop for Tab; arrow keys go from one to the next.
-const squares = [...document.querySelectorAll(".squares a")];
+const squares = every(".squares a");
 
 squares.forEach((square, i) => {
   square.tabIndex = i ? -1 : 0;
@@ -44,24 +56,25 @@ squares.forEach((square, i) => {
 });
 
 // What the search quotes is text: no labels and buttons of figures, and each formula once.
-if (typeof Search !== "undefined") {
-  const { htmlToText } = Search;
+// @ts-expect-error: Sphinx defines it, on its page.
+const sphinxSearch = typeof Search === "undefined" ? null : Search;
+
+if (sphinxSearch) {
+  const { htmlToText } = sphinxSearch;
   const unsaid =
     ".scene, .explorable, .chart, .cell:has(figure) > .cell_input, .page-head, form, noscript, .katex-mathml";
-  Search.htmlToText = (html, anchor) => {
+  sphinxSearch.htmlToText = (html, anchor) => {
     const page = new DOMParser().parseFromString(html, "text/html");
-    for (const part of page.querySelectorAll(unsaid)) part.remove();
+    for (const part of every(unsaid, page)) part.remove();
     return htmlToText(page.documentElement.outerHTML, anchor);
   };
 }
 
 // A page opened from a file cannot preload its fonts, so there they may load late.
 if (location.protocol === "file:") {
+  const { src } = /** @type {HTMLScriptElement} */ (document.currentScript);
   for (const style of ["normal", "italic"]) {
-    const url = new URL(
-      `fonts/source-serif-4-latin-wght-${style}.woff2`,
-      document.currentScript.src,
-    );
+    const url = new URL(`fonts/source-serif-4-latin-wght-${style}.woff2`, src);
     const font = new FontFace("Source Serif 4", `url(${url})`, { style, weight: "200 900" });
     font.load().then(() => document.fonts.add(font));
   }
@@ -73,7 +86,7 @@ const pageHead = document.querySelector(".page-head");
 
 if (pageHead) {
   const root = document.documentElement;
-  const sections = [...document.querySelectorAll("article section")];
+  const sections = every("article section");
   const steps = { ArrowRight: 1, PageDown: 1, " ": 1, ArrowLeft: -1, PageUp: -1 };
   const ends = { Home: 0, End: sections.length - 1 };
   let place = 0;
@@ -92,10 +105,8 @@ if (pageHead) {
   document
     .querySelector(".toc-sticky")
     ?.insertAdjacentHTML("beforeend", '<button type="button">Present from here</button>');
-  const bar = document.querySelector(".present-bar");
-  const buttons = [pageHead, bar, document.querySelector(".toc-sticky")].flatMap((box) => [
-    ...(box?.querySelectorAll("button") ?? []),
-  ]);
+  const [bar] = every(".present-bar");
+  const [status] = every("span", bar);
 
   const show = (index) => {
     const section = sections[index];
@@ -106,21 +117,22 @@ if (pageHead) {
     section.tabIndex = -1;
     section.focus({ preventScroll: true });
     scrollTo({ top: 0, behavior: "instant" });
-    const title = section.querySelector("h1, h2, h3, h4").cloneNode(true);
-    for (const unsaid of title.querySelectorAll(".katex-mathml, .headerlink")) unsaid.remove();
-    const said = `${place + 1} of ${sections.length}: ${title.textContent}`;
-    bar.querySelector("span").textContent = said;
+    const [title] = every("h1, h2, h3, h4", section);
+    status.textContent = `${place + 1} of ${sections.length}: ${saidBy(title)}`;
     letReach();
   };
-  const start = () => {
+  const start = (index = place) => {
     root.classList.add("presenting");
-    show(place);
+    show(index);
   };
   const startHere = () => {
     const middle = innerHeight / 2;
-    const read = sections.findLastIndex((each) => each.getBoundingClientRect().top < middle);
-    root.classList.add("presenting");
-    show(Math.max(read, 0));
+    start(
+      Math.max(
+        0,
+        sections.findLastIndex((s) => s.getBoundingClientRect().top < middle),
+      ),
+    );
   };
   const fill = () => {
     if (document.fullscreenElement) document.exitFullscreen();
@@ -139,16 +151,22 @@ if (pageHead) {
     step > 0 ? root.scrollTop + root.clientHeight < root.scrollHeight - 2 : root.scrollTop > 0;
   // A figure that the lower edge of the screen would cut.
   const cut = () =>
-    [...sections[place].querySelectorAll(".explorable, .scene, .chart")].find((figure) => {
+    every(".explorable, .scene, .chart", sections[place]).find((figure) => {
       const { top, bottom } = figure.getBoundingClientRect();
       const edge = bar.getBoundingClientRect().top;
       return top > edge / 10 && top < edge && bottom > edge;
     });
 
-  const actions = [start, () => show(place - 1), () => show(place + 1), fill, leave, startHere];
-  buttons.forEach((button, i) => button.addEventListener("click", actions[i]));
+  const actions = {
+    ".page-head button": [() => start()],
+    ".present-bar button": [() => show(place - 1), () => show(place + 1), fill, leave],
+    ".toc-sticky button": [startHere],
+  };
+  for (const [buttons, act] of Object.entries(actions))
+    every(buttons).forEach((button, i) => button.addEventListener("click", act[i]));
 
-  addEventListener("keydown", (event) => {
+  /** @param {KeyboardEvent & { target: HTMLElement }} event */
+  const steer = (event) => {
     const { key, target } = event;
     if (!presents() || event.ctrlKey || event.metaKey || event.altKey) return;
     const kept = target.closest(".scene, .explorable, input, [contenteditable], [tabindex='0']");
@@ -169,12 +187,15 @@ if (pageHead) {
     }
     event.preventDefault();
     show(ends[key] ?? place + step);
-  });
+  };
+  addEventListener("keydown", /** @type {any} */ (steer));
 
   // A link to another section of the page goes there.
-  addEventListener("click", ({ target }) => {
-    const link = presents() && target.closest("a[href^='#']");
-    const aim = link && document.getElementById(decodeURIComponent(link.hash.slice(1)));
+  addEventListener("click", (event) => {
+    const target = /** @type {Element} */ (event.target);
+    const link = /** @type {HTMLAnchorElement?} */ (target.closest("a[href^='#']"));
+    const aim =
+      presents() && link && document.getElementById(decodeURIComponent(link.hash.slice(1)));
     if (aim) show(sections.findLastIndex((section) => section.contains(aim)));
   });
 }

@@ -16,8 +16,9 @@
     popover: "manual",
   });
   let timer;
+  /** @type {HTMLAnchorElement?} */
   let shown = null;
-  document.querySelector("article").append(box);
+  document.querySelector("article")?.append(box);
   const load = async (url) =>
     new DOMParser().parseFromString(await (await fetch(url)).text(), "text/html");
   const read = (url) => pages.get(url) ?? pages.set(url, load(url)).get(url);
@@ -48,6 +49,7 @@
   };
   /** Put the box below its link, or above if it fits there only. */
   const place = () => {
+    if (!shown) return;
     const { left, top, bottom } = shown.getBoundingClientRect();
     const [width, height] = [box.offsetWidth + ROOM, box.offsetHeight + ROOM];
     const below = bottom + height < innerHeight || top < height;
@@ -74,17 +76,20 @@
     place();
   };
   addEventListener("pointerover", ({ target, pointerType }) => {
+    if (!(target instanceof Element)) return;
     clearTimeout(timer);
-    const link = target.closest(LINKS);
+    const link = /** @type {HTMLAnchorElement?} */ (target.closest(LINKS));
     if (pointerType !== "mouse" || link === shown || box.contains(target)) return;
     // A page that scrolls under a mouse at rest takes nothing from the keyboard.
     if (shown?.matches(":focus-visible")) return;
     timer = setTimeout(() => (link ? open(link) : close()), REST);
   });
-  addEventListener("focusin", ({ target }) => target.matches(FOCUSED) && open(target));
+  addEventListener("focusin", ({ target }) => {
+    if (target instanceof HTMLAnchorElement && target.matches(FOCUSED)) open(target);
+  });
   addEventListener("focusout", close);
-  addEventListener("scroll", () => shown && place(), { passive: true });
-  new ResizeObserver(() => shown && place()).observe(box);
+  addEventListener("scroll", place, { passive: true });
+  new ResizeObserver(place).observe(box);
   const leave = (event) => {
     if (event.key !== "Escape" || !box.matches(":popover-open")) return;
     // The key ends nothing else.

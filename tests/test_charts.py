@@ -42,11 +42,6 @@ def test_every_chart_stands_in_its_page_and_is_described(drawn: dict[str, list[T
         assert all(chart["role"] == "img" and chart.select("svg[viewBox]") for chart in charts)
 
 
-def test_no_other_chart_is_a_file(book: Path) -> None:
-    for page in (book / "book").glob("*.html"):
-        assert not parse(page).select("article img[src$='.svg']"), page.name
-
-
 def test_a_drawing_has_few_elements_and_its_text_is_text(drawn: dict[str, list[Tag]]) -> None:
     for name, charts in drawn.items():
         for svg in (svg for chart in charts for svg in chart.select("svg")):

@@ -6,7 +6,7 @@ from pathlib import Path
 import nbformat
 import pytest
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
-from notebook_language import Page, blocks, pages, part_of, plain, unfolded
+from notebook_language import Page, blocks, pages, part_of, unfolded
 
 QUESTION = """\
 ::::{admonition} Before you read on
@@ -30,20 +30,6 @@ def page(folder: Path, *exercise: tuple[str, str]) -> Page:
 
 ASKED = "(exercise-A-1)=\n\n**Exercise A.1** (a small project, 25 minutes). Why?"
 PARTS = (("start-A-1", "answer = ..."), ("solution-A-1", "answer = 1"), ("why-A-1", "Because."))
-
-
-@pytest.mark.parametrize(
-    ("cell", "part"),
-    [
-        ("start-5-1", ("start", "5.1")),
-        ("solution-A-1", ("solution", "A.1")),
-        ("exercise-5-21", ("exercise", "5.21")),
-        ("text-5-1", ("", "")),
-        ("why-so-slow", ("", "")),
-    ],
-)
-def test_an_id_says_what_a_cell_is(cell: str, part: tuple[str, str]) -> None:
-    assert part_of(cell) == part
 
 
 def test_an_exercise(tmp_path: Path) -> None:
@@ -87,11 +73,6 @@ def test_blocks() -> None:
 @pytest.mark.parametrize("text", ["**Picture 3**", "**Picture 3-a**. No.", "A **Figure 1.**"])
 def test_what_is_no_caption(text: str) -> None:
     assert [block.kind for block in blocks(text)] == ["paragraph_open"]
-
-
-def test_plain_words() -> None:
-    text = "A *word*, {cite:t}`cheng2023`, $a + b$ and\n[a link](x.md)."
-    assert plain(text) == "A word, cheng2023, formula and a link."
 
 
 def test_every_name_is_given_once() -> None:

@@ -35,10 +35,10 @@ Use in another book
    ``viewer/explorables.js`` and ``viewer/notebook.js``, and to the panels of pages in
    ``viewer/write-panels.js``; the viewer itself knows none.
 
-A label may hold a formula between dollar signs; in a panel, ``*t*`` is a quantity. Meshes added with
-``pickable=False`` never hide the labels behind them. A scene raises a `ValueError` if the viewer
-could not show it like the poster: if it has textures, several views or lights that stay in place,
-for example.
+A label may hold a formula between dollar signs; in a panel, ``*t*`` is a quantity. Meshes added
+with ``pickable=False`` never hide the labels behind them. A scene raises a `ValueError` if the
+viewer could not show it like the poster: if it has textures, several views or lights that stay in
+place, for example.
 """
 
 from rotedu.figures.announce import announce_backend

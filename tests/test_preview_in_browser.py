@@ -89,14 +89,6 @@ def test_a_finger_only_follows_links(reading: Callable[..., Any]) -> None:
 
 
 @pytest.mark.slow
-def test_without_scripts_a_link_is_a_link(reading: Callable[..., Any]) -> None:
-    page = reading("03-ordinary-rotation", java_script_enabled=False)
-    assert not page.locator(".look").count()
-    page.locator("article a.first-use").first.click()
-    page.wait_for_url("**/glossary.html#term-*")
-
-
-@pytest.mark.slow
 def test_the_key_that_closes_the_box_leaves_the_slides_alone(reading: Callable[..., Any]) -> None:
     page = reading("03-ordinary-rotation")
     page.get_by_role("button", name="Slides").click()

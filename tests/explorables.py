@@ -84,7 +84,7 @@ def moved_input(rng: np.random.Generator, kind: Any, start: Any) -> Any:
     if isinstance(kind, Switch):
         return bool(rng.integers(2))
     assert isinstance(kind, Choice)
-    return str(rng.choice(kind.spec()["options"]))
+    return str(rng.choice(kind.options))
 
 
 def moved(rng: np.random.Generator, name: str) -> dict[str, Any]:

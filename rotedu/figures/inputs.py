@@ -186,32 +186,35 @@ class Switch(Kind):
 
 @dataclass(frozen=True)
 class Choice(Kind):
-    """One of several words, without the marks of quantities in them.
+    """One of several options.
 
     Parameters
     ----------
     label : str
         What is chosen.
-    options : sequence of str
-        The words.
+    words : sequence of str
+        The options in words, which may mark quantities; their values are without marks.
     """
 
     label: str
-    options: Sequence[str]
+    words: Sequence[str]
 
     kind = "choice"
 
+    @property
+    def options(self) -> list[str]:
+        """Return what can be chosen, as values."""
+        return [words.replace("*", "") for words in self.words]
+
     def value(self, name: str, given: Any) -> str:
         """Check a word."""
-        options = self.spec()["options"]
-        if given not in options:
-            raise ValueError(f"{name}: expected one of {', '.join(options)}, got {given!r}")
+        if given not in self.options:
+            raise ValueError(f"{name}: expected one of {', '.join(self.options)}, got {given!r}")
         return str(given)
 
     def spec(self) -> dict[str, Any]:
-        """Describe the choice to the viewer, each option as a value and in words."""
-        plain = [words.replace("*", "") for words in self.options]
-        return super().spec() | {"options": plain, "words": list(self.options)}
+        """Describe the choice to the viewer."""
+        return super().spec() | {"options": self.options}
 
 
 Input = Slider | Handles | Poses | Switch | Choice

@@ -317,10 +317,10 @@ test("a body turns under the finger, and a whole turn leads to the opposite quat
   const body = handle("spoon");
   near(place(body), [75, 50]);
   assert.equal(body.style.width, "25%");
-  drag(body, [75, 50], [75 + 12.5 / 2, 50]);
-  // From the left to the right: about z, which points up in the picture, by asin(1/2).
-  near(state.inputs.spoon, [Math.cos(Math.PI / 12), 0, 0, Math.sin(Math.PI / 12)]);
-  assert.equal(state.said.at(-1), "the spoon at 0.97, 0.00, 0.00, 0.26");
+  drag(body, [75, 50], [75 + 12.5 * 0.5, 50], [75 + 12.5 * 0.6, 50]);
+  // From the left to the right: about z, which points up in the picture, by asin(0.6).
+  near(state.inputs.spoon, [Math.cos(Math.asin(0.6) / 2), 0, 0, Math.sin(Math.asin(0.6) / 2)]);
+  assert.equal(state.said.at(-1), "the spoon at 0.95, 0.00, 0.00, 0.32");
   state.inputs.spoon = [1, 0, 0, 0];
   for (let i = 0; i < 72; i++) tell(body, "keydown", { key: "ArrowRight" });
   near(state.inputs.spoon, [-1, 0, 0, 0]);

@@ -3,6 +3,8 @@ import { test } from "node:test";
 import { PerspectiveCamera, SphereGeometry, Vector3 } from "three";
 import { lens } from "../src/aim.js";
 import { apart, crossings, isHidden, project } from "../src/labels.js";
+import { Labels } from "../src/placed-labels.js";
+import { figure } from "./dom.js";
 import { near, points } from "./near.js";
 
 function ball(seeThrough = false) {
@@ -104,4 +106,29 @@ test("labels give way also if they lie in one place, and in a crowd", () => {
 test("labels give way without a leap", () => {
   const ways = Array.from({ length: 110 }, (_, i) => pushed([box(0, 0), box(4, 12 - i / 10)])[1].y);
   for (const [i, y] of ways.slice(1).entries()) assert.ok(Math.abs(y - ways[i]) < 0.2);
+});
+
+test("labels of a page stand where their points are seen, with the room that they need", () => {
+  const box = figure("").querySelector(".scene");
+  const label = (name, position) =>
+    `<span class="scene-label" data-label="${name}" data-position="${position}"></span>`;
+  box.innerHTML = label("P", "1 0 0") + label("Q", "1 0 0") + label("R", "") + label("S", "0 9 0");
+  const labels = new Labels(box);
+  const sized = (element, sizes) => {
+    for (const [key, value] of Object.entries(sizes))
+      Object.defineProperty(element, key, { value });
+  };
+  for (const { label } of labels.entries) sized(label, { offsetWidth: 20, offsetHeight: 10 });
+  sized(box, { clientWidth: 200, clientHeight: 100 });
+  labels.measure();
+  const camera = new PerspectiveCamera(90, 1);
+  camera.position.set(0, 0, 2);
+  camera.updateMatrixWorld();
+  labels.place(camera, []);
+  const said = labels.entries.map(({ label: { style } }) =>
+    ["--x", "--y", "--dx", "--dy"].map((name) => parseFloat(style.getPropertyValue(name))),
+  );
+  near(said.slice(0, 2), points("75,50,0,-5 75,50,0,5"), 1e-6);
+  const behind = labels.entries.map(({ label }) => label.hasAttribute("data-behind"));
+  assert.deepEqual(behind, [false, false, true, true]);
 });

@@ -2,14 +2,13 @@
 
 import re
 from collections.abc import Iterator
-from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import pytest
+from live_pages import AT_REST
 from nightly import nightly
 from notebook_language import captions_by_hand, chapters, pages
 from reading_time import count
-from test_figures_in_browser import AT_REST
 
 TEXT = pages()["teaching.md"].text
 CHAPTERS = [repr(page) for page in chapters()]
@@ -32,15 +31,9 @@ def table(heading: str) -> list[list[str]]:
     return [[cell.replace("**", "").strip() for cell in row] for row in cells[2:]]
 
 
-def test_one_lecture_takes_the_minutes_that_it_promises() -> None:
-    minutes = sum(int(row[2]) for row in table("One lecture"))
-    assert f"{minutes} minutes for" in TEXT
-
-
 PLANS = {"Three weeks": 1, "Six weeks": 1, "One week more": 7}
 NOTEBOOKS = {repr(page): page for page in chapters()}
 EXERCISES = {n: e for page in NOTEBOOKS.values() for n, e in page.exercises.items()}
-MINUTES = {number: exercise.minutes for number, exercise in EXERCISES.items()}
 
 
 def numbers(cell: str) -> list[str]:
@@ -48,31 +41,54 @@ def numbers(cell: str) -> list[str]:
     return re.findall(r"\w\.\d+", cell)
 
 
-def units() -> dict[str, tuple[str, list[str]]]:
-    """The page of each unit, and its row."""
+class Unit(NamedTuple):
+    """A row of the plans: its page, its minutes, and the exercises of the lab and for home."""
+
+    page: str
+    lecture: int
+    lab: int
+    in_lab: list[str]
+    at_home: list[str]
+    chosen: list[str]
+
+
+def units() -> dict[str, Unit]:
     found, page = {}, ""
-    for row in table("Three plans"):
-        page = link[1] if (link := re.search(r"\((\w[\w-]+)\.ipynb\)", row[1])) else page
-        found[row[0]] = page, row
+    for name, what, lecture, lab, in_lab, home in table("Three plans"):
+        page = link[1] if (link := re.search(r"\((\w[\w-]+)\.ipynb\)", what)) else page
+        # Small projects, in italics, are for choice.
+        chosen = numbers("".join(re.findall(r"\*[^*]+\*", home)))
+        fixed = [number for number in numbers(home) if number not in chosen]
+        found[name] = Unit(page, int(lecture), int(lab), numbers(in_lab), fixed, chosen)
     return found
 
 
-def test_a_lab_takes_the_minutes_of_its_exercises() -> None:
-    for unit, (page, row) in units().items():
-        lab, home = numbers(row[4]), numbers(row[5])
-        own = set(NOTEBOOKS[page].exercises)
-        assert own >= {*lab, *home}, unit
-        assert int(row[3]) == sum(MINUTES[number] for number in lab) or not lab, unit
+def minutes(exercises: list[str]) -> int:
+    return sum(EXERCISES[number].minutes for number in exercises)
 
 
-def test_every_exercise_has_its_place() -> None:
-    rows = [row for _, row in units().values()]
-    assert sorted(number for row in rows for number in numbers(f"{row[4]} {row[5]}")) == sorted(
-        MINUTES
+def test_one_lecture_takes_the_minutes_that_it_promises() -> None:
+    assert f"{sum(int(row[2]) for row in table('One lecture'))} minutes for" in TEXT
+
+
+@pytest.mark.parametrize("number", EXERCISES)
+def test_an_exercise_has_its_place(number: str) -> None:
+    page = next(name for name, page in NOTEBOOKS.items() if number in page.exercises)
+    own = {name: unit for name, unit in units().items() if unit.page == page}
+    found = [n for unit in own.values() for n in (*unit.in_lab, *unit.at_home, *unit.chosen)]
+    assert found.count(number) == 1, (
+        f"Exercise {number} of {page} must stand once in the first table of book/teaching.md,"
+        f" under *Exercises in the lab* or *At home* of unit {' or '.join(own)}:"
+        f" there it stands {found.count(number)} times"
     )
-    # Small projects are for choice, and nothing else is.
-    chosen = [n for row in rows for n in numbers("".join(re.findall(r"\*[^*]+\*", row[5])))]
-    assert all("project" in EXERCISES[number].kind for number in chosen)
+
+
+@pytest.mark.parametrize("name", units())
+def test_a_lab_takes_the_minutes_of_its_exercises(name: str) -> None:
+    unit = units()[name]
+    assert EXERCISES.keys() >= {*unit.in_lab, *unit.at_home, *unit.chosen}
+    assert unit.lab == minutes(unit.in_lab) or not unit.in_lab
+    assert all("project" in EXERCISES[number].kind for number in unit.chosen)
 
 
 @pytest.mark.parametrize("weeks", PLANS)
@@ -80,33 +96,32 @@ def test_the_weeks_add_up(weeks: str) -> None:
     *plan, total = table(weeks)
     assert weeks.startswith({1: "One", 3: "Three", 6: "Six"}[len(plan)])
     for number, row in enumerate(plan, start=PLANS[weeks]):
-        assert row[0] == str(number)
         taken = [units()[unit] for unit in row[1].split()]
-        assert sum(int(unit[2]) for _, unit in taken) == int(row[2]) == 90
-        assert sum(int(unit[3]) for _, unit in taken) == int(row[3])
-        assert 55 <= int(row[3]) <= 90
+        lab = sum(unit.lab for unit in taken)
+        assert row[0] == str(number)
+        assert sum(unit.lecture for unit in taken) == int(row[2]) == 90
+        assert 55 <= lab == int(row[3]) <= 90
     for column in (2, 3):
         assert int(total[column]) == sum(int(row[column]) for row in plan)
 
 
 @pytest.mark.parametrize("weeks", ["Six weeks", "One week more"])
-def test_what_is_done_at_home_is_counted(weeks: str) -> None:
-    """Pages to read, and exercises that are not in italics."""
+def test_what_is_done_at_home_is_about_right(weeks: str) -> None:
+    """Pages to read, which may grow by some lines, and exercises that are not for choice."""
     *plan, total = table(weeks)
     for row in plan:
-        taken = [units()[unit] for unit in row[1].split()]
-        read = {page for page, unit in taken if unit[0] not in "OP"}
-        fixed = [n for _, unit in taken for n in numbers(re.sub(r"\*[^*]+\*", "", unit[5]))]
-        reading = sum(count(NOTEBOOKS[page]).minutes for page in read)
-        assert int(row[5]) == reading + sum(MINUTES[n] for n in fixed) <= 90, row
+        taken = {name: units()[name] for name in row[1].split()}
+        read = {unit.page for name, unit in taken.items() if name not in "OP"}
+        fixed = sum(minutes(unit.at_home) for unit in taken.values())
+        counted = sum(count(NOTEBOOKS[page]).minutes for page in read) + fixed
+        assert int(row[5]) == pytest.approx(counted, abs=15), row
     assert int(total[5]) == sum(int(row[5]) for row in plan)
 
 
 def test_six_weeks_leave_out_no_page_of_the_paper() -> None:
     """The others make units, too, for a class that has more time."""
-    pages = {unit: page for unit, (page, _) in units().items()}
-    taught = {pages[part] for row in table("Six weeks")[:-1] for part in row[1].split()}
-    assert set(pages.values()) == set(CHAPTERS)
+    taught = {units()[name].page for row in table("Six weeks")[:-1] for name in row[1].split()}
+    assert {unit.page for unit in units().values()} == set(CHAPTERS)
     assert taught == {name for name in CHAPTERS if not name.startswith("beyond-")}
 
 
@@ -116,13 +131,10 @@ def test_the_marks_make_a_hundred() -> None:
 
 
 def test_every_figure_that_answers_the_hand_cures_something() -> None:
+    rows = table("What students get wrong, and the figure that cures it")
+    cures = {target for row in rows for target in re.findall(r"\(#([\w-]+)\)", row[1])}
     names = {caption.anchor for caption in captions_by_hand()}
     assert names
-    cures = {
-        target
-        for row in table("What students get wrong, and the figure that cures it")
-        for target in re.findall(r"\(#([\w-]+)\)", row[1])
-    }
     assert names <= cures
 
 
@@ -161,7 +173,7 @@ def press(page: Any, key: str) -> int:
     return place(page)
 
 
-def test_arrows_go_from_section_to_section(page: Any) -> None:
+def test_arrows_and_buttons_go_from_section_to_section(page: Any) -> None:
     last = page.locator("article section").count()
     assert last > 10
     assert place(page) == 1
@@ -170,6 +182,12 @@ def test_arrows_go_from_section_to_section(page: Any) -> None:
     assert press(page, "ArrowLeft") == last - 1
     assert press(page, "Home") == 1
     assert press(page, "End") == last
+    bar = page.get_by_role("navigation", name="Sections")
+    for name, section in (("Previous section", last - 1), ("Next section", last)):
+        bar.get_by_role("button", name=name).click()
+        assert place(page) == section
+    bar.get_by_role("button", name="Leave").click()
+    assert not bar.is_visible()
 
 
 @pytest.mark.slow
@@ -220,7 +238,12 @@ def test_a_figure_is_live_and_large_and_keeps_its_keys(page: Any) -> None:
         assert page.get_by_text("1 of 11:").is_visible()
         assert press(page, "Escape") == 1
     assert figure.locator("input[type=range]").first.input_value() == "360"
-    assert press(page, "ArrowRight") == 2
+    assert [press(page, key) for key in ("ArrowRight", "ArrowLeft")] == [2, 1]
+    chip = figure.locator("a.try").last
+    chip.click()
+    words = re.split(r"\s", chip.inner_text())[0]
+    figure.locator(".explorable-status", has_text=words).wait_for(state="attached")
+    assert page.evaluate(VISIBLE) == ["ordinary-rotation"]
 
 
 # Lecture rooms project one or the other.
@@ -260,17 +283,6 @@ def test_page_down_shows_a_figure_whole(page: Any) -> None:
         assert 0 <= box["y"] <= box["y"] + box["height"] <= edge
 
 
-def test_a_chip_sets_its_figure_on_the_slide(page: Any) -> None:
-    figure = page.locator(".presented .explorable").first
-    figure.scroll_into_view_if_needed()
-    figure.locator(".scene[data-state=live]").wait_for(timeout=20_000)
-    chip = figure.locator("a.try").last
-    chip.click()
-    words = re.split(r"\s", chip.inner_text())[0]
-    figure.locator(".explorable-status", has_text=words).wait_for(state="attached")
-    assert page.evaluate(VISIBLE) == ["ordinary-rotation"]
-
-
 @pytest.mark.slow
 def test_the_screen_is_filled_and_given_back(page: Any) -> None:
     filled = "document.fullscreenElement !== null"
@@ -294,30 +306,15 @@ def test_slides_begin_where_the_reader_is(browser: Any, site: str) -> None:
 
 
 @pytest.mark.slow
-def test_space_opens_a_folded_answer(page: Any) -> None:
+def test_space_opens_a_folded_answer_and_a_link_leads_elsewhere(page: Any) -> None:
     answer = page.locator(".presented details.sd-dropdown > summary").first
     answer.focus()
     page.keyboard.press("Space")
     assert answer.evaluate("summary => summary.parentElement.open")
     assert press(page, "ArrowRight") == 2
-
-
-@pytest.mark.slow
-def test_a_link_leads_to_another_section(page: Any) -> None:
-    press(page, "ArrowRight")
     page.locator(".presented a[href='#figure-1']").first.click()
     page.wait_for_function("scrollY > 0")
     assert page.evaluate(VISIBLE) == ["ordinary-rotation"]
-
-
-def test_the_buttons_of_the_view(page: Any) -> None:
-    bar = page.get_by_role("navigation", name="Sections")
-    bar.get_by_role("button", name="Next section").click()
-    assert place(page) == 2
-    bar.get_by_role("button", name="Previous section").click()
-    assert place(page) == 1
-    bar.get_by_role("button", name="Leave").click()
-    assert not bar.is_visible()
 
 
 @pytest.mark.slow
@@ -341,18 +338,12 @@ ON_SCREEN = (
 
 
 @pytest.mark.slow
-def test_paper_shows_the_whole_page(page: Any) -> None:
-    page.emulate_media(media="print")
-    assert len(page.evaluate(VISIBLE)) == page.locator("article section").count()
-    assert not page.get_by_role("navigation", name="Sections").is_visible()
-    assert not page.get_by_role("button", name="Slides").is_visible()
-
-
-@pytest.mark.slow
-def test_paper_has_nothing_of_the_screen(page: Any) -> None:
+def test_paper_has_the_whole_page_and_nothing_of_the_screen(page: Any) -> None:
     # As wide as a sheet on its side, where the frame of the page has room
     page.set_viewport_size({"width": 1120, "height": 790})
     page.emulate_media(media="print")
+    assert len(page.evaluate(VISIBLE)) == page.locator("article section").count()
+    assert not page.get_by_role("navigation", name="Sections").is_visible()
     for name in ON_SCREEN:
         assert page.locator(name).count(), name
         assert not page.locator(name).locator("visible=true").count(), name
@@ -389,23 +380,16 @@ def test_type_is_large_and_nothing_sticks_out(browser: Any, site: str, width: in
     page.close()
 
 
-@pytest.mark.slow
-def test_the_late_button_does_not_move_the_page(browser: Any, site: str) -> None:
-    page = browser.new_page()
-    page.goto(f"{site}/book/03-ordinary-rotation.html")
-    height = "document.querySelector('.page-head').offsetHeight"
-    assert page.get_by_role("button", name="Slides").count() == 1
-    with_button = page.evaluate(height)
-    page.evaluate("document.querySelector('.page-head button').remove()")
-    assert page.evaluate(height) == with_button
-    page.close()
-
-
-def test_only_chapters_with_scripts_offer_to_present(browser: Any, site: str, book: Path) -> None:
-    for name in CHAPTERS:
-        text = (book / "book" / f"{name}.html").read_text("utf-8")
-        assert "Slides" not in re.search(r'<p class="page-head">.*?</p>', text, re.DOTALL)[0]
+def test_only_chapters_with_scripts_offer_slides_and_nothing_moves(browser: Any, site: str) -> None:
     page = browser.new_page()
     page.goto(f"{site}/book/glossary.html")
-    assert page.get_by_role("button", name="Slides").count() == 0
+    slides = page.get_by_role("button", name="Slides")
+    assert slides.count() == 0
+    page.goto(f"{site}/book/03-ordinary-rotation.html")
+    height = "document.querySelector('.page-head').offsetHeight"
+    with_button = page.evaluate(height)
+    assert slides.count() == 1
+    slides.evaluate("button => button.remove()")
+    assert page.evaluate(height) == with_button
+    assert "Slides" not in page.locator(".page-head").inner_text()
     page.close()

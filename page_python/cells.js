@@ -2,8 +2,7 @@
  * The cells of the page. Run opens one for editing and runs it, after the cells above it that have
  * not run yet. The data-run of a cell is stored, waiting, running, done or error.
  */
-/* global EDITOR */
-import { button, home, make, output, say } from "./elements.js";
+import { button, findAll, home, make, output, say } from "./elements.js";
 import * as figures from "./figures.js";
 import * as runtime from "./runtime.js";
 import * as store from "./store.js";
@@ -30,7 +29,7 @@ let failures = 0;
 /** Find the cells that can run, and give them their buttons; sources() promises all code, by id. */
 export function bind(sources) {
   notebook = sources;
-  document.querySelectorAll(".cell").forEach((box, index) => {
+  findAll(".cell").forEach((box, index) => {
     const listing = box.querySelector(".cell_input");
     const { cell: id } = box.dataset;
     if (!id) return listing?.after(make("p", { className: "live-tools" }, make("a", LIMITS, DESK)));
@@ -52,15 +51,7 @@ function dress(cell) {
     source: pre.textContent.trimEnd(),
     asPrinted: [...pre.childNodes],
     stored: box.querySelectorAll(`.cell_output > :not(${PICTURE}, :has(${PICTURE}))`),
-    run: button(
-      "run",
-      "Run",
-      () => {
-        edit(cell);
-        run(cell);
-      },
-      `Run ${called}`,
-    ),
+    run: button("run", "Run", () => editAndRun(cell), `Run ${called}`),
     reset: button("reset", "Reset", () => reset(cell), `Reset ${called}`),
     message: make("span", { className: "live-message" }),
     output: make("div", { className: "live-output" }),
@@ -69,7 +60,7 @@ function dress(cell) {
   cell.tools = make("div", { className: "live-tools" }, cell.run, cell.reset, cell.message, number);
   listing.after(cell.tools);
   // A click that ends a selection only selects.
-  pre.addEventListener("click", (event) => getSelection().isCollapsed && edit(cell, event));
+  pre.addEventListener("click", (event) => getSelection()?.isCollapsed && edit(cell, event));
   restore(cell);
   return cell;
 }
@@ -115,11 +106,11 @@ function outdate(cell) {
 }
 
 /** Open the editor of a cell, where it was clicked. */
-export async function edit(cell, click) {
+async function edit(cell, click) {
   if (cell.editor) return;
   if (location.protocol === "file:") return tell(cell, SERVE);
   try {
-    const { open } = await import(new URL(`${EDITOR}&again=${failures}`, home));
+    const { open } = await import(`${home}${globalThis.EDITOR}&again=${failures}`);
     if (!cell.editor) show(cell, open);
     if (!click) return;
     const anchor = cell.editor.posAtCoords({ x: click.clientX, y: click.clientY }, false);
@@ -158,7 +149,7 @@ let last = Promise.resolve();
 let stops = 0;
 
 /** Run a cell, once if it is asked for twice. A cell may have a judge for what comes out. */
-export function run(cell) {
+function run(cell) {
   if (location.protocol === "file:") return tell(cell, SERVE);
   if (cell.busy) return cell.busy;
   keep(cell);
@@ -171,6 +162,12 @@ export function run(cell) {
   });
   last = cell.busy;
   return cell.busy;
+}
+
+/** Open the editor of a cell, and run it. */
+export function editAndRun(cell) {
+  edit(cell);
+  return run(cell);
 }
 
 /** End Python and whatever waits for it. */
@@ -242,11 +239,8 @@ function load(cell, fetched, total) {
   const size = `${(total / 1e6).toFixed(1)} MB`;
   if (bar.hidden) say(`Python is being fetched: ${size}, once.`);
   Object.assign(bar, { hidden: fetched === total, max: total, value: fetched });
-  const far = (fetched / 1e6).toFixed(1);
-  tell(
-    cell,
-    fetched < total ? `Python is being fetched, once: ${far} of ${size}` : "Python starts",
-  );
+  const far = `Python is being fetched, once: ${(fetched / 1e6).toFixed(1)} of ${size}`;
+  tell(cell, fetched < total ? far : "Python starts");
 }
 
 /** Put what a cell prints in the place of what is stored. */

@@ -1,7 +1,16 @@
 /* What the page adds to itself: buttons, words for those who hear it, and what a cell has printed. */
 
+const script = /** @type {HTMLScriptElement} */ (document.currentScript);
+
 /** Where the scripts are. */
-export const home = new URL(".", document.currentScript.src);
+export const home = new URL(".", script.src);
+
+/** The element that is there. */
+export const find = (selector) => /** @type {HTMLElement} */ (document.querySelector(selector));
+
+/** @type {(selector: string, within?: ParentNode) => HTMLElement[]} */
+export const findAll = (selector, within = document) =>
+  Array.from(within.querySelectorAll(selector));
 
 /** Make an element with properties; text and elements become its content. */
 export function make(tag, properties, ...content) {
@@ -22,7 +31,7 @@ const MOST = 300;
 
 /** Say something, once, when the reader's machine has time. */
 export function say(text) {
-  if (!spoken.isConnected) document.querySelector("article").append(spoken);
+  if (!spoken.isConnected) find("article").append(spoken);
   spoken.textContent = text.length > MOST ? `${text.slice(0, MOST)} …` : text;
 }
 

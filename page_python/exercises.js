@@ -2,8 +2,8 @@
  * Exercises: Check gives the verdict, with hints in stages, on the numbers of a form or on what the
  * starter cell computes. Verdicts are stored with the code of that cell.
  */
-import { edit, isChanged, run } from "./cells.js";
-import { button, make } from "./elements.js";
+import { editAndRun, isChanged } from "./cells.js";
+import { button, findAll, make } from "./elements.js";
 import { values } from "./figures.js";
 import * as runtime from "./runtime.js";
 import * as store from "./store.js";
@@ -12,8 +12,8 @@ const exercises = [];
 
 /** Find the exercises, give them their buttons, and show what is stored. */
 export function bind(cells) {
-  for (const box of document.querySelectorAll(".exercise[data-exercise]")) {
-    const number = box.dataset.exercise;
+  for (const box of findAll(".exercise[data-exercise]")) {
+    const { exercise: number = "" } = box.dataset;
     const id = `start-${number.replace(".", "-")}`;
     const cell = cells.find((each) => each.id === id);
     const form = box.querySelector(".answer-form form");
@@ -82,8 +82,7 @@ function followForm(box, exercise) {
 async function answer(exercise) {
   show(exercise, {});
   exercise.asked = true;
-  edit(exercise.cell);
-  await run(exercise.cell);
+  await editAndRun(exercise.cell);
   exercise.asked = false;
 }
 
@@ -117,7 +116,7 @@ function doubt(exercise) {
   store.write(exercise.id, { text: undefined });
 }
 
-function show({ verdict }, { right, text = "" }) {
+function show({ verdict }, /** @type {{ right?: boolean, text?: string }} */ { right, text = "" }) {
   if (text && typeof right === "boolean") verdict.dataset.right = right;
   else delete verdict.dataset.right;
   verdict.textContent = text;

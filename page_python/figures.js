@@ -1,18 +1,16 @@
 /* Figures that answer the hand, as Python reads and sets them. */
-import { make } from "./elements.js";
+import { find, findAll, make } from "./elements.js";
 
 /** The values of all figures of the page, by name; none for one that is not live yet. */
 export function values() {
-  const figures = [...document.querySelectorAll(".explorable")];
-  return Object.fromEntries(
-    figures.map(({ dataset }) => [dataset.name, JSON.parse(dataset.values ?? "{}")]),
-  );
+  const entry = ({ dataset }) => [dataset.name, JSON.parse(dataset.values ?? "{}")];
+  return Object.fromEntries(findAll(".explorable").map(entry));
 }
 
 /** Let figures show what Python has set; return links to them. */
 export function set(changed) {
   return Object.entries(changed).map(([name, detail]) => {
-    const figure = document.querySelector(`.explorable[data-name="${name}"]`);
+    const figure = find(`.explorable[data-name="${name}"]`);
     const tell = () => figure.dispatchEvent(new CustomEvent("rotedu:set", { detail }));
     if (figure.dataset.values) tell();
     else wake(figure, tell);

@@ -3,20 +3,17 @@
  * is pressed. What a page without it has, stays.
  */
 import * as cells from "./cells.js";
-import { button, home, make, say } from "./elements.js";
+import { button, find, home, make, say } from "./elements.js";
 import * as exercises from "./exercises.js";
 import { fill } from "./notebook.js";
 import * as store from "./store.js";
 
-const name = decodeURIComponent(location.pathname)
-  .split("/")
-  .at(-1)
-  .replace(/\.html$/, "");
+const name = decodeURIComponent(location.pathname).replace(/.*\/|\.html$/g, "");
 const UNKEPT = "This browser keeps nothing: save your work before you leave.";
 const FORGOTTEN = "Your code and answers on this page are forgotten.";
 const AS_IN_BOOK = "All cells are as in the book; your score is kept.";
 const SOURCE = `../../_sources/book/${name}.ipynb`;
-const STUDENT = document.querySelector(".page-head a[download]").href;
+const STUDENT = /** @type {HTMLAnchorElement} */ (find(".page-head a[download]")).href;
 const fetched = {};
 
 /** Fetch a notebook once; what has failed may be tried again. */
@@ -54,7 +51,7 @@ save.addEventListener("click", saveNotebook);
 addEventListener("DOMContentLoaded", () => {
   exercises.bind(all);
   const head = make("p", { className: "live-head" }, solved, save, forget, resetAll, note);
-  document.querySelector(".page-head").after(head);
+  find(".page-head").after(head);
   // Another tab may have this page, too.
   for (const event of ["rotedu:changed", "storage"]) addEventListener(event, update);
   update();
@@ -71,14 +68,14 @@ function update() {
 
 async function saveNotebook(event) {
   event.preventDefault();
-  try {
-    const filled = fill(structuredClone(await fetchNotebook(STUDENT)), all);
-    const href = URL.createObjectURL(new Blob([JSON.stringify(filled, null, 1)]));
-    make("a", { href, download: save.download }).click();
-    setTimeout(() => URL.revokeObjectURL(href), 60_000);
-  } catch ({ message }) {
+  const notebook = await fetchNotebook(STUDENT).catch(({ message }) => {
     note.textContent = `Not saved (${message}). What you wrote stays here; try again later.`;
-  }
+  });
+  if (!notebook) return;
+  const filled = fill(structuredClone(notebook), all);
+  const href = URL.createObjectURL(new Blob([JSON.stringify(filled, null, 1)]));
+  make("a", { href, download: save.download }).click();
+  setTimeout(() => URL.revokeObjectURL(href), 60_000);
 }
 
 /** Put all cells back, end Python and perhaps forget the answers, too, unless it was a slip. */

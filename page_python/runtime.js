@@ -1,17 +1,15 @@
 /*
  * The page's Python: a worker that the first run starts. What it has fetched is kept for the next
- * one, and so are workers whose scripts are loaded: after Stop, Python starts again without a network.
+ * one, which a run starts after Stop.
  */
 import { home } from "./elements.js";
 
 export const STOPPED = "Stopped. What has run is forgotten; the next Run starts Python anew.";
-const RESERVE = 2;
 const root = document.documentElement;
 let worker;
-let reserve = [];
 let kept = {};
 let serial = 0;
-let waiting = null;
+let waiting;
 root.dataset.python = "absent";
 
 /**
@@ -32,22 +30,11 @@ export const stop = () => end("absent", STOPPED);
 
 function start() {
   root.dataset.python = "loading";
-  const made = reserve.pop() ?? load();
+  const made = new Worker(new URL(globalThis.WORKER, home));
   made.onmessage = hear;
   made.onerror = ({ message = "its script did not load" }) => fail(message);
   if (kept.files) made.postMessage(kept);
   return made;
-}
-
-const load = () => new Worker(new URL(WORKER, home));
-
-function fillReserve() {
-  while (reserve.length < RESERVE) {
-    const made = load();
-    reserve.push(made);
-    // Without a network none loads; the next one that is needed will say so.
-    made.onerror = () => (reserve = reserve.filter((each) => each !== made));
-  }
 }
 
 function hear({ data }) {
@@ -57,7 +44,6 @@ function hear({ data }) {
     root.dataset.python = "ready";
     waiting?.loading?.();
     kept = { compiled: data.compiled, files: data.files };
-    fillReserve();
   }
   if (data.id !== waiting?.id) return;
   if (data.text) waiting.printing?.(data.text);
@@ -79,6 +65,6 @@ function end(state, text) {
 
 function settle(how, what) {
   const one = waiting;
-  waiting = null;
+  waiting = undefined;
   one?.[how](what);
 }

@@ -9,7 +9,7 @@ const unkept = new Map();
 /** Return what is stored for a cell. */
 export function read(id) {
   try {
-    return unkept.get(id) ?? Object(JSON.parse(localStorage.getItem(PREFIX + id)));
+    return unkept.get(id) ?? Object(JSON.parse(localStorage.getItem(PREFIX + id) ?? "{}"));
   } catch {
     return {};
   }

@@ -12,9 +12,11 @@
  */
 "use strict";
 
-const HERE = new URL(".", self.location);
-// All scripts at once: a worker in reserve needs no network later. FILES are all else.
-importScripts(`files.js${self.location.search}`, "pyodide.js", "pyodide.asm.js");
+const scope = /** @type {any} */ (self);
+const wasm = /** @type {any} */ (WebAssembly);
+const HERE = new URL(".", location.href);
+// Before Python takes the word from it. FILES are all that is fetched later.
+scope.importScripts(`files.js${location.search}`, "pyodide.js", "pyodide.asm.js");
 // Pyodide asks for a list of packages that it could load: none.
 const NO_PACKAGES = JSON.stringify({ info: { version: "0.24.1" }, packages: {} });
 const WASM = "pyodide.asm.wasm.gz";
@@ -22,7 +24,7 @@ const MOST_MEMORY = 2 ** 14; // pages of 64 KiB
 
 /** Fetch all files, and say how far that is. */
 async function fetchAll() {
-  const total = FILES.reduce((sum, { size }) => sum + size, 0);
+  const total = scope.FILES.reduce((sum, { size }) => sum + size, 0);
   let fetched = 0;
   const one = async ({ name, version }) => {
     const { ok, status, body } = await fetch(new URL(`${name}?v=${version}`, HERE));
@@ -33,32 +35,32 @@ async function fetchAll() {
         next.enqueue(bytes);
       },
     });
-    return [name, new Uint8Array(await new Response(body.pipeThrough(tell)).arrayBuffer())];
+    return [name, new Uint8Array(await new Response(body?.pipeThrough(tell)).arrayBuffer())];
   };
-  return Object.fromEntries(await Promise.all(FILES.map(one)));
+  return Object.fromEntries(await Promise.all(scope.FILES.map(one)));
 }
 
 function compile(bytes) {
-  const plain = new Response(bytes).body;
+  const { body } = new Response(bytes);
   // Some servers send what is packed as packed, and the browser has unpacked it.
-  const stream = bytes[0] === 0x1f ? plain.pipeThrough(new DecompressionStream("gzip")) : plain;
+  const stream = bytes[0] === 0x1f ? body?.pipeThrough(new DecompressionStream("gzip")) : body;
   const headers = { "Content-Type": "application/wasm" };
   return WebAssembly.compileStreaming(new Response(stream, { headers }));
 }
 
 /** Give Pyodide what is here already, and bound its memory: beyond, Python raises a MemoryError. */
 function prepare(compiled, files) {
-  const { Memory } = WebAssembly;
-  // biome-ignore lint/complexity/useArrowFunction: what is called with new is no arrow function.
-  WebAssembly.Memory = function (limits) {
-    return new Memory({ ...limits, maximum: MOST_MEMORY });
+  wasm.Memory = class extends WebAssembly.Memory {
+    constructor(limits) {
+      super({ ...limits, maximum: MOST_MEMORY });
+    }
   };
-  WebAssembly.instantiateStreaming = async (_, imports) => ({
+  wasm.instantiateStreaming = async (_, imports) => ({
     module: compiled,
-    instance: await WebAssembly.instantiate(compiled, imports),
+    instance: await wasm.instantiate(compiled, imports),
   });
   const local = { ...files, "pyodide-lock.json": NO_PACKAGES };
-  self.fetch = async (address) => new Response(local[String(address).split("/").at(-1)]);
+  scope.fetch = async (address) => new Response(local[String(address).replace(/.*\//, "")]);
 }
 
 async function load({ compiled, files }) {
@@ -66,7 +68,7 @@ async function load({ compiled, files }) {
   compiled ??= await compile(files[WASM]);
   delete files[WASM];
   prepare(compiled, files);
-  const python = await loadPyodide({ indexURL: HERE.href });
+  const python = await scope.loadPyodide({ indexURL: HERE.href });
   // Python then looks up from its loops; WebKit ends a worker only there.
   python.setInterruptBuffer(new Int32Array(1));
   const extractDir = python.runPython("import site; site.getsitepackages()[0]");
@@ -74,7 +76,7 @@ async function load({ compiled, files }) {
   ["numpy.zip", "rotedu.zip"].forEach(unpack);
   const page = python.pyimport("page");
   for (const name of ["fetch", "XMLHttpRequest", "WebSocket", "EventSource", "importScripts"]) {
-    self[name] = () => {
+    scope[name] = () => {
       throw new Error(`${name}: Python in a page talks to no host`);
     };
   }
@@ -83,8 +85,8 @@ async function load({ compiled, files }) {
 }
 
 let loading;
-async function answer({ id, code, name, figures, ...kept }) {
-  loading ??= load(kept);
+async function answer({ id, code, name, figures, compiled, files }) {
+  loading ??= load({ compiled, files });
   const { page } = await loading;
   if (id === undefined) return;
   try {
@@ -92,7 +94,7 @@ async function answer({ id, code, name, figures, ...kept }) {
     postMessage({ id, done: JSON.parse(done) });
   } catch (error) {
     // The runtime is gone: os._exit, or a stack that ran over.
-    postMessage({ id, dead: String(error).trim().split("\n").at(-1).slice(0, 200) });
+    postMessage({ id, dead: String(error).trim().replace(/.*\n/gs, "").slice(0, 200) });
   }
 }
 self.onmessage = ({ data }) =>

@@ -1,18 +1,16 @@
 """Python in the page, as readers meet it: they run and change cells, answer, stop and save."""
 
 import json
-import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
 import nbformat
 import pytest
+from live_pages import AXE, Open, open_page, settle
+from nbclient import NotebookClient
 from nbformat import NotebookNode
 from notebook_language import notebooks, pages, tags
-from servers import jupyterlab
-from test_figures_in_browser import AXE, Open, open_page, settle
-from test_figures_in_lab import KERNEL_IS_THERE
 
 __all__ = ["open_page"]
 
@@ -25,9 +23,6 @@ HINT = "For a hint, press Check again."
 KEYS = "Object.keys(localStorage).filter((key) => key.startsWith('rotedu:'))"
 RUNNABLE = """[...document.querySelectorAll(".cell[data-cell]:has(button[name=run])")].map(
     (cell) => cell.dataset.cell)"""
-ALL_RAN = """() => window.jupyterapp.shell.currentWidget.content.model.cells.length > 0 &&
-    [...window.jupyterapp.shell.currentWidget.content.model.sharedModel.cells].every((cell) =>
-        cell.cell_type !== "code" || cell.execution_count)"""
 PHONE = {"viewport": {"width": 390, "height": 844}, "has_touch": True, "is_mobile": True}
 
 
@@ -44,8 +39,7 @@ class Reader:
         return self.page.locator(f"{within} button[name={name}]")
 
     def state(self, name: str) -> str:
-        found: str = self.cell(name).get_attribute("data-run")
-        return found
+        return str(self.cell(name).get_attribute("data-run"))
 
     def write(self, name: str, code: str) -> None:
         """Put code into a cell, as a reader does: click, select all, type."""
@@ -74,14 +68,12 @@ class Reader:
         """Run a cell, changed or not, and return what it shows."""
         if code is not None:
             self.write(name, code)
-        before = self.cell(name).evaluate_handle("cell => { delete cell.dataset.run; return cell }")
+        self.cell(name).evaluate("cell => { delete cell.dataset.run }")
         self.press(name)
-        before.dispose()
         return self.wait(name)
 
     def message(self, name: str) -> str:
-        text: str = self.cell(name).locator(".live-message").text_content()
-        return text
+        return str(self.cell(name).locator(".live-message").text_content())
 
     def code(self, name: str) -> str:
         """What a listing or an editor shows."""
@@ -89,8 +81,7 @@ class Reader:
         return shown.inner_text().rstrip()
 
     def python(self) -> str:
-        found: str = self.page.locator("html").get_attribute("data-python")
-        return found
+        return str(self.page.locator("html").get_attribute("data-python"))
 
     def exercise(self, number: str) -> Any:
         return self.page.locator(f'.exercise[data-exercise="{number}"]')
@@ -121,8 +112,7 @@ class Reader:
         return self.verdict(number)
 
     def solved(self) -> str:
-        text: str = self.page.locator(".solved").text_content()
-        return text
+        return str(self.page.locator(".solved").text_content())
 
 
 def notebook_cell(number: str) -> NotebookNode:
@@ -163,8 +153,7 @@ def at_desk(busy: Reader) -> Iterator[Reader]:
 def stored_output(name: str, page: str = CURVE) -> str:
     """What a cell of the book prints."""
     cell = next(cell for cell in pages()[f"{page}.ipynb"].cells if cell.id == name)
-    text: str = cell.outputs[0].text
-    return text
+    return str(cell.outputs[0].text)
 
 
 def test_nothing_is_fetched_before_a_click(read: Callable[..., Reader], site: str) -> None:
@@ -223,17 +212,6 @@ def test_cells_above_run_first_and_once(at_desk: Reader) -> None:
 
 
 @pytest.mark.slow
-def test_an_error_shows_the_readers_own_lines(at_desk: Reader) -> None:
-    code = "def f(points):\n    return closed_curve(points)\n\nprint('before')\nf([[1, 0, 0]])"
-    shown = at_desk.run("code-6", code)
-    assert at_desk.state("code-6") == "error"
-    assert shown.startswith("before\nTraceback")
-    assert "line 2, in f" in shown
-    assert "ValueError: points must number" in shown
-    assert ".py" not in shown
-
-
-@pytest.mark.slow
 def test_what_comes_out_is_text(at_desk: Reader) -> None:
     html = "<img src=x onerror='document.title = 1'><b>bold</b>"
     assert at_desk.run("code-6", f'print("{html}")\n"<script>1</script>"').startswith(html)
@@ -258,10 +236,8 @@ def test_impatient_readers_get_everything_once_and_in_order(at_desk: Reader) -> 
 
 
 @pytest.mark.slow
-def test_stop_and_go_on_without_a_network(at_desk: Reader) -> None:
+def test_stop_and_go_on(at_desk: Reader) -> None:
     reader = at_desk
-    reader.run("code-6")
-    reader.page.context.set_offline(True)
     reader.write("code-6", "i = 0\nwhile True:\n    i += 1\n    if i % 10**6 == 0: print(i)")
     reader.press("code-6")
     reader.cell("code-6").locator(".live-output:has-text('1000000')").wait_for(timeout=PATIENCE)
@@ -269,20 +245,21 @@ def test_stop_and_go_on_without_a_network(at_desk: Reader) -> None:
     assert (reader.state("code-6"), reader.state("code-15")) == ("running", "waiting")
     assert reader.message("code-6") == "Running"
     reader.button("stop").click()
-    reader.wait("code-6")
+    assert reader.wait("code-6").startswith("1000000")
     reader.page.wait_for_function("document.querySelector('[data-run=waiting]') === null")
     assert reader.message("code-6").startswith("Stopped.")
     assert (reader.python(), reader.state("code-15")) == ("absent", "stored")
     assert reader.button("stop").count() == 0
+    asked: list[str] = []
+    reader.page.on("request", lambda request: asked.append(request.url))
+    assert reader.run("code-6", "1 + 1") == "2"
+    assert not any("numpy" in url or "wasm" in url for url in asked)
     # What earlier code printed does not stand beside this one.
-    reader.run("code-6", "'earlier'")
     reader.write("code-6", "while True: pass")
     reader.press("code-6")
     reader.cell("code-6").locator(".live-message:text-is('Running')").wait_for(timeout=PATIENCE)
     reader.button("stop").click()
     assert reader.wait("code-6") == ""
-    assert reader.run("code-6", "1 + 1") == "2"
-    reader.page.context.set_offline(False)
 
 
 def test_the_hand_and_python_meet(read: Callable[..., Reader]) -> None:
@@ -376,8 +353,6 @@ def test_a_page_from_a_file_says_what_to_do(book: Path, open_page: Open) -> None
 # What a cell runs, and what it then shows.
 HOSTILE = {
     "import os\nos._exit(0)": "Python has ended",
-    "import sys\nsys.exit()": "SystemExit",
-    "import sys\nsys.stdout.close()\nprint(7)": "7",
     "list(range(10**9))": "MemoryError",
     "np.ones(2 * 10**8)": "MemoryError",
     "def f(n):\n    return f(n + 1)\nf(0)": "RecursionError",
@@ -387,22 +362,13 @@ HOSTILE = {
     "import js\njs.WebSocket.new('wss://rotedu.invalid')": "Error",
     "import pyodide.http\nawait pyodide.http.pyfetch('https://rotedu.invalid')": "Error",
     "import urllib.request\nurllib.request.urlopen('https://rotedu.invalid')": "Error",
-    "np.array([2**40]).astype(int)": "[0]",
-    "2**40": "1099511627776",
     "for i in range(10**6): print(i)": "(cut here: it is longer)",
-    "input()": "input() is not in this page",
-    "import pandas": "pandas is not in this page",
-    "%timeit 1 + 1": "%timeit is not in this page",
     "check = figure = print = None": "",
 }
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(
-    "code",
-    HOSTILE,
-    ids=lambda code: code.split("\n")[-1],
-)
+@pytest.mark.parametrize("code", HOSTILE, ids=lambda code: code.split("\n")[-1])
 def test_a_hostile_cell_harms_nobody(at_desk: Reader, code: str) -> None:
     reader = at_desk
     shown = reader.run("code-6", code)
@@ -443,26 +409,20 @@ def test_every_cell_runs_where_it_stands(read: Callable[..., Reader]) -> None:
 
 
 @pytest.mark.slow
-def test_a_fetch_that_fails_half_way_can_be_repeated(read: Callable[..., Reader]) -> None:
-    reader = read(quiet=False)
-    reader.page.route("**/numpy.zip*", lambda route: route.abort())
+def test_a_fetch_that_fails_can_be_repeated(read: Callable[..., Reader]) -> None:
+    reader, missing = read(quiet=False), ("numpy.zip*", "editor.js*", "*.ipynb")
+    for name in missing:
+        reader.page.route(f"**/{name}", lambda route: route.abort())
+    reader.press("code-6")
+    reader.wait("code-6")
+    assert reader.message("code-6").startswith("The notebook of this page could not be fetched")
+    reader.page.unroute("**/*.ipynb")
     reader.press("code-6")
     reader.page.wait_for_selector("html[data-python=failed]", timeout=PATIENCE)
     assert reader.message("code-6").startswith("Python could not be fetched")
     assert (reader.state("code-6"), reader.output("code-6")) == ("error", "")
     reader.page.unroute("**/numpy.zip*")
-    assert reader.run("code-6") == stored_output("code-6")
-    reader.page.route("**/*.ipynb", lambda route: route.abort())
-    reader.page.reload()
-    reader.press("code-6")
-    reader.wait("code-6")
-    assert reader.message("code-6").startswith("The notebook of this page could not be fetched")
-
-
-@pytest.mark.slow
-def test_without_an_editor_a_cell_still_runs(read: Callable[..., Reader]) -> None:
-    reader = read(quiet=False)
-    reader.page.route("**/editor.js*", lambda route: route.abort())
+    # Without an editor a cell still runs.
     assert reader.run("code-6") == stored_output("code-6")
     reader.page.unroute("**/editor.js*")
     assert reader.run("code-6", "1 + 1") == "2"
@@ -589,26 +549,14 @@ def test_a_finger_can_do_it_and_axe_agrees(read: Callable[..., Reader], theme: s
 
 
 @pytest.mark.slow
-def test_the_saved_notebook_is_green_in_jupyterlab(
-    read: Callable[..., Reader], browser: Any, tmp_path: Path
-) -> None:
+def test_the_saved_notebook_runs_at_a_desk(read: Callable[..., Reader], tmp_path: Path) -> None:
     reader = read()
     reader.check("5.14", "de_casteljau(wide, 0.4)")
     reader.fill("5.12", "60", "30", "90")
     reader.run("code-6", reader.code("code-6") + "\nprint('changed')")
-    save(reader, tmp_path)
-    with jupyterlab(sys.executable, tmp_path, "--expose-app-in-browser") as lab:
-        page = browser.new_page()
-        page.goto(f"{lab}/lab/tree/{CURVE}-my-work.ipynb")
-        page.wait_for_function(KERNEL_IS_THERE, timeout=2 * PATIENCE)
-        page.evaluate("jupyterapp.commands.execute('notebook:run-all-cells')")
-        page.wait_for_function(ALL_RAN, timeout=2 * PATIENCE)
-        page.evaluate("jupyterapp.commands.execute('docmanager:save')")
-        page.wait_for_timeout(2000)
-        page.close()
-    ran = nbformat.read(tmp_path / f"{CURVE}-my-work.ipynb", as_version=4)
-    texts = {cell.id: json.dumps(cell.get("outputs")) for cell in ran.cells}
-    assert '"error"' not in "".join(texts.values())
+    saved = save(reader, tmp_path)
+    NotebookClient(saved, kernel_name="python3").execute()
+    texts = {cell.id: json.dumps(cell.get("outputs")) for cell in saved.cells}
     assert "5.14: right." in texts["start-5-14"]
     assert "5.12: right." in texts["start-5-12"]
     assert "changed" in texts["code-6"]

@@ -151,7 +151,7 @@ def put_together() -> Path:
         {"name": name, "size": (RUNTIME / name).stat().st_size, "version": version(RUNTIME / name)}
         for name in FETCHED
     ]
-    write("files.js", f"const FILES = {json.dumps(files)};\n".encode())
+    write("files.js", f"self.FILES = {json.dumps(files)};\n".encode())
     return RUNTIME
 
 
@@ -198,8 +198,8 @@ def bundle(folder: Path) -> None:
     build("editor.js", "--format=esm")
     shutil.copy(LIVE / "worker.js", folder)
     addresses = {
-        "EDITOR": f"editor.js?v={version(folder / 'editor.js')}",
-        "WORKER": f"worker.js?v={version(folder / 'worker.js', folder / 'files.js')}",
+        "globalThis.EDITOR": f"editor.js?v={version(folder / 'editor.js')}",
+        "globalThis.WORKER": f"worker.js?v={version(folder / 'worker.js', folder / 'files.js')}",
     }
     defined = [f"--define:{name}={json.dumps(address)}" for name, address in addresses.items()]
     build("page_python.js", "--format=iife", *defined)

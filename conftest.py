@@ -15,7 +15,6 @@ from hypothesis import settings
 os.environ["PYVISTA_JUPYTER_BACKEND"] = "still"
 
 ROOT = Path(__file__).parent
-BUILD = pytest.StashKey[subprocess.Popen[bytes]]()
 LOG = ROOT / "_build" / "book.log"
 
 settings.register_profile("repeatable", derandomize=True, deadline=None, database=None)
@@ -37,7 +36,7 @@ def needs_book(item: pytest.Item) -> bool:
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Mark the tests of the built book and put them last, because it is built meanwhile."""
+    """Mark the tests of the built book, and put them last."""
     items.sort(key=needs_book)
     for item in filter(needs_book, items):
         item.add_marker("book")
@@ -46,42 +45,28 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 
 
 def pytest_collection_finish(session: pytest.Session) -> None:
-    """See that a browser answers, and start building the book: a warning is an error."""
-    if session.config.option.collectonly:
-        return
-    if any("browser" in getattr(item, "fixturenames", ()) for item in session.items):
+    """See that a browser answers: now, and not after minutes."""
+    needed = any("browser" in getattr(item, "fixturenames", ()) for item in session.items)
+    if needed and not session.config.option.collectonly:
         try:
             with launch(session.config.option.browser):
                 pass
         except SystemExit as no_browser:
-            # Now, and not after minutes.
             raise pytest.UsageError(no_browser.code) from None
-    if not any(map(needs_book, session.items)):
-        return
-    jupyter_book = Path(sys.executable).with_name("jupyter-book")
-    command = [jupyter_book, "build", ".", "-W", "--keep-going"]
-    # Log to a file, because a pipe that nobody reads fills up and stops the build.
-    LOG.parent.mkdir(exist_ok=True)
-    with LOG.open("w") as log:
-        session.stash[BUILD] = subprocess.Popen(command, cwd=ROOT, stdout=log, stderr=log)
-
-
-def pytest_sessionfinish(session: pytest.Session) -> None:
-    """Stop a build if no test has waited for it."""
-    if BUILD in session.stash:
-        session.stash[BUILD].kill()
 
 
 @pytest.fixture(scope="session")
 def book(request: pytest.FixtureRequest) -> Path:
-    """Wait for the book."""
-    build = request.session.stash[BUILD]
-    if build.poll() is None:
-        # It may itself wait for another build.
-        reporter = request.config.pluginmanager.get_plugin("terminalreporter")
-        reporter.ensure_newline()
-        reporter.write_line(f"waiting for the book; {LOG.relative_to(ROOT)} says how far it is")
-    if build.wait() != 0:
+    """Build the book: a warning is an error."""
+    reporter = request.config.pluginmanager.get_plugin("terminalreporter")
+    reporter.ensure_newline()
+    reporter.write_line(f"building the book; {LOG.relative_to(ROOT)} says how far it is")
+    LOG.parent.mkdir(exist_ok=True)
+    jupyter_book = Path(sys.executable).with_name("jupyter-book")
+    with LOG.open("w") as log:
+        command = [jupyter_book, "build", ".", "-W", "--keep-going"]
+        build = subprocess.run(command, cwd=ROOT, stdout=log, stderr=log, check=False)
+    if build.returncode != 0:
         pytest.fail(LOG.read_text(errors="replace")[-10_000:])
     return ROOT / "_build" / "html"
 

@@ -19,6 +19,7 @@ from servers import answers, until
 fcntl = pytest.importorskip("fcntl", reason="Windows has no make")
 
 ROOT = Path(__file__).parents[1]
+by_make = pytest.mark.skipif(not set_up.PYTHON.exists(), reason="needs the .venv that make makes")
 # A package is whole if every file is there that its record lists.
 MISSING = """
 from importlib.metadata import distributions
@@ -63,6 +64,7 @@ def test_package_and_binder_support_the_same_pythons() -> None:
     assert oldest <= int(pinned.removeprefix("python-3.")) <= newest
 
 
+@by_make
 def test_uv_asks_the_index_that_pip_is_told_of(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capfd: pytest.CaptureFixture[str]
 ) -> None:
@@ -76,7 +78,10 @@ def test_uv_asks_the_index_that_pip_is_told_of(
 
 @pytest.mark.parametrize(
     "command",
-    [["tools/set_up.py", "--browser"], ["-m", "pytest", "-m", "", "tests/test_book.py"]],
+    [
+        pytest.param(["tools/set_up.py", "--browser"], marks=by_make),
+        ["-m", "pytest", "-m", "", "tests/test_book.py"],
+    ],
     ids=["set-up", "tests"],
 )
 def test_a_browser_that_fails_is_said_at_once_and_in_one_line(

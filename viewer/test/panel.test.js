@@ -134,10 +134,9 @@ test("a chart has its curves, names, marks and the place of its input, while it 
     ),
     [true, true, true, true, true, true, true],
   );
-  assert.deepEqual(
-    ["x1", "x2"].map((end) => find("[data-mark]").getAttribute(end)),
-    ["240", "240"],
-  );
+  const said = ["x1", "x2"].map((end) => find("[data-mark]").getAttribute(end));
+  said.push(...["now", "text"].map((what) => find("svg").getAttribute(`aria-value${what}`)));
+  assert.deepEqual(said, ["240", "240", "2.5", "u 2.5"]);
 });
 
 test("along a chart a number is dragged, and moved by keys", () => {

@@ -90,6 +90,7 @@ test("a row shows what it showed at rest, in its middle and as large; without a 
   const rows = new Rows({ rows: ROWS, aspect: 0.5 }, aim);
   rows.fit(PHONE);
   const middles = ROWS.map(({ from }) => aim.middleOf(from));
+  const sizes = [];
   for (const eye of [
     [4, -2, 2],
     [3, 3, -1],
@@ -100,6 +101,9 @@ test("a row shows what it showed at rest, in its middle and as large; without a 
       assert.equal(rows.at(middles[i]), i);
       const { left, top } = rows.project(middles[i]);
       near([left, top], [0.5, to[1] + to[3] / 2]);
+      const [right] = aim.axes();
+      const beside = middles[i].map((x, k) => x + 0.1 * right[k]);
+      sizes.push(rows.project(beside, middles[i]).left - left);
       const { direction } = rows.sight(left, top, middles[i]);
       const way = middles[i].map((x, k) => x - aim.eye()[k]);
       near(
@@ -108,6 +112,7 @@ test("a row shows what it showed at rest, in its middle and as large; without a 
       );
     }
   }
+  near([sizes[0] / sizes[1]], [sizes[2] / sizes[3]]);
   rows.fit({ width: 600, height: 400 });
   rows.follow();
   assert.equal(rows.now, WHOLE);

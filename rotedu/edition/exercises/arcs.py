@@ -8,16 +8,15 @@ import numpy as np
 from rotedu._vectors import Array
 from rotedu.arcs import angle_between, arc_axis, nlerp, slerp
 from rotedu.edition.exercises.answers import along_equator, close, numbers, on_equator
-from rotedu.edition.exercises.judging import Part, because, exercise, in_radians, otherwise, when
+from rotedu.edition.exercises.judging import Part, exercise, in_radians, otherwise, when
 from rotedu.quaternions import Quaternion
 
 
 @exercise(
     "5.1", "three angles in degrees", fields={"at t = 1/4": "°", "at t = 2": "°", "at t = −1": "°"}
 )
-@because("A fraction of the arc is a fraction of its angle, also beyond its ends.")
 def beyond_the_ends() -> Iterator[Part]:
-    """Yield three places on the great circle of an arc."""
+    """A fraction of the arc is a fraction of its angle, also beyond its ends."""
     start, end, t = 10, 70, np.array([1 / 4, 2, -1])
     right = along_equator(slerp(*on_equator([start, end]), t))
     hints = {
@@ -41,9 +40,8 @@ def beyond_the_ends() -> Iterator[Part]:
 
 
 @exercise("5.2", "three vectors, shape (3, 3): the axis, then two points", read=numbers(3, 3))
-@because("The axis is reversed, and it is the same point of the same arc.")
 def ends_exchanged() -> Iterator[Part]:
-    """Yield the axis and the point, twice, after an exchange of the ends."""
+    """The axis is reversed, and it is the same point of the same arc."""
     here, there, t = np.array([0.6, 0, 0.8]), np.array([0.48, 0.8, 0.36]), 0.3
     hints = {
         "About your axis, a positive angle leads away from the new second point.": when(
@@ -85,9 +83,8 @@ def angle(one: Iterable[float], other: Iterable[float]) -> float:
     "two numbers: a length in km and a latitude in degrees",
     fields={"length": "km", "latitude": "°"},
 )
-@because("The flight goes farther north than both its ends.")
 def great_circle_flight() -> Iterator[Part]:
-    """Yield the length of a flight and its northernmost latitude."""
+    """The flight goes farther north than both its ends."""
     radius, frankfurt, san_francisco = 6371, (50.0, 8.6), (37.6, -122.4)
 
     theta = angle(frankfurt, san_francisco)
@@ -151,9 +148,8 @@ def great_circle_flight() -> Iterator[Part]:
 @exercise(
     "5.4", "three numbers: a sign, an angle in degrees and a number of parts", read=numbers(3)
 )
-@because("The error falls with the cube of the angle of a part.")
 def nlerp_between_keys() -> Iterator[Part]:
-    """Yield a sign, the error of nlerp, and the number of parts that makes it small."""
+    """The error falls with the cube of the angle of a part."""
     pose, other = Quaternion.from_axis_angle([0, 0, 1], np.radians([30, 300])).components
     moments, allowed = np.linspace(0, 1, 1001), 0.1
 
@@ -204,9 +200,8 @@ def nlerp_between_keys() -> Iterator[Part]:
 
 
 @exercise("5.5", "directions, shape (1000, 3)", read=numbers(1000, 3))
-@because("A step that contains a station cuts the corner, so it is shorter than the others.")
 def even_sweep() -> Iterator[Part]:
-    """Judge directions at equal distances along a chain of arcs."""
+    """A step that contains a station cuts the corner, so it is shorter than the others."""
     stations = np.array([[1, 0, 0], [0, 1, 0], [0, 0.6, 0.8], [-0.8, 0, 0.6]])
     arcs = len(stations) - 1
     ends = np.concatenate([[0], np.cumsum(angle_between(stations[:-1], stations[1:]))])

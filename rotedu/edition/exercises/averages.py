@@ -9,7 +9,6 @@ from rotedu.averages import angular_distance, matrix_from_two_columns, mean_rota
 from rotedu.edition.exercises.answers import as_array, as_rotation
 from rotedu.edition.exercises.judging import (
     Part,
-    because,
     exercise,
     in_radians,
     otherwise,
@@ -23,9 +22,8 @@ from rotedu.quaternions import Quaternion
 
 
 @exercise("B.1", "three distances", fields={"matrices": "", "quaternions": "", "other sign": ""})
-@because("The two chords of quaternions and a diameter make a right-angled triangle.")
 def three_chords() -> Iterator[Part]:
-    """Yield the chords between turns by 20 and 80 degrees about one axis."""
+    """The two chords of quaternions and a diameter make a right-angled triangle."""
     theta = np.deg2rad(60)
     right = np.array([2 * 2**0.5 * np.sin(theta / 2), 2 * np.sin(theta / 4), 2 * np.cos(theta / 4)])
     matrices, quaternions, other = right
@@ -71,9 +69,8 @@ def three_chords() -> Iterator[Part]:
 
 
 @exercise("B.2", "two angles in degrees", fields={"by chord": "°", "by angle": "°"})
-@because("The chord listens less to the one that strays.")
 def two_means_about_one_axis() -> Iterator[Part]:
-    """Yield the mean of turns by 0, 0 and 90 degrees about one axis."""
+    """The chord listens less to the one that strays."""
     by_chord, by_angle = np.degrees(np.arctan2(1, 2)), 30.0
     by_quaternions = 2 * np.degrees(np.arctan2(0.5**0.5, 2 + 0.5**0.5))
     right = np.array([by_chord, by_angle])
@@ -111,9 +108,8 @@ def two_means_about_one_axis() -> Iterator[Part]:
     fields={f"set {k}": "" for k in range(1, 6)},
     read=lambda answer: as_array([float(each) for each in answer], (5,)),
 )
-@because("What decides is the mean matrix: whether it has one nearest rotation.")
 def which_have_a_mean() -> Iterator[Part]:
-    """Yield which of five sets of rotations have a unique mean."""
+    """What decides is the mean matrix: whether it has one nearest rotation."""
     right = np.array([1, 0, 0, 0, 1])
     slips = abs(right - np.eye(5))
     hints = {
@@ -141,9 +137,8 @@ def which_have_a_mean() -> Iterator[Part]:
 
 
 @exercise("B.4", "a rotation: a matrix, shape (3, 3), or a unit quaternion", read=as_rotation)
-@because("Seven coarse measurements still add a little to three fine ones.")
 def weighted_mean() -> Iterator[Part]:
-    """Yield the mean of measurements of two qualities."""
+    """Seven coarse measurements still add a little to three fine ones."""
     tracked, seeded = rotation_matrix([2, -1, 2], 2.5), np.random.default_rng(19)
     errors = np.array([2, 2, 2, 6, 6, 6, 6, 6, 6, 6.0])
     measured = rotation_matrix(seeded.normal(size=(10, 3)), np.deg2rad(errors)) @ tracked
@@ -184,9 +179,8 @@ def weighted_mean() -> Iterator[Part]:
 
 
 @exercise("B.5", "three angles in degrees", fields={"first": "°", "second": "°", "third": "°"})
-@because("The column that comes first keeps its direction, and the errors of the rest are lost.")
 def by_two_columns() -> Iterator[Part]:
-    """Yield how far the means by two columns are from the mean, by the column that begins."""
+    """The column that comes first keeps its direction, and the errors of the rest are lost."""
     seeded = np.random.default_rng(6)
     copies = rotation_matrix(seeded.normal(size=(50, 3)), seeded.normal(scale=1.0, size=50))
     mean, columns = mean_rotation(copies), np.moveaxis(copies.mean(axis=0), 1, 0)
@@ -264,9 +258,8 @@ def halfway_errors() -> Array:
         "two columns": "°",
     },
 )
-@because("A sign that is followed is as good as two columns; a rule for the sign is not.")
 def worst_of_a_table() -> Iterator[Part]:
-    """Yield the worst error of a table that is read by linear interpolation, in four forms."""
+    """A sign that is followed is as good as two columns; a rule for the sign is not."""
     errors = halfway_errors()
     euler, rule, followed, columns, unwrapped = errors.max(axis=1)
     right = np.array([euler, rule, followed, columns])

@@ -18,7 +18,7 @@ from rotedu.edition.exercises.answers import (
     word,
 )
 from rotedu.edition.exercises.control_points import middle_as_printed
-from rotedu.edition.exercises.judging import Part, because, exercise, in_radians, otherwise, when
+from rotedu.edition.exercises.judging import Part, exercise, in_radians, otherwise, when
 from rotedu.errors import DegenerateError
 
 # How far points may be from their middle, and how near each other: 60 and 40 degrees, as read
@@ -31,9 +31,8 @@ SPREAD, APART = np.deg2rad([60.5, 39.5])
     "three numbers in degrees: two speeds and an angle",
     fields={"leaving": "° per unit", "arriving": "° per unit", "second control point": "°"},
 )
-@because("The first and the last arc alone decide the velocity at the ends.")
 def leaving_and_arriving() -> Iterator[Part]:
-    """Yield the speeds at the ends of a piece, and where the next piece must aim."""
+    """The first and the last arc alone decide the velocity at the ends."""
     points = on_equator([0, 20, 70, 80])
     first, middle, last = np.rad2deg(angle_between(points[:-1], points[1:]))
     hints = {
@@ -72,9 +71,8 @@ def leaving_and_arriving() -> Iterator[Part]:
 
 
 @exercise("5.13", "two numbers of arcs", fields={"cubic curve": "arcs", "m = 10": "arcs"})
-@because("Each level has one arc fewer than the one before.")
 def number_of_arcs() -> Iterator[Part]:
-    """Yield the number of arcs for one point of a curve."""
+    """Each level has one arc fewer than the one before."""
     degrees = np.array([3, 10])
     right = [sum(range(1, m + 1)) for m in degrees]
     hints = {
@@ -133,9 +131,9 @@ def hardly_jumps(points: Array) -> bool:
 
 
 @exercise("5.22", "the four points of your curve, shape (4, 3)", read=numbers(4, 3))
-@because("With equal gaps, the pieces that meet at one of four points are mirror images.")
 def curve_without_jumps() -> Iterator[Part]:
-    """Test points that were found by hand, to a degree and three decimals."""
+    """With equal gaps, the pieces that meet at one of four points are mirror images."""
+    # Points are found by hand, to a degree and three decimals.
     square = normalised([[1, 0.7, 0], [1, 0, 0.7], [1, -0.7, 0], [1, 0, -0.7]])
     hints = {
         "Your points are not on the sphere.": when(
@@ -171,9 +169,8 @@ def curve_without_jumps() -> Iterator[Part]:
 
 
 @exercise("5.14", "a point, shape (3,)")
-@because("Each point is overwritten when nobody needs it any more.")
 def one_row_of_points() -> Iterator[Part]:
-    """Yield the point that a loop in one row finds."""
+    """Each point is overwritten when nobody needs it any more."""
     wide = normalised([[0.9, 0.3, 0.3], [0.3, 0.9, 0.3], [-0.3, 0.9, -0.3], [-0.9, 0.3, 0.3]])
     row = wide.copy()
     for j in range(1, 4):
@@ -201,9 +198,8 @@ def one_row_of_points() -> Iterator[Part]:
 @exercise(
     "5.15", "your a_i, shape (4, 3), and a number of checks", read=parts(numbers(4, 3), numbers())
 )
-@because("Whatever a_i is, b_i = Double(a_i, P_i) makes the curve C1.")
 def an_error_that_hides() -> Iterator[Part]:
-    """Yield control points made with a wrong axis, and how many checks notice it."""
+    """Whatever a_i is, b_i = Double(a_i, P_i) makes the curve C1."""
     middle = middle_as_printed(FIGURE_8)
     right, (correct, _) = bisect(FIGURE_8, middle), control_points(FIGURE_8)
     hints = {
@@ -246,9 +242,8 @@ def energy(points: Array, fraction: float, samples: int = 100) -> Array:
 @exercise(
     "5.16", "a number and True or False", read=parts(numbers(), word("true", "false", "yes", "no"))
 )
-@because("The best fraction differs from hexagon to hexagon.")
 def energy_of_one_half() -> Iterator[Part]:
-    """Yield a median of energies, and whether one fraction is best."""
+    """The best fraction differs from hexagon to hexagon."""
     hexagons = np.random.default_rng(35).normal(size=(40, 6, 3))
     half, third = energy(hexagons, 1 / 2), energy(hexagons, 1 / 3)
     hints = {

@@ -7,7 +7,7 @@ import numpy as np
 
 from rotedu.cost import OperationCount
 from rotedu.edition.exercises.answers import close, normalised, numbers, radians_for_degrees
-from rotedu.edition.exercises.judging import Part, because, exercise, otherwise, when
+from rotedu.edition.exercises.judging import Part, exercise, otherwise, when
 from rotedu.ordinary_rotation import axis_angle
 from rotedu.orientations import nearest_rotation
 from rotedu.quaternions import Quaternion
@@ -21,9 +21,8 @@ CONVERSION, POINT = OperationCount(9, 15), OperationCount(9, 6)
     "two numbers: multiplications and additions",
     fields={"multiplications": "", "additions": ""},
 )
-@because("The product is computed once, for all points.")
 def one_product_for_all() -> Iterator[Part]:
-    """Yield the cost of turning points by the product of two matrices."""
+    """The product is computed once, for all points."""
 
     def numbers(cost: OperationCount) -> tuple[int, int]:
         return cost.multiplications, cost.additions
@@ -53,9 +52,8 @@ def one_product_for_all() -> Iterator[Part]:
 
 
 @exercise("6.2", "two numbers: two errors", fields={"random turns": "", "one turn repeated": ""})
-@because("Errors that cancel grow like a square root; an error that is repeated adds up.")
 def two_laws_of_growth() -> Iterator[Part]:
-    """Yield how errors of a long product grow."""
+    """Errors that cancel grow like a square root; an error that is repeated adds up."""
     first, longer = 1e-6, 27_000 / 3000
     root = np.sqrt(longer)
     hints = {
@@ -91,9 +89,8 @@ def two_laws_of_growth() -> Iterator[Part]:
 
 
 @exercise("6.3", "a number of joints", fields={"joints": ""})
-@because("Each product saves 17 operations, and the conversion costs 24, once.")
 def joints_of_an_arm() -> Iterator[Part]:
-    """Yield the number of joints from which on quaternions are cheaper."""
+    """Each product saves 17 operations, and the conversion costs 24, once."""
 
     def total(cost: OperationCount) -> int:
         return cost.multiplications + cost.additions
@@ -125,9 +122,9 @@ def joints_of_an_arm() -> Iterator[Part]:
     "four numbers: three times in minutes and one in days",
     read=lambda answer: np.log(numbers(4)(answer).clip(1e-9)),
 )
-@because("An error that is repeated wins over one that cancels.")
 def hours_of_a_game() -> Iterator[Part]:
-    """Yield how long a product of rounded steps keeps its length; within 3 %."""
+    """An error that is repeated wins over one that cancels."""
+    # Times are right within 3 %, so logarithms are compared.
     steps = []
     for degrees in (1, 2, 3):
         step = Quaternion.from_axis_angle([0.6, 0, 0.8], np.deg2rad(degrees))
@@ -189,9 +186,8 @@ def hours_of_a_game() -> Iterator[Part]:
 
 
 @exercise("6.5", "two angles in degrees")
-@because("For two rotations the claim holds, so a test with two would have missed this.")
 def two_ways_to_average() -> Iterator[Part]:
-    """Yield how far two averages of rotations are apart."""
+    """For two rotations the claim holds, so a test with two would have missed this."""
     noise = np.random.default_rng(15).normal(size=(3, 3))
     vote = normalised(np.column_stack([np.ones(3), noise]))
     matrices = Quaternion(vote[:, 0], vote[:, 1:]).matrix()

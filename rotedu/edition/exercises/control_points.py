@@ -9,22 +9,13 @@ from rotedu._vectors import Array
 from rotedu.arcs import angle_between, arc_axis
 from rotedu.control_points import bisect, control_points, double
 from rotedu.edition.exercises.answers import along_equator, close, normalised, numbers, on_equator
-from rotedu.edition.exercises.judging import (
-    Part,
-    because,
-    exercise,
-    in_radians,
-    otherwise,
-    usual,
-    when,
-)
+from rotedu.edition.exercises.judging import Part, exercise, in_radians, otherwise, usual, when
 from rotedu.ordinary_rotation import rotate
 
 
 @exercise("5.6", "a point, shape (3,)", fields={"U": "", "V": "", "W": ""})
-@because("Reflecting in a point is a half turn about it.")
 def reflected_in_the_pole() -> Iterator[Part]:
-    """Yield the reflection of a point in the pole."""
+    """Reflecting in a point is a half turn about it."""
     point, pole = np.array([1, 2, 2]) / 3, np.array([0, 0, 1])
     hints = {
         "That is the mirror image in the plane of the equator.": when(
@@ -48,9 +39,8 @@ def reflected_in_the_pole() -> Iterator[Part]:
 
 
 @exercise("5.7", "a point, shape (3,)", fields={"U": "", "V": "", "W": ""})
-@because("The midpoint has the direction of the sum, and no angle is needed.")
 def middle_of_an_arc() -> Iterator[Part]:
-    """Yield the midpoint of two points of the equator."""
+    """The midpoint has the direction of the sum, and no angle is needed."""
     p, q = np.array([1, 0, 0]), np.array([0.28, 0.96, 0])
     hints = {
         "Your point is not on the sphere.": when(
@@ -92,9 +82,8 @@ def construction(before: float, after: float) -> tuple[Array, Array, Array, Arra
         "a, for gaps of 30° and 110°": "°",
     },
 )
-@because("On a great circle, a_i is a quarter of both gaps together beyond P_i.")
 def construction_on_a_circle() -> Iterator[Part]:
-    """Yield the four points of the construction, then what the rule for a_i gives."""
+    """On a great circle, a_i is a quarter of both gaps together beyond P_i."""
     before, after = 30, 110
     steps = {
         "first": "Double goes through 0°, and as far beyond it as it has come.",
@@ -127,9 +116,8 @@ def construction_on_a_circle() -> Iterator[Part]:
 
 
 @exercise("5.9", "four angles in degrees")
-@because("Reversing the list reveals an error that a look at the curve does not.")
 def reversed_ring() -> Iterator[Part]:
-    """Yield how far a wrong axis breaks the symmetry of the construction."""
+    """Reversing the list reveals an error that a look at the curve does not."""
     ring = normalised([[1, -0.45, 0], [0.7, 0.6, -0.35], [0.1, 0.8, 0.5], [0.6, -0.05, 0.95]])
     a, b = with_printed_axis(ring)
     back_a, back_b = with_printed_axis(ring[::-1])
@@ -183,9 +171,8 @@ def middle_as_printed(points: Array) -> Array:
 
 
 @exercise("5.10", "two points, shape (2, 3)", read=numbers(2, 3))
-@because("Both points are the midpoint, so both colleagues are right.")
 def two_repairs() -> Iterator[Part]:
-    """Yield the points that two repairs of (5-9) lead to."""
+    """Both points are the midpoint, so both colleagues are right."""
     start, goal = double([1, 0, 0], [0.6, 0.8, 0]), np.array([0, 0.6, 0.8])
     printed, half = np.cross(goal, start), angle_between(start, goal) / 2
     as_printed = rotate(start, printed, half)
@@ -237,9 +224,8 @@ GAPS = [(g, h) for g in STEPS for h in STEPS if abs(g - h) != 180 and abs(g + h)
     "a function of two gaps in degrees that returns an angle in degrees",
     read=lambda rule: without_full_turns([numbers()(rule(g, h)) for g, h in GAPS]),
 )
-@because("Near a jump, a small change of a point changes the curve a lot.")
 def rule_for_two_gaps() -> Iterator[Part]:
-    """Yield the places of a_i on a great circle."""
+    """Near a jump, a small change of a point changes the curve a lot."""
     right = np.array([along_equator(construction(g, h)[2]) for g, h in GAPS])
     before, after = np.transpose(GAPS)
     follow = "Follow the midpoint of step two. Where is it before the jump, and where after it?"

@@ -20,7 +20,6 @@ from rotedu.edition.exercises.judging import (
     Mistake,
     Part,
     angle_in_radians,
-    because,
     exercise,
     otherwise,
     when,
@@ -38,9 +37,8 @@ from rotedu.general_rotation import (
 
 
 @exercise("4.1", "a point, three numbers", fields={"U": "", "V": "", "W": ""})
-@because("The second turn is about W itself.")
 def end_of_v() -> Iterator[Part]:
-    """Yield the end of the chain, then those of the other order and the other sense."""
+    """The second turn is about W itself."""
     u, w = (turn(np.pi / 2)[:3, :3] for turn in (rotation_u, rotation_w))
     v = [0, 1, 0]
     hints = {
@@ -66,9 +64,8 @@ def with_or_without_a_fourth(answer: Any) -> Array:
 
 
 @exercise("4.2", "two times three numbers", read=parts(*2 * [with_or_without_a_fourth]))
-@because("A translation moves points and leaves directions alone.")
 def point_and_direction() -> Iterator[Part]:
-    """Compare with the images of a point and a direction."""
+    """A translation moves points and leaves directions alone."""
     chain = translation([5, 0, 0]) @ scaling(2)
     turned_round = scaling(2) @ translation([5, 0, 0])
     moved, only_scaled = ((chain @ [1, 2, 3, last])[:3] for last in (1, 0))
@@ -112,9 +109,8 @@ def point_and_direction() -> Iterator[Part]:
     'three letters such as "VWU", an axis of three numbers, and an angle in degrees',
     read=parts(word(*map("".join, permutations("uvw"))), numbers(3), numbers()),
 )
-@because("What acts first stands on the right.")
 def order_of_a_product() -> Iterator[Part]:
-    """Compare the product at three angles; the sign of the axis is free."""
+    """What acts first stands on the right."""
     u, v, w = np.eye(3)
 
     def product(letters: str) -> Array:
@@ -158,9 +154,8 @@ THERE = np.array([0.4, 0.7, -1.1])
     "a matrix, shape (4, 4)",
     read=lambda back: numbers(4, 4)(back) @ matrix_from_euler_angles(*THERE),
 )
-@because("The last step has to be undone first.")
 def way_back() -> Iterator[Part]:
-    """Yield products of a way back and the way there."""
+    """The last step has to be undone first."""
     u, v, w = THERE
     there = matrix_from_euler_angles(u, v, w)
     hints = {
@@ -186,9 +181,9 @@ def way_back() -> Iterator[Part]:
 
 
 @exercise("4.5", "three triples of angles in radians, shape (3, 3)", read=numbers(3, 3))
-@because("The angles need not be those that went in.")
 def angles_of_a_matrix() -> Iterator[Part]:
-    """Compare the matrices, not the angles, except at gimbal lock."""
+    """The angles need not be those that went in."""
+    # Matrices are compared, not angles, except at gimbal lock.
     triples = np.deg2rad([(10, 20, 30), (10, 160, 30), (40, 90, 10)])
     targets = matrix_from_euler_angles(*triples.T)
     found = np.transpose(euler_angles(targets))
@@ -249,9 +244,8 @@ def angles_of_a_matrix() -> Iterator[Part]:
 
 
 @exercise("4.6", "three matrices, each of shape (3, 3)", read=parts(*3 * [numbers(3, 3)]))
-@because("Rotations and unequal scalings already shear.")
 def shear_by_rotations() -> Iterator[Part]:
-    """Test the three factors and their product."""
+    """Rotations and unequal scalings already shear."""
     shear = shearing(uv=0.8)[:3, :3]
     # The SVD may mirror on both sides; the product stays if both signs change.
     last, sizes, first = np.linalg.svd(shear)
@@ -390,9 +384,9 @@ def faults_of_triangles(camera: Array, triangles: Array, near_last: Array) -> di
     "a matrix of shape (4, 4), triangles of shape (n, 3, 3), and an order of n numbers",
     read=as_photograph,
 )
-@because("Near parts hide far ones.")
 def photograph_of_a_spoon() -> Iterator[Part]:
-    """Test the perspective, the order and the spoon; the picture itself is for your eyes."""
+    """Near parts hide far ones."""
+    # The picture itself is for your eyes.
     triangles = np.random.default_rng(0).uniform(-1, 1, size=(20, 3, 3))
     near_last = np.argsort(triangles[:, :, 2].mean(axis=1))
     projection = np.eye(4) - np.outer([0, 0, 0, 1], [0, 0, 0.5, 0])

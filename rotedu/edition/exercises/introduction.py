@@ -15,22 +15,14 @@ from rotedu.edition.exercises.answers import (
     unit,
     word,
 )
-from rotedu.edition.exercises.judging import (
-    Part,
-    angle_in_radians,
-    because,
-    exercise,
-    otherwise,
-    when,
-)
+from rotedu.edition.exercises.judging import Part, angle_in_radians, exercise, otherwise, when
 from rotedu.ordinary_rotation import rotation_matrix
 from rotedu.quaternions import Quaternion
 
 
 @exercise("1.1", "a matrix, shape (3, 3)")
-@because("The columns say where the axes go.")
 def axes_in_turn() -> Iterator[Part]:
-    """Yield the matrix whose columns are V, W and U."""
+    """The columns say where the axes go."""
     right = np.roll(np.eye(3), 1, axis=0)
     hints = {
         "Your matrix turns the other way: it takes V to U.": when(
@@ -49,9 +41,8 @@ def axes_in_turn() -> Iterator[Part]:
     'an axis of three numbers, an angle in degrees, and "same", "inverse" or "another"',
     read=parts(numbers(3), numbers(), word("same", "inverse", "another")),
 )
-@because("All four signs together make no difference.")
 def quaternion_of_a_friend() -> Iterator[Part]:
-    """Accept every axis and angle of the rotation."""
+    """All four signs together make no difference."""
     friend = Quaternion(0.6, [0, 0, -0.8])
     right = np.rad2deg(friend.axis_angle()[1])
     hints = {
@@ -101,9 +92,8 @@ def quaternion_of_a_friend() -> Iterator[Part]:
     "a column of three numbers, a pair of counts, and a matrix of shape (3, 3)",
     read=parts(numbers(3), numbers(2), numbers(3, 3)),
 )
-@because("Two columns are enough, and the corner is not.")
 def columns_left_out() -> Iterator[Part]:
-    """Yield the third column, its cost, and a test of the other rotation with the same corner."""
+    """Two columns are enough, and the corner is not."""
     first, second = np.array([[0.36, 0.8, 0.48], [-0.48, 0.6, -0.64]])
     third = np.cross(first, second)
     hints = {
@@ -151,9 +141,8 @@ def columns_left_out() -> Iterator[Part]:
     "choices of three row numbers from 0 to 8, an array of shape (number of choices, 3)",
     read=lambda answer: {frozenset(choice) for choice in numbers(None, 3)(answer)},
 )
-@because("Length 1 ties the entries of each row and of each column.")
 def never_free() -> Iterator[Part]:
-    """Yield the choices of deficient rank at random rotations, in any order."""
+    """Length 1 ties the entries of each row and of each column."""
     sample = np.random.default_rng(13)
     some = rotation_matrix(sample.normal(size=(100, 3)), sample.uniform(-3, 3, 100))
     moves = [np.cross(axis, some, axisb=1, axisc=1).reshape(100, 9) for axis in np.eye(3)]

@@ -189,29 +189,20 @@ class Verdict:
 
 EXERCISES: dict[str, Exercise] = {}
 
-REASONS: dict[State, str] = {}
-
 
 def exercise(number: str, expects: str, **more: Any) -> Callable[[State], State]:
-    """Register the function below as the check of an exercise; all else is as in `Exercise`."""
+    """Register the function below as the check of an exercise; all else is as in `Exercise`.
+
+    Its docstring, if there is one, is the sentence that a right answer earns.
+    """
 
     def register(state: State) -> State:
         if number in EXERCISES:
             raise ValueError(f"exercise {number} has two checks")
-        EXERCISES[number] = Exercise(number, state, expects, REASONS.get(state, ""), **more)
+        EXERCISES[number] = Exercise(number, state, expects, state.__doc__ or "", **more)
         return state
 
     return register
-
-
-def because(reason: str) -> Callable[[State], State]:
-    """Say, between `exercise` and its check, what a right answer earns."""
-
-    def note(state: State) -> State:
-        REASONS[state] = reason
-        return state
-
-    return note
 
 
 def check(number: str, answer: Any, hint: int = 1) -> Verdict:
@@ -251,7 +242,7 @@ def check(number: str, answer: Any, hint: int = 1) -> Verdict:
             if holds(given, lambda item: item is ...):
                 return Verdict(number, None, "not answered yet.")
             wrong = asked.judge(given)
-    except Exception as error:
+    except (Exception, SystemExit) as error:
         form = f"Expected {asked.expects}."
         infinite = "Some numbers are not finite. " * isinstance(error, FloatingPointError)
         said = " ".join(str(error)[:LONGEST].split()) or type(error).__name__

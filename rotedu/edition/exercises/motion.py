@@ -6,7 +6,7 @@ import numpy as np
 
 from rotedu._vectors import Array
 from rotedu.edition.exercises.answers import as_rotation
-from rotedu.edition.exercises.judging import Part, because, exercise, in_radians, otherwise, when
+from rotedu.edition.exercises.judging import Part, exercise, in_radians, otherwise, when
 from rotedu.motion import (
     angular_velocity,
     integrate,
@@ -18,9 +18,8 @@ from rotedu.ordinary_rotation import axis_angle, rotation_matrix
 
 
 @exercise("A.1", "a rotation vector, three numbers in radians", fields={"U": "", "V": "", "W": ""})
-@because("Of all vectors that lead to a matrix, the logarithm is the shortest.")
 def shortest_rotation_vector() -> Iterator[Part]:
-    """Yield the logarithm of three quarters of a turn, then what other choices lead to."""
+    """Of all vectors that lead to a matrix, the logarithm is the shortest."""
     about_w = np.array([0, 0, 1])
     right = rotation_vector(rotation_matrix(about_w, 1.5 * np.pi))
     hints = {
@@ -52,9 +51,8 @@ def shortest_rotation_vector() -> Iterator[Part]:
     "three numbers, in radians a second",
     fields={"first axis": "rad/s", "second axis": "rad/s", "third axis": "rad/s"},
 )
-@because("It is the same vector, described along axes that have turned.")
 def rates_of_a_gyroscope() -> Iterator[Part]:
-    """Yield an angular velocity in the body's frame, then what other frames lead to."""
+    """It is the same vector, described along axes that have turned."""
     turned, omega = rotation_matrix([0, 0, 1], np.pi / 2), np.array([0, 2, 0])
     right = turned.T @ omega
     hints = {
@@ -86,9 +84,8 @@ def rates_of_a_gyroscope() -> Iterator[Part]:
 
 
 @exercise("A.3", "two factors", fields={"matrix": "", "quaternion": ""})
-@because("The quaternion grows less, because its rate has half the length.")
 def what_a_step_stretches() -> Iterator[Part]:
-    """Yield the factors of one step of Euler's method, then what other formulas lead to."""
+    """The quaternion grows less, because its rate has half the length."""
     step = 0.2
     factors = np.sqrt(1 + np.array([step, step / 2]) ** 2)
     matrix, quaternion = factors
@@ -124,9 +121,8 @@ def what_a_step_stretches() -> Iterator[Part]:
     "a rotation: a matrix, a unit quaternion, or an axis and an angle in radians",
     read=as_rotation,
 )
-@because("Seen from the body, the room turns the other way.")
 def orientation_by_gyroscope() -> Iterator[Part]:
-    """Yield where rates in the body's frame lead, then what other readings lead to."""
+    """Seen from the body, the room turns the other way."""
     start, dt, t = np.eye(3), 0.01, np.arange(300) / 100
     log = np.stack([60 * np.cos(t), 40 + 0 * t, -90 * np.sin(2 * t)], axis=-1)
     rates = np.deg2rad(log)
@@ -173,9 +169,8 @@ def wobbling(n: int, part: float) -> Array:
 @exercise(
     "A.5", "two numbers of steps, powers of 2", fields={"beginning": "steps", "middle": "steps"}
 )
-@because("Twice as many steps halve the one error and quarter the other.")
 def steps_that_suffice() -> Iterator[Part]:
-    """Yield how many steps are enough, then what other questions lead to."""
+    """Twice as many steps halve the one error and quarter the other."""
     truth, degrees = wobbling(1024, 1 / 2), 0.5
 
     def enough(part: float, within: float = degrees) -> int:
@@ -220,9 +215,8 @@ def steps_that_suffice() -> Iterator[Part]:
 @exercise(
     "A.6", "two speeds in degrees a second", fields={"camera": "°/s", "about its sight": "°/s"}
 )
-@because("Most of the turning keeps the picture upright.")
 def following_an_aeroplane() -> Iterator[Part]:
-    """Yield how fast the camera turns and spins, then what other measures lead to."""
+    """Most of the turning keeps the picture upright."""
     t, dt = np.arange(-1000, 1001) / 50, 0.02
     sights = np.stack([80 * t, 0 * t + 60, 0 * t + 400], axis=-1)
     cameras = look_at(sights, [0, 0, 1])

@@ -19,7 +19,6 @@ from rotedu.edition.exercises.answers import (
 from rotedu.edition.exercises.judging import (
     Part,
     angle_in_radians,
-    because,
     exercise,
     otherwise,
     the_truth,
@@ -29,9 +28,8 @@ from rotedu.ordinary_rotation import axis_angle, rotate, rotation_matrix
 
 
 @exercise("3.1", "a point, three numbers", fields={"U": "", "V": "", "W": ""})
-@because("What lies along the axis stays where it is.")
 def quarter_turn_of_a_point() -> Iterator[Part]:
-    """Yield the turned point, then what other senses, angles and axes lead to."""
+    """What lies along the axis stays where it is."""
     point, w = [1, 2, 3], [0, 0, 1]
     hints = {
         "This turns clockwise.": when(
@@ -57,9 +55,8 @@ def quarter_turn_of_a_point() -> Iterator[Part]:
 @exercise(
     "3.2", "an axis of three numbers and an angle in degrees", read=parts(numbers(3), numbers())
 )
-@because("The trace shows the angle, and three differences show the axis.")
 def axis_and_angle_of_a_matrix() -> Iterator[Part]:
-    """Accept an axis and an angle that are both opposite."""
+    """The trace shows the angle, and three differences show the axis."""
     matrix = np.array([[2, -1, 2], [2, 2, -1], [-1, 2, 2]]) / 3
     right = np.rad2deg(axis_angle(matrix)[1])
     one_third = np.rad2deg(np.arccos(matrix.trace() / 3))
@@ -105,9 +102,8 @@ def axis_and_angle_of_a_matrix() -> Iterator[Part]:
     ' "negative", "transpose" or "identity"',
     read=parts(*2 * [word("same", "negative", "transpose", "inverse", "identity")]),
 )
-@because("It is the inverse rotation, both times.")
 def turned_back() -> Iterator[Part]:
-    """Compute the matrix that each word names, and accept the inverse under its own name."""
+    """It is the inverse rotation, both times."""
     axis, angle = np.array([1, 2, 2]) / 3, 0.7
     forward = rotation_matrix(axis, angle)
     named = {
@@ -147,9 +143,8 @@ def turned_back() -> Iterator[Part]:
     "two pairs, each of an axis and an angle in degrees",
     read=parts(*2 * [parts(numbers(3), numbers())]),
 )
-@because("Angles do not add up when the axes differ.")
 def two_turns_in_a_row() -> Iterator[Part]:
-    """Accept every axis and angle of the two rotations."""
+    """Angles do not add up when the axes differ."""
     u, v, w = np.eye(3)
     (u2, v2), (u4, v4) = (
         [rotation_matrix(axis, angle) for axis in (u, v)] for angle in (np.pi, np.pi / 2)
@@ -200,9 +195,8 @@ def as_printed(n: Any, angle: float) -> Any:
 
 
 @exercise("3.5", "a number", fields={"largest entry": ""})
-@because("It is more than three times the error of the axis, and the formula gives no warning.")
 def axis_too_long() -> Iterator[Part]:
-    """Yield the residual, then other residuals."""
+    """It is more than three times the error of the axis, and the formula gives no warning."""
     n = np.array([0, 0.6, 0.8])
 
     def residual(matrix: Any) -> Any:
@@ -240,9 +234,8 @@ def axis_too_long() -> Iterator[Part]:
 @exercise(
     "3.6", "an axis of three numbers and an angle in radians", read=parts(numbers(3), numbers())
 )
-@because("Thousands of vertices average out the noise of each.")
 def rotation_of_a_spoon() -> Iterator[Part]:
-    """Compare with the truth, up to the noise."""
+    """Thousands of vertices average out the noise of each."""
     secret = np.random.default_rng(12)
     truth = rotation_matrix(secret.normal(size=3), secret.uniform(0, np.pi))
     n, turn = axis_angle(truth)

@@ -15,7 +15,7 @@ from rotedu.edition.exercises.answers import (
     numbers,
     radians_for_degrees,
 )
-from rotedu.edition.exercises.judging import Part, because, exercise, in_radians, otherwise, when
+from rotedu.edition.exercises.judging import Part, exercise, in_radians, otherwise, when
 from rotedu.errors import DegenerateError
 from rotedu.ordinary_rotation import axis_angle, rotation_matrix
 from rotedu.orientations import slerp_rotations
@@ -23,9 +23,8 @@ from rotedu.quaternions import Quaternion
 
 
 @exercise("5.17", "a turn: a matrix, shape (3, 3), or a unit quaternion", read=as_rotation)
-@because("The axis of this turn belongs to the camera, not to the room.")
 def turn_between_cameras() -> Iterator[Part]:
-    """Yield the turn from one orientation to another."""
+    """The axis of this turn belongs to the camera, not to the room."""
     r1, r2 = rotation_matrix([[1, 0, 0], [0, 1, 0]], np.pi / 2)
     hints = {
         "Your turn leads from the first to the second if it stands on the left.": when(
@@ -54,9 +53,8 @@ def turn_between_cameras() -> Iterator[Part]:
     "three angles in degrees",
     fields={"as they stand": "°", "sign changed": "°", "matrices": "°"},
 )
-@because("The sign chooses the way of slerp; two matrices alone give the shorter turn.")
 def halfway_in_three_ways() -> Iterator[Part]:
-    """Yield the place halfway along two ways round."""
+    """The sign chooses the way of slerp; two matrices alone give the shorter turn."""
     total = np.deg2rad(300)
     q1, q2 = Quaternion.from_axis_angle([0, 0, 1], [0, total]).components
     ends = rotation_matrix([0, 0, 1], [0, total])
@@ -97,9 +95,8 @@ def halfway_in_three_ways() -> Iterator[Part]:
 
 
 @exercise("5.19", "an angle in degrees", fields={"angle": "°"})
-@because("It is the area of the triangle, as an angle.")
 def carried_platform() -> Iterator[Part]:
-    """Yield the turn of a platform that is carried round a triangle, counterclockwise."""
+    """It is the area of the triangle, as an angle."""
     east = np.deg2rad(40)
     corners = np.array([[0, 0, 1], [1, 0, 0], [np.cos(east), np.sin(east), 0]])
     trip = np.eye(3)
@@ -129,9 +126,8 @@ def carried_platform() -> Iterator[Part]:
 
 
 @exercise("5.20", "two whole numbers from 0 to 32")
-@because("After an odd number of full turns, signs agree only on a second round.")
 def choices_of_signs() -> Iterator[Part]:
-    """Yield how many choices of signs are refused, and how many give a steady turn."""
+    """After an odd number of full turns, signs agree only on a second round."""
     quaternions = Quaternion.from_axis_angle([1, 2, 2], np.arange(5) * 2 * np.pi / 5).components
     steady = rotation_matrix([1, 2, 2], np.arange(100) * 2 * np.pi / 100)
     refused = turning = 0
@@ -172,9 +168,8 @@ def columns_of_flights(answer: Any) -> tuple[Array, Array, Array]:
 
 
 @exercise("5.21", "four rows of three numbers, shape (4, 3)", read=columns_of_flights)
-@because("The steeper the line of sight, the more a level horizon costs.")
 def upright_flights() -> Iterator[Part]:
-    """Yield the roll of the shortest flights and the cost of flying upright."""
+    """The steeper the line of sight, the more a level horizon costs."""
     sights = normalised([(1.0, 0.0, -0.2), (0.3, 1.0, 0.2), (0.2, 0.3, 1.0), (0.3, -0.9, 0.3)])
     pairs = list(zip(sights, np.roll(sights, -1, axis=0), strict=True))
     rolls, turned, uneven = np.transpose([flight(*ends) for ends in pairs])

@@ -18,7 +18,6 @@ from rotedu.edition.exercises.answers import (
 from rotedu.edition.exercises.judging import (
     Part,
     angle_in_radians,
-    because,
     exercise,
     otherwise,
     scalar_last,
@@ -33,9 +32,8 @@ from rotedu.quaternions import Quaternion
     "a quaternion, four numbers with the scalar part first",
     fields={"scalar part": "", "along U": "", "along V": "", "along W": ""},
 )
-@because("The norms multiply, too.")
 def product_by_hand() -> Iterator[Part]:
-    """Yield the product, then products of wrong order and wrong parts."""
+    """The norms multiply, too."""
     p, q = Quaternion(1, [2, 0, 0]), Quaternion(3, [1, 1, 0])
     # Half the difference of the two products is the part that the order decides.
     crossed = (p * q - q * p).components / 2
@@ -66,9 +64,8 @@ def product_by_hand() -> Iterator[Part]:
 
 
 @exercise("2.2", "a quaternion, four numbers with the scalar part first", read=numbers(4))
-@because("Its negative would do as well.")
 def unit_quaternion_of_a_turn() -> Iterator[Part]:
-    """Accept either sign."""
+    """Its negative would do as well."""
     axis, angle = np.array([0, 3, 4]), np.deg2rad(60)
     right = Quaternion.from_axis_angle(axis, angle)
     in_degrees = Quaternion.from_axis_angle(axis, 60).components
@@ -105,7 +102,6 @@ def unit_quaternion_of_a_turn() -> Iterator[Part]:
     read=parts(parts(*4 * [parts(numbers(3), numbers())]), numbers(3)),
 )
 def axis_and_angle_at_sight() -> Iterator[Part]:
-    """Accept every axis and angle of each rotation."""
     four = [
         Quaternion(0, [0, 0, 1]),
         Quaternion(-1, [0, 0, 0]),
@@ -162,9 +158,8 @@ def axis_and_angle_at_sight() -> Iterator[Part]:
     "two quaternions, each of four numbers with the scalar part first",
     read=parts(numbers(4), numbers(4)),
 )
-@because("For half turns about perpendicular axes the order does not matter.")
 def two_turns_in_a_row() -> Iterator[Part]:
-    """Accept either sign of each product."""
+    """For half turns about perpendicular axes the order does not matter."""
     u, v = [1, 0, 0], [0, 1, 0]
     (u2, v2), (u4, v4) = (
         [Quaternion.from_axis_angle(axis, angle) for axis in (u, v)] for angle in (np.pi, np.pi / 2)
@@ -205,9 +200,8 @@ def two_turns_in_a_row() -> Iterator[Part]:
     'an angle in degrees, two axes, and "first", "second", "both" or "neither"',
     read=parts(numbers(), numbers(3), numbers(3), word("first", "second", "both", "neither")),
 )
-@because("One axis is given in the room, the other in the object.")
 def between_two_photographs() -> Iterator[Part]:
-    """Accept an axis and an angle that are both opposite."""
+    """One axis is given in the room, the other in the object."""
     photo_1 = Quaternion.from_axis_angle([0, 0, 1], np.deg2rad(90))
     photo_2 = Quaternion.from_axis_angle([1, 0, 0], np.deg2rad(40)) * photo_1
     in_room, in_object = photo_2 / photo_1, photo_1.inverse() * photo_2
@@ -256,7 +250,7 @@ def between_two_photographs() -> Iterator[Part]:
 
 @exercise("2.6", "a quaternion, four numbers with the scalar part first", read=numbers(4))
 def average_of_orientations() -> Iterator[Part]:
-    """Measure the angle to the truth; length and sign are free."""
+    # Length and sign are free.
     tracker = np.random.default_rng(4)
     # A turn of almost 180°: noise decides the sign of its scalar part.
     truth = Quaternion.from_axis_angle([1, -2, 2], np.deg2rad(179))

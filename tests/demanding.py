@@ -76,35 +76,12 @@ def demanding_scene() -> pyvista.Plotter:
 
 
 def scene_of_all_looks() -> pyvista.Plotter:
-    """Draw one of each kind of surface, line and point."""
+    """Draw one of each kind of surface."""
     plotter = new_plotter()
-    places = np.array([(0, y, z) for z in (0.75, -0.55) for y in (-1.2, -0.4, 0.4, 1.2)])
-    round_ball = pyvista.Sphere(radius=0.33, theta_resolution=40, phi_resolution=40)
-    colored = round_ball.copy()
-    colored["height"] = colored.points[:, 2]
-    box = pyvista.Cube(x_length=0.5, y_length=0.5, z_length=0.5)
-    spiral_turn = np.linspace(0, 6 * np.pi, 120)
-    spiral = pyvista.lines_from_points(
-        np.column_stack(
-            [0.3 * np.cos(spiral_turn), 0.3 * np.sin(spiral_turn), spiral_turn / 30 - 0.3]
-        )
-    )
-    cloud = pyvista.PolyData(0.3 * np.random.default_rng(3).uniform(-1, 1, (12, 3)))
-    for mesh, place, looks in zip(
-        (box, round_ball, colored, round_ball, spiral, box.extract_all_edges(), cloud, cloud),
-        places,
-        (
-            {"color": "#0072b2"},
-            {"color": "#d55e00", "specular": 0.6, "specular_power": 15, "smooth_shading": True},
-            {"scalars": "height", "show_scalar_bar": False, "smooth_shading": True},
-            {"color": "#009e73", "ambient": 0.3, "diffuse": 0.6},
-            {"color": "#0072b2", "line_width": 4},
-            {"color": "#d55e00", "line_width": 3, "lighting": False},
-            {"color": "#009e73", "point_size": 14},
-            {"color": "#b65f92", "point_size": 16, "render_points_as_spheres": True},
-        ),
-        strict=True,
-    ):
-        plotter.add_mesh(mesh.translate(place), **looks)
-    describe(plotter, "Two rows of balls, boxes, lines and points, each with other looks.")
+    round_ball = pyvista.Sphere(radius=0.5, theta_resolution=40, phi_resolution=40)
+    shiny = {"specular": 0.6, "specular_power": 15, "smooth_shading": True}
+    plotter.add_mesh(pyvista.Cube().scale(0.7).translate((0, -1.2, 0)), color="#0072b2")
+    plotter.add_mesh(round_ball, color="#d55e00", **shiny)
+    plotter.add_mesh(round_ball.translate((0, 1.2, 0)), color="#009e73", ambient=0.3, diffuse=0.6)
+    describe(plotter, "A box and two balls in a row, each with other looks.")
     return plotter

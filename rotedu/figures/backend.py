@@ -291,10 +291,6 @@ def enlarged(plotter: pyvista.Plotter, scale: int) -> pyvista.Plotter:
         copy.add_light(light)
     for name, actor in part_names(plotter):
         twin = actor.copy(deep=False)
-        twin.prop = actor.prop.copy()
-        # Widths are in pixels of the picture.
-        twin.prop.line_width *= scale
-        twin.prop.point_size *= scale
         copy.add_actor(twin, name=name, reset_camera=False, render=False)
     copy.camera = plotter.camera.copy()  # type: ignore[no-untyped-call]
     copy.camera.clipping_range = plotter.camera.clipping_range

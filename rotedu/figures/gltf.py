@@ -1,9 +1,9 @@
 """A pyvista scene as binary glTF: all that a viewer needs to draw it as pyvista does.
 
-Surfaces, lines, points, colours, opacity and the camera are stored as the glTF standard says. VTK's
+Surfaces, their colours and opacity, and the camera are stored as the glTF standard says. VTK's
 looks go beyond the standard and travel as ``extras``. The scene has the lights and the camera's
-target; each material has the shares of ambient, diffuse and specular light and the widths in
-pixels; each node says whether its part hides labels (``pickable``).
+target; each material has the shares of ambient, diffuse and specular light; each node says whether
+its part hides labels (``pickable``).
 
 Positions are float32. Normals are rounded to 1/127. Colours are linear, as the standard requires.
 """
@@ -19,10 +19,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from rotedu.figures.ball import ball_looks
 
-FLOAT, BYTE, USHORT, UINT = 5126, 5120, 5123, 5125
-COMPONENT_TYPES = {"float32": FLOAT, "int8": BYTE, "uint16": USHORT, "uint32": UINT}
+COMPONENT_TYPES = {"float32": 5126, "int8": 5120, "uint16": 5123, "uint32": 5125}
 VERTEX_DATA, INDICES = 34962, 34963
-POINTS, LINES, STRIP = 0, 1, 5
+STRIP = 5
 # glTF reserves the largest index of a type.
 USHORT_POINTS = 65535
 
@@ -36,12 +35,9 @@ def scene_gltf(plotter: pyvista.Plotter) -> bytes:
     materials: list[dict[str, Any]] = []
     recorded = getattr(plotter, "record", None)
     for name, actor in part_names(plotter):
-        primitives = _primitives(actor, binary, len(materials))
-        if not primitives:
-            continue
         place = recorded.parts.get(name) if recorded else None
         nodes.append(_node(actor, len(meshes), name, place))
-        meshes.append({"name": name, "primitives": primitives})
+        meshes.append({"name": name, "primitives": [_primitive(actor, binary, len(materials))]})
         materials.append(_material(actor))
     camera, camera_node = _camera(plotter)
     document = {
@@ -103,7 +99,7 @@ class _Binary:
                 "bufferView": len(self.views) - 1,
                 "componentType": COMPONENT_TYPES[array.dtype.name],
                 "count": count,
-                "type": {1: "SCALAR", 3: "VEC3", 4: "VEC4"}[components],
+                "type": {1: "SCALAR", 3: "VEC3"}[components],
             }
             | properties
         )
@@ -112,7 +108,7 @@ class _Binary:
 
 
 def surface_of(actor: pyvista.Actor) -> pyvista.PolyData:
-    """Return the surface, lines and points of an actor, before its own matrix moves them."""
+    """Return the surface of an actor, before its own matrix moves it."""
     # pyvista may have put filters before the mapper that have not run yet.
     actor.mapper.update()
     dataset = actor.mapper.dataset
@@ -121,42 +117,19 @@ def surface_of(actor: pyvista.Actor) -> pyvista.PolyData:
     return cast(pyvista.PolyData, dataset.extract_surface(algorithm=None))
 
 
-def _primitives(actor: pyvista.Actor, binary: _Binary, material: int) -> list[dict[str, Any]]:
-    """Store the geometry of an actor, one primitive for each kind of cell that it draws."""
+def _primitive(actor: pyvista.Actor, binary: _Binary, material: int) -> dict[str, Any]:
+    """Store the surface of an actor."""
     surface = surface_of(actor)
-    colors = _colors(actor)
-    corners = {STRIP: _strip(surface), LINES: _segments(surface), POINTS: _vertices(surface)}
-    style = actor.prop.style.lower()
-    if style == "wireframe":
-        corners = {LINES: _segments(surface.extract_all_edges())}
-    elif style == "points":
-        corners = {POINTS: np.arange(surface.n_points)}
-
     points = np.asarray(surface.points, np.float32)
-    attributes = {
-        "POSITION": binary.add(
-            points,
-            VERTEX_DATA,
-            min=[float(x) for x in points.min(axis=0)],
-            max=[float(x) for x in points.max(axis=0)],
-        )
-    }
+    low, high = (extreme(axis=0).tolist() for extreme in (points.min, points.max))
+    attributes = {"POSITION": binary.add(points, VERTEX_DATA, min=low, max=high)}
     normals = surface.point_data.active_normals
     if normals is not None and actor.prop.interpolation.value != 0:
         rounded = np.rint(127 * np.asarray(normals)).astype(np.int8)
         attributes["NORMAL"] = binary.add(rounded, VERTEX_DATA, normalized=True)
-    if colors is not None:
-        attributes["COLOR_0"] = binary.add(colors, VERTEX_DATA, normalized=True)
-
-    primitives = []
-    for mode, used in corners.items():
-        if used.size:
-            index_type = np.uint16 if len(points) <= USHORT_POINTS else np.uint32
-            indices = binary.add(used.astype(index_type).reshape(-1, 1), INDICES)
-            primitives.append(
-                {"attributes": attributes, "indices": indices, "mode": mode, "material": material}
-            )
-    return primitives
+    index_type = np.uint16 if len(points) <= USHORT_POINTS else np.uint32
+    indices = binary.add(_strip(surface).astype(index_type).reshape(-1, 1), INDICES)
+    return {"attributes": attributes, "indices": indices, "mode": STRIP, "material": material}
 
 
 def _strip(surface: pyvista.PolyData) -> NDArray[np.int64]:
@@ -165,8 +138,6 @@ def _strip(surface: pyvista.PolyData) -> NDArray[np.int64]:
     A strip needs a third as many numbers as single triangles. Triangles without area join the
     strips that VTK finds. Every strip begins at an even place, so that its faces keep their front.
     """
-    if not surface.n_faces + surface.n_strips:
-        return np.empty(0, np.int64)
     strips = surface.triangulate().strip(max_length=10**6)
     corners: list[int] = []
     for cells in (strips.strips, strips.faces):
@@ -186,35 +157,6 @@ def _cells(connectivity: NDArray[np.int64]) -> Iterator[NDArray[np.int64]]:
         start = end
 
 
-def _segments(surface: pyvista.PolyData) -> NDArray[np.int64]:
-    """Return the two ends of each piece of each line, one pair after the other."""
-    lines = [np.column_stack([line[:-1], line[1:]]) for line in _cells(np.asarray(surface.lines))]
-    return np.concatenate([np.empty((0, 2), np.int64), *lines]).ravel()
-
-
-def _vertices(surface: pyvista.PolyData) -> NDArray[np.int64]:
-    """Return the points that are drawn as points."""
-    if not surface.n_verts:
-        return np.empty(0, np.int64)
-    return np.asarray(surface.verts, np.int64).reshape(-1, 2)[:, 1]
-
-
-def _colors(actor: pyvista.Actor) -> NDArray[np.uint16] | None:
-    """Return the linear colours of the points if they have colours of their own."""
-    mapper = actor.mapper
-    if not mapper.scalar_visibility:
-        return None
-    if mapper.array_name not in mapper.dataset.point_data:
-        raise ValueError("scene: expected colours by point, got colours by cell")
-    dataset = mapper.dataset.copy(deep=False)
-    dataset.set_active_scalars(mapper.array_name, preference="point")
-    # Otherwise VTK looks up the colours of pixels in a texture, and the points have none.
-    mapper.SetInterpolateScalarsBeforeMapping(False)
-    rgba = pyvista.convert_array(mapper.MapScalars(dataset, 1.0)) / 255
-    linear = np.column_stack([_linear(rgba[:, :3]), rgba[:, 3:]])
-    return np.asarray(np.rint(65535 * linear), np.uint16)
-
-
 def _linear(color: ArrayLike) -> NDArray[np.float64]:
     """Take the gamma of sRGB out of a colour."""
     color = np.asarray(color, float)
@@ -224,22 +166,19 @@ def _linear(color: ArrayLike) -> NDArray[np.float64]:
 def _material(actor: pyvista.Actor) -> dict[str, Any]:
     """Describe the looks of an actor."""
     prop = actor.prop
-    color = np.ones(3) if actor.mapper.scalar_visibility else _linear(prop.color.float_rgb)
+    color = _linear(prop.color.float_rgb)
     material: dict[str, Any] = {
         "pbrMetallicRoughness": {
             "baseColorFactor": [*(round(float(x), 6) for x in color), prop.opacity],
             "metallicFactor": 0,
         },
-        "doubleSided": prop.culling == "none",
+        "doubleSided": True,
         "extras": {
             "lit": prop.lighting,
             "ambient": prop.ambient,
             "diffuse": prop.diffuse,
             "specular": [prop.specular * part for part in prop.specular_color.float_rgb],
             "specularPower": prop.specular_power,
-            "lineWidth": prop.line_width,
-            "pointSize": prop.point_size,
-            "roundPoints": prop.render_points_as_spheres,
         }
         | ball_looks(actor),
     }
@@ -258,9 +197,7 @@ def _node(
     if not actor.visibility:
         extras["hidden"] = True
     if place:
-        extras |= {
-            key: np.asarray(place[key], float).tolist() for key in ("at", "radius") if key in place
-        }
+        extras |= {k: np.asarray(place[k], float).tolist() for k in ("at", "radius") if k in place}
     node: dict[str, Any] = {"mesh": mesh, "name": name, "extras": extras}
     matrix = pyvista.array_from_vtkmatrix(actor.GetMatrix())
     if not np.array_equal(matrix, np.eye(4)):
@@ -332,9 +269,12 @@ def _refuse_what_cannot_travel(plotter: pyvista.Plotter) -> None:
             for light in plotter.renderer.lights
         ),
         "textures": any(part.texture for part in parts),
+        "lines or points": any(surface_of(p).n_lines + surface_of(p).n_verts for p in parts),
+        "a style other than surface": any(part.prop.style != "Surface" for part in parts),
+        "colours by point or cell": any(part.mapper.scalar_visibility for part in parts),
         "visible edges": any(part.prop.show_edges for part in parts),
         "physically based rendering": any(part.prop.interpolation.name == "PBR" for part in parts),
-        "culled front faces": any(part.prop.culling == "front" for part in parts),
+        "culled faces": any(part.prop.culling != "none" for part in parts),
         ", ".join(sorted(others)): bool(others),
     }
     if found := [what for what, is_there in refused.items() if is_there]:

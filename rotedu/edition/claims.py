@@ -7,6 +7,7 @@ links to names it beside the verdict.
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
+from functools import partial
 from typing import Any, Literal
 
 from rotedu.edition.notebook import Table, linked
@@ -110,28 +111,27 @@ class Claim:
         return signed(self.verdict) + ", a slip" * self.slip + (f": {why}" if why else "")
 
 
-def judged(verdict: Verdict, *details: str, **more: Any) -> Callable[..., Callable[..., Claim]]:
-    """Return a function of a claim's words and details, which waits for number, places and page."""
-
-    def claim(words: str, *told: str) -> Callable[..., Claim]:
-        known = dict(zip(details, told, strict=False)) | more
-        return lambda number, where, page: Claim(
-            number, words, tuple(where.split(", ")), verdict, page, **known
-        )
-
-    return claim
+def judged(verdict: Verdict, **more: Any) -> Callable[..., partial[Claim]]:
+    """Return a function that makes a claim but for its number, its places and its page."""
+    return lambda claim, reason="": partial(
+        Claim, claim=claim, verdict=verdict, reason=reason, **more
+    )
 
 
-holds = judged("holds", "reason")
-holds_if = judged("holds under a condition", "condition", "reason")
-does_not_hold = judged("does not hold", "reason")
-slip = judged("does not hold", "reason", slip=True)
-does_not_follow = judged("does not follow", "reason")
-not_confirmed = judged("not confirmed", "reason")
-a_matter_of_names = judged("a matter of names", "reason")
+def holds_if(claim: str, condition: str, reason: str = "") -> partial[Claim]:
+    """Make one that holds under a condition."""
+    return judged("holds under a condition", condition=condition)(claim, reason)
+
+
+holds = judged("holds")
+does_not_hold = judged("does not hold")
+slip = judged("does not hold", slip=True)
+does_not_follow = judged("does not follow")
+not_confirmed = judged("not confirmed")
+a_matter_of_names = judged("a matter of names")
 
 # By page, then by number and places.
-ON_PAGE: dict[str, dict[tuple[int, str], Callable[..., Claim]]] = {
+ON_PAGE = {
     "01-introduction": {
         (1, "1"): holds(
             "The product of two 3 × 3 matrices takes 27 multiplications and 18 additions",
@@ -424,7 +424,11 @@ ON_PAGE: dict[str, dict[tuple[int, str], Callable[..., Claim]]] = {
 
 CLAIMS = tuple(
     sorted(
-        (claim(*place, page) for page, some in ON_PAGE.items() for place, claim in some.items()),
+        (
+            claim(number=number, where=tuple(where.split(", ")), chapter=page)
+            for page, claims in ON_PAGE.items()
+            for (number, where), claim in claims.items()
+        ),
         key=lambda claim: claim.number,
     )
 )

@@ -6,6 +6,7 @@ mark, ``@pytest.mark.equation("5-2")``.
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from typing import Literal, get_args
 
 from rotedu.edition.notebook import Table, linked
@@ -64,10 +65,10 @@ class Figure:
         return f"figure-{self.number}"
 
 
-def judged(status: Status) -> Callable[..., Callable[[str], Equation]]:
-    """Return a function of words, functions and remark, which waits for the number."""
-    return lambda words, functions, remark="": (
-        lambda number: Equation(number, words, tuple(functions.split(", ")), status, remark)
+def judged(status: Status) -> Callable[..., partial[Equation]]:
+    """Return a function that makes an equation but for its number."""
+    return lambda words, functions, remark="": partial(
+        Equation, words=words, functions=tuple(functions.split(", ")), status=status, remark=remark
     )
 
 
@@ -203,7 +204,7 @@ BY_NUMBER = {
     ),
 }
 
-EQUATIONS = tuple(equation(number) for number, equation in BY_NUMBER.items())
+EQUATIONS = tuple(equation(number=number) for number, equation in BY_NUMBER.items())
 
 FIGURES = (
     Figure(1, "a vector is turned about an axis"),

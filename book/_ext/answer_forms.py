@@ -4,6 +4,7 @@ What judges it stands below the starter cell, and ``_static/answers.js`` makes a
 scripts there is no form, and the text is complete.
 """
 
+import html
 import json
 from typing import Any
 
@@ -14,10 +15,6 @@ from sphinx.transforms.post_transforms import SphinxPostTransform
 
 from cells import code_cells, part_of_exercise
 from rotedu.edition.exercises.judging import EXERCISES, Exercise, Part
-
-
-class answer_form(nodes.General, nodes.Element):  # noqa: N801 (docutils names nodes so)
-    """What a form needs to judge an answer."""
 
 
 def judged_by(part: Part, numbers: int) -> dict[str, Any]:
@@ -39,8 +36,8 @@ def judged_by(part: Part, numbers: int) -> dict[str, Any]:
     }
 
 
-def form_of(exercise: Exercise) -> answer_form:
-    """Return the node for an exercise."""
+def form_of(exercise: Exercise) -> nodes.raw:
+    """Return an empty element for the script to fill."""
     asked = {
         "number": exercise.number,
         "fields": list(exercise.fields.items()),
@@ -48,7 +45,8 @@ def form_of(exercise: Exercise) -> answer_form:
         "because": exercise.because,
         "parts": [judged_by(part, len(exercise.fields)) for part in exercise.parts],
     }
-    return answer_form(asked=json.dumps(asked, ensure_ascii=False))
+    data = html.escape(json.dumps(asked, ensure_ascii=False))
+    return nodes.raw("", f'<div class="answer-form" data-asked="{data}"></div>', format="html")
 
 
 class AddForms(SphinxPostTransform):
@@ -66,19 +64,7 @@ class AddForms(SphinxPostTransform):
                 cell.parent.insert(cell.parent.index(cell) + 1, form_of(EXERCISES[number]))
 
 
-def visit_answer_form(writer: Any, node: answer_form) -> None:
-    """Write an empty element for the script to fill."""
-    attributes = {"data-asked": node["asked"]}
-    writer.body.append(writer.starttag(node, "div", "", CLASS="answer-form", **attributes))
-
-
-def depart_answer_form(writer: Any, node: answer_form) -> None:
-    """Close it."""
-    writer.body.append("</div>\n")
-
-
 def setup(app: Sphinx) -> dict[str, Any]:
-    """Register the step and its node."""
-    app.add_node(answer_form, html=(visit_answer_form, depart_answer_form))
+    """Register the step."""
     app.add_post_transform(AddForms)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 import pytest
 import pyvista
-from explorables import outputs, states
+from explorables import states
 from nightly import nightly
 from scipy.spatial.transform import Rotation, Slerp
 
@@ -85,15 +85,13 @@ def inside(plotter: pyvista.Plotter, points: np.ndarray, row: dict[str, list[flo
     return (left < x) & (x < left + width) & (top < y) & (y < top + height)
 
 
-def test_figure_1_takes_its_vector_axis_and_angle() -> None:
-    vector, axis, angle = [0.8, 0.2, 0.5], [0, 0.3, 1], 1.1
-    plotter = scenes.figure_1(vector, axis, angle)
-    turned = Rotation.from_rotvec(angle * np.divide(axis, np.linalg.norm(axis))).apply(vector)
+def test_figure_1_turns_its_vector() -> None:
+    vector, axis = np.array([1, -0.3, 0.75]), np.array([-0.15, 0.1, 1])
+    plotter = scenes.figure_1()
+    turn = np.radians(75) * axis / np.linalg.norm(axis)
+    turned = Rotation.from_rotvec(turn).apply(vector)
     for name in ("turned", "term 3"):
         np.testing.assert_allclose(plotter.record.parts[name]["to"], turned)
-    places = plotter.record.labels
-    for text, tip in ((r"\vec r", vector), (r"\vec r^{\,\prime}", turned)):
-        assert np.linalg.norm(np.subtract(places[text], tip)) < 0.25, text
 
 
 def test_figure_1_stays_in_the_picture_when_its_axis_is_tilted() -> None:
@@ -136,11 +134,6 @@ def test_the_teaspoon_is_a_closed_surface_but_for_its_ends() -> None:
     assert spoon.is_manifold or spoon.n_open_edges == 2 * 12
 
 
-def test_a_mesh_of_ones_own_is_turned() -> None:
-    plotter = scenes.rotated_mesh(pyvista.Cube())
-    assert "8 vertices" in plotter.alt_text or "24 vertices" in plotter.alt_text
-
-
 def meshes(plotter: pyvista.Plotter, color: str) -> list[pyvista.PolyData]:
     actors = [a for a in plotter.actors.values() if isinstance(a, pyvista.Actor)]
     return [a.mapper.dataset for a in actors if a.prop.color == pyvista.Color(color)]
@@ -155,14 +148,6 @@ def test_two_mirrors_turn_the_letter_by_twice_their_angle(between: float) -> Non
     assert np.isclose(np.linalg.det(mirrored), -1)
     turned = Rotation.from_euler("z", [[140], [140 + 2 * between]], degrees=True).as_matrix()
     np.testing.assert_allclose([before, after], turned, rtol=0, atol=1e-14)
-    told = state["outputs"]
-    assert told["turned"] == 2 * between
-    assert told["home"] == ("yes" if between in (0, 180) else "no")
-    # SciPy puts the scalar part last.
-    w, *v = told["q"]
-    turn = Rotation.from_quat([*v, w]).as_matrix()
-    np.testing.assert_allclose(turn @ before, after, rtol=0, atol=1e-14)
-    assert np.isclose(w, np.cos(np.deg2rad(between)), atol=1e-14)
 
 
 def turn_of(state: dict[str, Any], name: str) -> np.ndarray:
@@ -195,10 +180,6 @@ def test_the_ribbon_has_the_twists_that_are_said(turns, passed, twists) -> None:
     np.testing.assert_allclose(middle[:, :2], 0, atol=1e-5)
     angle = np.unwrap(np.arctan2(across[:, 1], across[:, 0]))
     assert np.isclose((angle[0] - angle[-1]) / (2 * np.pi), twists, atol=1e-5)
-    [state] = states("double_cover_by_hand", [{"turns": turns, "passed": passed}])
-    assert state["outputs"]["twists"] == pytest.approx(twists)
-    turn = Rotation.from_euler("z", 360 * turns, degrees=True).as_matrix()
-    np.testing.assert_allclose(turn_of(state, "spoon"), turn, atol=1e-12)
 
 
 WAYS = [(turns, passed) for turns in (0, 0.4, 1, 1.7, 2, 2.3, 3, 4) for passed in (0, 0.3, 0.9, 1)]
@@ -252,14 +233,6 @@ def test_what_is_grabbed_lies_on_the_ribbon(turns) -> None:
     # A path that ended where it begins would lead from four turns to none.
     assert np.linalg.norm(tips[-1] - tips[0]) > 1e-3
     assert np.linalg.norm(way[-1] - way[0]) > 1e-3
-
-
-def test_no_turn_maps_the_letter_f_to_its_mirror_image() -> None:
-    corners = np.unique(scenes.letter_f().points.round(6), axis=0)
-    mirrored = corners * [-1, 1, 1]
-    for angle in np.linspace(0, 2 * np.pi, 73):
-        distances = np.linalg.norm(rotate(mirrored, [0, 0, 1], angle)[:, None] - corners, axis=-1)
-        assert distances.min(axis=1).max() > 0.05
 
 
 @pytest.mark.parametrize(
@@ -351,19 +324,6 @@ def test_one_path_of_the_camera_is_thick() -> None:
 
 
 @pytest.mark.parametrize("path", ["arcs", "curve"])
-def test_an_upright_camera_spins_with_its_azimuth(path: str) -> None:
-    times = (0.6 - 1e-5, 0.6, 0.6 + 1e-5)
-    cases = [{"path": path, "roll": "kept upright", "u": u} for u in times]
-    found = states("camera_by_hand", cases)
-    (x, y, _), (*_, height), (x2, y2, _) = (turn_of(state, "camera")[:, 0] for state in found)
-    # Four legs take four seconds; only the part of the turn about the line of sight counts.
-    rate = np.degrees(np.arctan2(x * y2 - y * x2, x * x2 + y * y2)) / 8e-5
-    told = found[1]["outputs"]["spin"]
-    assert told == pytest.approx(rate * height, rel=1e-4, abs=1e-2)
-    assert outputs("camera_by_hand", **cases[1] | {"roll": "carried along"})["spin"] == 0
-
-
-@pytest.mark.parametrize("path", ["arcs", "curve"])
 def test_the_chart_of_the_spin_is_that_of_an_upright_camera(path: str) -> None:
     upright = {"path": path, "roll": "kept upright"}
     first, *others = states(
@@ -391,18 +351,14 @@ def test_curvature_in_the_chart_jumps_as_told() -> None:
     pieces = np.array(charts["curvatures"]["curve"])
     jumps = abs(pieces[:, 0] - np.roll(pieces[:, -1], 1))
     assert jumps == pytest.approx(np.array(told["curvature_jumps"]), abs=1e-5)
-    # At u = 0.34 the nearest is the second of four points; close to the end it is the first again.
-    assert jumps[1] == pytest.approx(told["curvature_jump"], abs=1e-5)
-    at_the_end = outputs("closed_curve_by_hand", u=0.9)["curvature_jump"]
-    assert jumps[0] == pytest.approx(at_the_end, abs=1e-5)
     speeds = np.array(charts["speeds"]["curve"])
     assert told["speed_range"] == pytest.approx([speeds.min(), speeds.max()])
     assert (jumps > 0.5).sum() == 3
 
 
 def test_four_ways_between_are_those_of_scipy() -> None:
-    ends = [(10, 20, -30), (80, -40, 60)]
-    plotter = scenes.four_ways_between(*ends)
+    ends = scenes.TWO_ORIENTATIONS
+    plotter = scenes.four_ways_between()
     given = Rotation.from_euler("xyz", ends, degrees=True)
     tip, t = np.array([1, 0, 0]), np.linspace(0, 1, 97)
     angles = ends[0] + t[:, None] * np.subtract(ends[1], ends[0])
@@ -423,11 +379,14 @@ def test_four_ways_between_are_those_of_scipy() -> None:
         assert apart.min(axis=0).max() < 0.1, ink
 
 
-def test_beads_of_nlerp_are_late_first_and_early_then() -> None:
-    plotter = scenes.four_ways_between((0, 0, 0), (0, 0, 150), beads=4)
-    cubes = [np.mean(m.points, axis=0) for m in meshes(plotter, colors.CROSS) if m.n_points < 100]
-    at = [np.degrees(np.arctan2(y, x)) for x, y, _ in cubes]
-    half = np.deg2rad(75)
-    expected = 2 * np.degrees(np.arctan2(np.sin(half), 3 + np.cos(half)))
-    np.testing.assert_allclose(at, [expected, 75, 150 - expected], atol=1e-4)
-    assert expected < 150 / 4
+def test_beads_lie_where_both_are_after_each_eighth_of_the_time() -> None:
+    plotter = scenes.four_ways_between()
+    first, last = Rotation.from_euler("xyz", scenes.TWO_ORIENTATIONS, degrees=True)
+    q, r = (turn.as_quat() for turn in (first, last))
+    t = np.arange(1, 8)[:, np.newaxis] / 8
+    mixed = Rotation.from_quat((1 - t) * q + t * np.sign(q @ r) * r)
+    even = Slerp([0, 1], Rotation.concatenate([first, last]))(t[:, 0])
+    for turns, ink, most in ((mixed, colors.CROSS, 100), (even, colors.RESULT, 250)):
+        small = [np.mean(m.points, axis=0) for m in meshes(plotter, ink) if m.n_points < most]
+        found = np.array(small) / np.linalg.norm(small, axis=1, keepdims=True)
+        np.testing.assert_allclose(found, turns.apply([1, 0, 0]), atol=1e-6)

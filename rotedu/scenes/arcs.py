@@ -1,7 +1,5 @@
 """Scenes of page 5 I: a camera, an arc and its axis, and slerp beside nlerp."""
 
-from collections.abc import Sequence
-
 import numpy as np
 import pyvista
 from numpy.typing import ArrayLike
@@ -47,23 +45,13 @@ def camera(direction: ArrayLike, size: float = 0.3) -> pyvista.PolyData:
     return model
 
 
-def camera_arcs(
-    targets: ArrayLike = CAMERA_TARGETS, names: Sequence[str] = CAMERA_SEES
-) -> pyvista.Plotter:
-    """Draw a camera, the directions in which it looks in turn, and the arcs between them.
-
-    Parameters
-    ----------
-    targets : array_like, shape (n, 3)
-        The directions; they are normalised. The path is closed.
-    names : sequence of str
-        What the camera sees in each direction.
-    """
-    points = normalised(targets)
+def camera_arcs() -> pyvista.Plotter:
+    """Draw a camera, the directions in which it looks in turn, and the arcs between them."""
+    points = normalised(CAMERA_TARGETS)
 
     plotter = sphere_scene(eye=(4.3, -1.9, 3.2), target=(0, 0, 0.06))
     plotter.add_mesh(camera(points[0]), color=NEUTRAL, pickable=False)
-    for point, after, name in zip(points, np.roll(points, -1, axis=0), names, strict=True):
+    for point, after, name in zip(points, np.roll(points, -1, axis=0), CAMERA_SEES, strict=True):
         add_line(plotter, [ORIGIN, point], NEUTRAL, radius=0.004)
         add_arc(plotter, point, after, RESULT, radius=0.014)
         tail, tip = slerp(point, after, [0.5, 0.6])
@@ -73,8 +61,8 @@ def camera_arcs(
     describe(
         plotter,
         "A see-through unit sphere with a camera at its centre. Thin lines lead from the camera to"
-        f" {len(points)} points of the sphere: {', '.join(names)}. Arcs of great circles join them"
-        " in this order and lead back to the first. At each point the path has a corner.",
+        f" {len(points)} points of the sphere: {', '.join(CAMERA_SEES)}. Arcs of great circles join"
+        " them in this order and lead back to the first. At each point the path has a corner.",
     )
     return plotter
 
@@ -87,19 +75,10 @@ def add_right_angle(
     add_line(plotter, [side, side + other, other], NEUTRAL, radius=0.005)
 
 
-def figure_2(
-    v1: ArrayLike = (0.85, -0.45, -0.2), v2: ArrayLike = (0.15, 0.98, -0.1), t: float = 0.3
-) -> pyvista.Plotter:
-    """Draw Fig. 2: two unit vectors, the axis perpendicular to both, and the arc between them.
-
-    Parameters
-    ----------
-    v1, v2 : array_like, shape (3,)
-        The ends of the arc; they are normalised.
-    t : float
-        Fraction of the arc at which to show a point.
-    """
-    first, second = (np.asarray(v, float) / np.linalg.norm(v) for v in (v1, v2))
+def figure_2() -> pyvista.Plotter:
+    """Draw Fig. 2: two unit vectors, the axis perpendicular to both, and the arc between them."""
+    first, second = normalised(((0.85, -0.45, -0.2), (0.15, 0.98, -0.1)))
+    t = 0.3
     n, point = arc_axis(first, second), slerp(first, second, t)
     angle = float(np.degrees(angle_between(first, second)))
 

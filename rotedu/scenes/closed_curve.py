@@ -2,7 +2,7 @@
 
 import numpy as np
 import pyvista
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from rotedu.closed_curve import closed_curve
 from rotedu.colors import AXIS, CROSS, NEUTRAL, RESULT, VECTOR
@@ -29,19 +29,11 @@ __all__ = ["ARCS", "FIGURE_8", "arcs_of_arcs", "camera_by_hand", "closed_curve_b
 FIGURE_8 = ((0.8, -0.4, 0.4), (0.5, 0.8, -0.4), (0.6, 0.7, 0.4), (0.1, 0.4, 0.9))
 
 
-def figure_8(points: ArrayLike = FIGURE_8, fraction: float = 1 / 2) -> pyvista.Plotter:
-    """Draw Fig. 8: a closed curve on the sphere, its points and its control points.
-
-    Parameters
-    ----------
-    points : array_like, shape (n, 3)
-        At least 3 points P_0 ... P_{n-1}; they are normalised.
-    fraction : float
-        How far ``a_i`` goes from ``P_i`` towards the midpoint. The paper takes 1/2.
-    """
-    p = normalised(points)
-    a, b = control_points(p, fraction)
-    curve = closed_curve(p, 30, fraction)
+def figure_8() -> pyvista.Plotter:
+    """Draw Fig. 8: a closed curve on the sphere, its points and its control points."""
+    p = normalised(FIGURE_8)
+    a, b = control_points(p)
+    curve = closed_curve(p, 30)
 
     plotter = sphere_scene(eye=(4.28, 2.42, 2.51))
     add_line(plotter, [*curve, curve[0]], RESULT, radius=0.013)

@@ -50,20 +50,8 @@ SIDE, LOW = (-1.35, 5.5, 0.9), (0, 0, -0.14)
 COLORS = dict(zip(NAMES, (VECTOR, VECTOR, VECTOR, CROSS, CROSS, RESULT, RESULT), strict=True))
 
 
-def neighbours(points: ArrayLike) -> dict[str, NDArray[np.float64]]:
-    """Construct the control points of a point and its two neighbours, by name.
-
-    Parameters
-    ----------
-    points : array_like, shape (3, 3)
-        P_{i-1}, P_i and P_{i+1}; they are normalised.
-
-    Returns
-    -------
-    dict
-        The three points, the two auxiliary points and the two control points. Their names are the
-        labels in figures 3 to 7.
-    """
+def neighbours(points: ArrayLike = NEIGHBOURS) -> dict[str, NDArray[np.float64]]:
+    """Construct the auxiliary points and control points of the middle of three points, by name."""
     before, here, after = normalised(points)
     reflected = double(before, here)
     middle = bisect(reflected, after)
@@ -91,30 +79,23 @@ def add_named_point(
 
 
 def open_neighbours(
-    points: ArrayLike,
     shown: dict[str, tuple[float, float]],
     eye: ArrayLike = (1.5, 4.75, 2.9),
     target: ArrayLike = (0, 0, 0.06),
 ) -> tuple[pyvista.Plotter, dict[str, NDArray[np.float64]]]:
     """Open a scene of the construction with some of its points and their shifted names."""
-    found = neighbours(points)
+    found = neighbours()
     plotter = sphere_scene(eye, target)
     for name, shift in shown.items():
         add_named_point(plotter, found[name], name, COLORS[name], shift)
     return plotter, found
 
 
-def figure_3(points: ArrayLike = NEIGHBOURS) -> pyvista.Plotter:
-    """Draw Fig. 3: from three points to the two control points of the middle one.
-
-    Parameters
-    ----------
-    points : array_like, shape (3, 3)
-        P_{i-1}, P_i and P_{i+1}; they are normalised.
-    """
+def figure_3() -> pyvista.Plotter:
+    """Draw Fig. 3: from three points to the two control points of the middle one."""
     left, right = (-0.13, 0.05), ((0.15, 0.02), (0.12, 0.06), (0.13, 0))
     shifts = left, (0, -0.13), (0, 0.13), *right, (0, -0.13)
-    plotter, p = open_neighbours(points, dict(zip(NAMES, shifts, strict=True)))
+    plotter, p = open_neighbours(dict(zip(NAMES, shifts, strict=True)))
     for start, end in ((BEFORE, HERE), (HERE, AFTER)):
         add_arc(plotter, p[start], p[end], VECTOR)
     for start, end in ((HERE, REFLECTED), (REFLECTED, AFTER), (A, MIDDLE)):
@@ -133,7 +114,6 @@ def figure_3(points: ArrayLike = NEIGHBOURS) -> pyvista.Plotter:
 
 
 def one_step(
-    points: ArrayLike,
     shown: dict[str, tuple[float, float]],
     arcs: tuple[str, ...],
     color: str,
@@ -143,7 +123,7 @@ def one_step(
     **camera: ArrayLike,
 ) -> pyvista.Plotter:
     """Draw arcs one after the other, and the names of their angle and of their axis."""
-    plotter, p = open_neighbours(points, shown, **camera)
+    plotter, p = open_neighbours(shown, **camera)
     for start, end in pairwise(arcs):
         add_arc(plotter, p[start], p[end], color, radius=0.012)
         add_angle(plotter, p[start], p[end], names[0], place=place)
@@ -151,11 +131,11 @@ def one_step(
     return plotter
 
 
-def figure_4(points: ArrayLike = NEIGHBOURS) -> pyvista.Plotter:
-    """Draw Fig. 4: the axis of (5-6), and the arc doubled by (5-4) or (5-5), as `figure_3` does."""
+def figure_4() -> pyvista.Plotter:
+    """Draw Fig. 4: the axis of (5-6), and the arc doubled by (5-4) or (5-5)."""
     shown = {BEFORE: (-0.13, 0.05), HERE: (0, -0.13), REFLECTED: (0.15, 0.02)}
     arcs, names = (BEFORE, HERE, REFLECTED), (r"$\theta_{i-1}$", r"$\hat v_{i-1}$")
-    plotter = one_step(points, shown, arcs, CROSS, names, 1.22, 1.15, target=(0, 0, 0.17))
+    plotter = one_step(shown, arcs, CROSS, names, 1.22, 1.15, target=(0, 0, 0.17))
     describe(
         plotter,
         "A unit sphere. An arc from P_{i-1} to P_i continues by its own length to P_{i-1} with a"
@@ -165,11 +145,11 @@ def figure_4(points: ArrayLike = NEIGHBOURS) -> pyvista.Plotter:
     return plotter
 
 
-def figure_5(points: ArrayLike = NEIGHBOURS) -> pyvista.Plotter:
+def figure_5() -> pyvista.Plotter:
     """Draw Fig. 5: the axis of (5-9), corrected, and the arc bisected by (5-7) or (5-8)."""
     shown = {AFTER: (0, 0.13), REFLECTED: (0.15, 0.02), MIDDLE: (0.12, 0.06)}
     names = r"$\bar\theta_{i-1}$", r"$\hat{\bar v}_{i-1}$"
-    plotter = one_step(points, shown, (REFLECTED, AFTER), CROSS, names)
+    plotter = one_step(shown, (REFLECTED, AFTER), CROSS, names)
     describe(
         plotter,
         "A unit sphere. An arc leads from P_{i-1} with a bar up to P_{i+1}; its midpoint is P_i"
@@ -179,11 +159,11 @@ def figure_5(points: ArrayLike = NEIGHBOURS) -> pyvista.Plotter:
     return plotter
 
 
-def figure_6(points: ArrayLike = NEIGHBOURS) -> pyvista.Plotter:
+def figure_6() -> pyvista.Plotter:
     """Draw Fig. 6: the axis of (5-12), and the arc bisected by (5-10) or (5-11)."""
     shown = {HERE: (-0.12, 0.0), MIDDLE: (0.12, 0.06), A: (-0.08, 0.09)}
     names = r"$\bar\theta_i$", r"$\hat{\bar v}_i$"
-    plotter = one_step(points, shown, (MIDDLE, HERE), RESULT, names, eye=SIDE, target=LOW)
+    plotter = one_step(shown, (MIDDLE, HERE), RESULT, names, eye=SIDE, target=LOW)
     describe(
         plotter,
         "A unit sphere. An arc leads from P_i with a bar to P_i; its midpoint is the control point"
@@ -193,11 +173,11 @@ def figure_6(points: ArrayLike = NEIGHBOURS) -> pyvista.Plotter:
     return plotter
 
 
-def figure_7(points: ArrayLike = NEIGHBOURS) -> pyvista.Plotter:
+def figure_7() -> pyvista.Plotter:
     """Draw Fig. 7: the axis of (5-15), and the arc doubled by (5-13) or (5-14)."""
     shown = {HERE: (-0.12, 0.0), A: (0.1, 0.08), B: (-0.06, -0.12)}
     names = r"$\tilde\theta_i$", r"$\hat{\tilde v}_i$"
-    plotter = one_step(points, shown, (A, HERE, B), RESULT, names, 1.22, eye=SIDE, target=LOW)
+    plotter = one_step(shown, (A, HERE, B), RESULT, names, 1.22, eye=SIDE, target=LOW)
     describe(
         plotter,
         "A unit sphere. An arc from a_i to P_i continues by its own length to b_i. Both halves span"
@@ -318,17 +298,10 @@ def astray(points: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np
     return a, double(a, points)
 
 
-def reversed_axis(points: ArrayLike = LOOP, samples: int = 24) -> pyvista.Plotter:
-    """Draw what the axis of (5-9) as printed does to a closed curve.
-
-    Parameters
-    ----------
-    points : array_like, shape (n, 3)
-        The points P_0 ... P_{n-1}; they are normalised.
-    samples : int
-        Number of points drawn on each segment.
-    """
-    p = normalised(points)
+def reversed_axis() -> pyvista.Plotter:
+    """Draw what the axis of (5-9) as printed does to a closed curve."""
+    samples = 24
+    p = normalised(LOOP)
     a, b = astray(p)
     after = np.roll(p, -1, axis=0)
     control = np.stack([p, a, np.roll(b, -1, axis=0), after], axis=1)

@@ -30,7 +30,7 @@ from rotedu.scenes.parts import (
     new_scene,
     sphere_scene,
 )
-from rotedu.scenes.shapes import ORIGIN, U, shade, teaspoon, turning
+from rotedu.scenes.shapes import ORIGIN, U, normalised, shade, teaspoon, turning
 
 __all__ = ["euler_angles_by_hand", "one_for_three", "stages", "three_turns_by_hand"]
 
@@ -101,21 +101,10 @@ def prime(letter: str, primes: int) -> str:
     return rf"${letter}^{{\,{marks}}}$" if marks else f"${letter}$"
 
 
-def one_for_three(
-    angles: ArrayLike = (5 * np.pi / 12, np.pi / 3, 11 * np.pi / 18),
-    vector: ArrayLike = (0.77, 0.26, 0.59),
-) -> pyvista.Plotter:
-    """Draw the path of a point under three principal rotations and under the one rotation (4-7).
-
-    Parameters
-    ----------
-    angles : array_like, shape (3,)
-        The angles about U, V and W in radians.
-    vector : array_like, shape (3,)
-        The vector r; it is normalised.
-    """
-    theta = np.asarray(angles, float)
-    start = here = np.asarray(vector, float) / np.linalg.norm(vector)
+def one_for_three() -> pyvista.Plotter:
+    """Draw the path of a point under three principal rotations and under the one rotation (4-7)."""
+    theta = np.array([5 / 12, 1 / 3, 11 / 18]) * np.pi
+    start = here = normalised((0.77, 0.26, 0.59))
     a, angle = axis_angle_from_euler_angles(*theta)
 
     plotter = sphere_scene(eye=(5.5, 2.3, 1.7), target=(0.0, 0.0, 0.12))

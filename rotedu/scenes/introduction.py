@@ -2,7 +2,6 @@
 
 import numpy as np
 import pyvista
-from numpy.typing import ArrayLike
 
 from rotedu.colors import AXIS, CROSS, RESULT, VECTOR
 from rotedu.figures import describe
@@ -20,31 +19,16 @@ from rotedu.scenes.shapes import ORIGIN, teaspoon, turning
 __all__ = ["four_descriptions"]
 
 
-def pointing_spoon(stations: int = 81, around: int = 28) -> pyvista.PolyData:
-    """Model a teaspoon 1 unit long, from the origin along U, with its bowl open upwards."""
-    spoon = teaspoon(stations, around)
-    spoon.points = (spoon.points + np.array([1, 0, -0.08])) / 2
-    return spoon
-
-
-def four_descriptions(
-    axis: ArrayLike = (-1 / 3, -2 / 3, 2 / 3), angle: float = 2 * np.arctan2(3, 4)
-) -> pyvista.Plotter:
-    """Draw a turned teaspoon with its axis and angle, its three angles, and its own axes.
-
-    Parameters
-    ----------
-    axis : array_like, shape (3,)
-        The rotation axis n; it is normalised.
-    angle : float
-        The rotation angle in radians.
-    """
-    n = np.asarray(axis, float) / np.linalg.norm(axis)
+def four_descriptions() -> pyvista.Plotter:
+    """Draw a turned teaspoon with its axis and angle, its three angles, and its own axes."""
+    n, angle = np.array([-1, -2, 2]) / 3, 2 * np.arctan2(3, 4)
     matrix = rotation_matrix(n, angle)
     theta_u = np.arctan2(matrix[2, 1], matrix[2, 2])
     theta_v = -np.arcsin(matrix[2, 0])
     theta_w = np.arctan2(matrix[1, 0], matrix[0, 0])
-    before = pointing_spoon()
+    # From the origin along U, with its bowl open upwards.
+    before = teaspoon(stations=81, around=28)
+    before.points = (before.points + np.array([1, 0, -0.08])) / 2
     after = before.copy()
     after.points = transform(matrix, before.points)
 

@@ -2,7 +2,6 @@
 
 import numpy as np
 import pyvista
-from numpy.typing import ArrayLike
 
 from rotedu.colors import AXIS, CROSS, NEUTRAL, RESULT, VECTOR
 from rotedu.figures import State, describe, explorable, read_out
@@ -47,29 +46,14 @@ TEXTS = {
 }
 
 
-def figure_1(
-    vector: ArrayLike = (1.0, -0.3, 0.75),
-    axis: ArrayLike = (-0.15, 0.1, 1.0),
-    angle: float = np.deg2rad(75),
-) -> pyvista.Plotter:
-    """Draw Fig. 1: a vector turned about an axis, and the three terms of (3-1).
-
-    Parameters
-    ----------
-    vector : array_like, shape (3,)
-        The vector r.
-    axis : array_like, shape (3,)
-        The rotation axis n; it is normalised.
-    angle : float
-        The rotation angle in radians.
-    """
-    r, n = np.asarray(vector, float), normalised(axis)
+def figure_1() -> pyvista.Plotter:
+    """Draw Fig. 1: a vector turned about an axis, and the three terms of (3-1)."""
+    r, n, angle = np.array([1, -0.3, 0.75]), normalised((-0.15, 0.1, 1)), np.deg2rad(75)
     turned = rotate(r, n, angle)
     center = (r @ n) * n
     spoke = r - center
     cos, sin = np.cos(angle), np.sin(angle)
-    terms = (cos * r, (1 - cos) * center, sin * np.cross(n, r))
-    joints = np.cumsum([ORIGIN, *terms], axis=0)
+    joints = np.cumsum([ORIGIN, cos * r, (1 - cos) * center, sin * np.cross(n, r)], axis=0)
     parts = {
         "circle": {"paths": [turning(r, n, 2 * np.pi, 80)]},
         "sector": {"points": np.vstack([center, center + turning(0.42 * spoke, n, angle)])},
@@ -79,11 +63,8 @@ def figure_1(
         "n": {"from": ORIGIN, "to": 1.1 * n},
         "r": {"from": ORIGIN, "to": r},
         "turned": {"from": ORIGIN, "to": turned},
+        **{f"term {i}": {"from": joints[i - 1], "to": joints[i]} for i in (1, 2, 3)},
     }
-    for i, term in enumerate(terms):
-        # An arrow needs a length.
-        if np.linalg.norm(term) > 1e-6:
-            parts[f"term {i + 1}"] = {"from": joints[i], "to": joints[i + 1]}
     labels = {
         "O": (0, 0.13, -0.1),
         r"\theta": center + rotate(0.28 * spoke, n, 0.5 * angle),
@@ -154,26 +135,12 @@ def figure_1_by_hand(state: State) -> pyvista.Plotter:
     return plotter
 
 
-def rotated_mesh(
-    mesh: pyvista.PolyData | None = None,
-    axis: ArrayLike = (0.2, 0.35, 1.0),
-    angle: float = np.deg2rad(110),
-) -> pyvista.Plotter:
-    """Draw a mesh before and after one matrix has turned all its vertices by (3-2).
-
-    Parameters
-    ----------
-    mesh : pyvista.PolyData, optional
-        The mesh. The default is a `teaspoon`.
-    axis : array_like, shape (3,)
-        The rotation axis; it is normalised.
-    angle : float
-        The rotation angle in radians.
-    """
-    before = teaspoon() if mesh is None else mesh
+def rotated_mesh() -> pyvista.Plotter:
+    """Draw a teaspoon before and after one matrix has turned all its vertices by (3-2)."""
+    n, angle = normalised((0.2, 0.35, 1)), np.deg2rad(110)
+    before = teaspoon()
     after = before.copy()
-    after.points = transform(rotation_matrix(axis, angle), before.points)
-    n = np.asarray(axis, float) / np.linalg.norm(axis)
+    after.points = transform(rotation_matrix(n, angle), before.points)
 
     plotter = new_scene(eye=(1.3, -2.8, 3.35), target=(0, 0, 0.1), size=NARROW)
     plotter.add_mesh(before, color=VECTOR, smooth_shading=True)

@@ -4,7 +4,7 @@ from math import isqrt
 
 import numpy as np
 import pyvista
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from rotedu.arcs import nlerp, slerp
 from rotedu.colors import AXIS, CROSS, MATRIX, NEUTRAL, QUATERNION, RESULT, VECTOR
@@ -188,20 +188,9 @@ def spoon(color: str, opacity: float = 1.0) -> Mesh:
     return Mesh(teaspoon(stations=27, around=10), color, style)
 
 
-def four_ways_between(
-    first: ArrayLike = TWO_ORIENTATIONS[0], second: ArrayLike = TWO_ORIENTATIONS[1], beads: int = 8
-) -> pyvista.Plotter:
-    """Draw the path of a spoon's tip between two orientations for several interpolations.
-
-    Parameters
-    ----------
-    first, second : array_like, shape (3,)
-        The orientations, as angles about U, V and W in degrees. The Euler angles are interpolated
-        as they are given.
-    beads : int
-        Number of equal time steps, after each of which slerp and nlerp are compared.
-    """
-    angles = np.deg2rad(np.array([first, second], float))
+def four_ways_between() -> pyvista.Plotter:
+    """Draw the path of a spoon's tip between two orientations for several interpolations."""
+    angles = np.deg2rad(TWO_ORIENTATIONS)
     r1, r2 = matrix_from_euler_angles(*angles.T)[:, :3, :3]
     q1, q2 = (Quaternion.from_matrix(r).components for r in (r1, r2))
     q2 = q2 if q1 @ q2 > 0 else -q2
@@ -223,7 +212,7 @@ def four_ways_between(
     add_line(plotter, short, RESULT, radius=0.011)
     add_dashes(plotter, euler[:, :3, 0], CROSS, dash=4, gap=2)
     add_dashes(plotter, long, NEUTRAL, dash=1, gap=1, radius=0.013)
-    between = np.linspace(0, 1, beads + 1)[1:-1]
+    between = np.arange(1, 8) / 8
     for place in tips(slerp(q1, q2, between)):
         add_point(plotter, place, RESULT, radius=0.03)
     uneven = tips(nlerp(q1, q2, between))

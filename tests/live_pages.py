@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 from explorables import EXPLORABLES, expected, spec
 from PIL import Image
+from playwright.sync_api import Route
 
 ROOT = Path(__file__).parents[1]
 AXE = ROOT / "node_modules" / "axe-core" / "axe.min.js"
@@ -100,7 +101,7 @@ def open_page(browser: Any) -> Iterator[Open]:
         # Where a picture is compared with a poster, it has its size and its edges.
         page.add_init_script(script if "device_scale_factor" in options else ROUGH + script)
         for files, answer in (answers or {}).items():
-            page.route(files, lambda route, answer=answer: route.fulfill(**answer))
+            page.route(files, functools.partial(Route.fulfill, **answer))
         own = (url.rpartition(":")[0], "data:", "blob:")
 
         def look_at(message: Any) -> None:

@@ -74,20 +74,6 @@ def test_charts_use_the_same_colours() -> None:
         assert set(re.findall(r"#[0-9a-f]{6}\b", cell.source)) <= known
 
 
-def test_charts_tell_quaternion_and_matrix_apart() -> None:
-    charts = {
-        f"{page.name}, {cell.id}": cell.source
-        for page in notebooks()
-        for cell in page.code
-        if "plt.subplots" in cell.source
-        # The words with which the texts of a chart begin.
-        and {"quaternion", "matrix"} <= set(re.findall(r"""["'](\w+)""", cell.source))
-    }
-    assert len(charts) >= 2
-    for where, source in charts.items():
-        assert {colors.QUATERNION, colors.MATRIX} <= set(re.findall(r"#\w{6}", source)), where
-
-
 def test_the_page_of_conventions_lists_them() -> None:
     table = re.findall(r"\| `(\w+)` \| `(#\w+)` \|", pages()["conventions.md"].text)
     assert dict(table) == CODES

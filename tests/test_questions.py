@@ -7,7 +7,6 @@ from random import Random
 
 import numpy as np
 import pytest
-from class_notebooks import Classroom
 from questions import QUESTIONS, Question, drawn, write
 from scipy.spatial.transform import Rotation, Slerp
 from sympy import Quaternion
@@ -154,13 +153,3 @@ def test_the_sheet_gives_away_neither_seed_nor_answer(tmp_path: Path) -> None:
         for secret in (question.answer, ask.__doc__):
             assert secret in key
             assert secret not in sheet
-
-
-def test_readers_and_students_get_none_of_it(book: Path, tmp_path: Path) -> None:
-    Classroom().write(tmp_path)
-    files = [*tmp_path.rglob("*.*"), *book.rglob("*.html"), *book.rglob("*.ipynb")]
-    shown = "".join(file.read_text("utf-8") for file in files if file.is_file())
-    assert "rotation matrix" in shown
-    for question in drawn(1):
-        # The longest words between numbers are the same for all seeds.
-        assert max(NUMBER.split(question.text), key=len) not in shown

@@ -29,12 +29,7 @@ def pixels(file: bytes) -> np.ndarray:
     return np.asarray(Image.open(io.BytesIO(file)), float) / 255
 
 
-def picture(plotter: pyvista.Plotter) -> np.ndarray:
-    return pixels(take_poster(plotter))
-
-
 def pixel(point: ArrayLike) -> tuple[int, int]:
-    """Row and column of a point."""
     depth, right, up = np.asarray(point, float)
     scale = MIDDLE / HALF / (EYE[0] - depth)
     return round(MIDDLE - scale * up - 0.5), round(1.5 * MIDDLE + scale * right - 0.5)
@@ -75,8 +70,7 @@ def test_its_outline_is_a_circle_whatever_the_mesh(ball: np.ndarray) -> None:
 
 
 def test_it_is_clear_in_the_middle_and_dense_at_the_rim(ball: np.ndarray) -> None:
-    clear = [opacity(ball, place(azimuth, 15)) for azimuth in (-15, 15)]
-    assert max(clear) < 0.12
+    assert max(opacity(ball, place(azimuth, 15)) for azimuth in (-15, 15)) < 0.12
     # No line crosses the rim in this row.
     across = ball[MIDDLE - 60, : 3 * MIDDLE // 2, 3]
     edge = np.flatnonzero(across > 0.1)[0]
@@ -93,14 +87,11 @@ def test_lines_are_30_degrees_apart(ball: np.ndarray, angle: float) -> None:
         assert opacity(ball, place(angle, other)) > opacity(ball, place(beside, other)) + 0.1
 
 
-def test_the_back_is_fainter_than_the_front(ball: np.ndarray) -> None:
+def test_the_back_is_fainter_than_the_front_and_light_comes_from_above(ball: np.ndarray) -> None:
     before, behind = (opacity(ball, place(azimuth, 30)) for azimuth in (15, 165))
     assert opacity(ball, place(165, 20)) + 0.05 < behind < before - 0.15
-
-
-def test_its_light_comes_from_above(ball: np.ndarray) -> None:
-    up, down = (ball[pixel(place(15, height))] for height in (45, -45))
-    assert up[:3].mean() > down[:3].mean() + 0.05
+    up, down = (ball[pixel(place(15, height))][:3].mean() for height in (45, -45))
+    assert up > down + 0.05
 
 
 def test_on_a_page_it_has_fewer_levels_than_anyone_can_see(poster: bytes) -> None:
@@ -112,33 +103,24 @@ def test_on_a_page_it_has_fewer_levels_than_anyone_can_see(poster: bytes) -> Non
     assert len(np.unique(after)) < len(np.unique(before)) / 3
 
 
-def test_what_stands_behind_it_is_pale() -> None:
-    """So is a point, so is a line; but not before it, within it and beside it."""
+@pytest.mark.parametrize(("center", "radius"), [((0, 0, 0), 1), ((-0.2, 0.9, -0.3), 0.5)])
+def test_what_stands_behind_it_is_pale(center: ArrayLike, radius: float) -> None:
+    """Points and lines; but not before it, within it and beside it."""
     plotter = scene()
-    add_sphere(plotter)
-    places = [place(azimuth, 15) for azimuth in (15, 165)]
-    for center in (*places, (0, -0.4, -0.4), (-1, 1.4, 0.3)):
-        add_point(plotter, center, "#00ff00", radius=0.06)
-    add_line(plotter, [place(a, -15) for a in np.linspace(150, 170, 9)], "#00ff00", radius=0.03)
-    seen = picture(plotter)
-    inner = [seen[pixel(place(160, -15))], seen[pixel(places[1])]]
-    for r, g, b, alpha in inner:
+    add_sphere(plotter, center, radius)
+    before, behind = (place(azimuth, 15) for azimuth in (15, 165))
+    others = (0, -0.4, -0.4), (-1, 1.4, 0.3)
+    for point in (before, behind, *others):
+        add_point(plotter, center + radius * np.array(point), "#00ff00", radius=0.06 * radius)
+    line = [place(a, -15) for a in np.linspace(150, 170, 9)]
+    add_line(plotter, center + radius * np.array(line), "#00ff00", radius=0.03 * radius)
+    seen = pixels(take_poster(plotter))
+    for point in (behind, place(160, -15)):
+        r, g, b, alpha = seen[pixel(center + radius * point)]
         assert 0.35 < alpha < 0.7
         assert g > max(r, b) + 0.1
-    for center in (places[0], (0, -0.4, -0.4), (-1, 1.4, 0.3)):
-        assert seen[pixel(center)][3] > 0.99
-
-
-def test_it_can_stand_elsewhere_in_another_size() -> None:
-    center = np.array([-0.2, 0.9, -0.3])
-    plotter = scene()
-    add_sphere(plotter, center, 0.5)
-    add_point(plotter, center + place(160, 15, 0.5), "#00ff00", radius=0.04)
-    seen = picture(plotter)
-    assert opacity(seen, center + place(20, 30, 0.5)) > 0.3
-    assert opacity(seen, center + place(20, 15, 0.5)) < 0.12
-    assert opacity(seen, (0, 0, 0)) == 0
-    assert 0.35 < seen[pixel(center + place(160, 15, 0.5))][3] < 0.7
+    for point in (before, *others):
+        assert seen[pixel(center + radius * np.array(point))][3] > 0.99
 
 
 def test_the_viewer_is_told_of_it() -> None:

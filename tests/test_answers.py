@@ -1,5 +1,6 @@
 """An answer may be anything that Python knows: it gets a calm verdict and is not changed."""
 
+import sys
 from decimal import Decimal
 from fractions import Fraction
 from typing import Any
@@ -24,6 +25,10 @@ def prints(*_: Any) -> float:
     return 0.0
 
 
+def exits(*_: Any) -> None:
+    sys.exit()
+
+
 def recurses(*_: Any) -> Any:
     return recurses()
 
@@ -31,18 +36,16 @@ def recurses(*_: Any) -> Any:
 ODD: dict[str, Any] = {
     "lists in lists": 1.0,
     "an integer": 10**5000,
-    "not a number": [np.nan] * 3,
     "infinity": (np.inf, -np.inf, 0),
     "a record": np.zeros(3, "f8, i4"),
     "an iterator": iter([1.0, 2.0, 3.0]),
-    "a set": {1.0, 2.0, 3.0},
     "words": ["<b>", "\0", "\ud800"],
     "a long text": "0" * 10**6,
     "a class": float,
-    "a module": np,
     "a symbol": sympy.Symbol("x"),
     "a function of nothing": lambda: 1,
     "a function that raises": raises,
+    "a function that exits": exits,
     "a function that prints": prints,
     "a function that recurses": recurses,
     "a function that returns a complex": lambda *_: np.complex128(1),
@@ -112,8 +115,6 @@ class TestPlain:
         with pytest.raises(ValueError, match="complex"):
             plain(lambda: 1j)()
 
-    @pytest.mark.parametrize(
-        "numbers", [[1 + 0j, 0, 0], np.ones(3, np.complex64), np.array([1, 0j, 0], object)]
-    )
-    def test_says_how_a_complex_number_becomes_real(self, numbers: Any) -> None:
-        assert COMPLEX in check("3.1", numbers, hint=2).text
+    def test_says_how_a_complex_number_becomes_real(self) -> None:
+        for answer in ([1 + 0j, 0, 0], np.ones(3, np.complex64), np.array([1, 0j, 0], object)):
+            assert COMPLEX in check("3.1", answer, hint=2).text

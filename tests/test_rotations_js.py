@@ -261,12 +261,11 @@ def without_answer(rng: np.random.Generator) -> Iterator[Case]:
         yield Case("nearestRotation", [m @ np.diag(singular) @ rotation_matrix(q, 1)])
 
 
-def with_bad_numbers(rng: np.random.Generator) -> Iterator[Case]:
-    """Calls that both sides refuse, because of their numbers."""
-    p, q, r = random_units(3, 3, rng=rng)
+def without_direction(rng: np.random.Generator) -> Iterator[Case]:
+    """Calls that both sides refuse: a direction of length 0 or infinity, or no rotation."""
+    p, q = random_units(2, 3, rng=rng)
     m = rotation_matrix(p, 1)
-    not_finite = np.array([0, np.nan, 1]), np.array([np.inf, 1, 0])
-    for bad in (np.zeros(3), *not_finite):
+    for bad in (np.zeros(3), np.array([np.inf, 1, 0]), np.array([0, np.nan, 1])):
         yield from calls("slerp nlerp", [p, bad, 0.5], [bad, p, 0.5])
         yield from calls("angleBetween arcAxis bisect double", [p, bad], [bad, p])
         yield from calls("deCasteljau deCasteljauLevels", [[p, bad], 0.5])
@@ -276,34 +275,10 @@ def with_bad_numbers(rng: np.random.Generator) -> Iterator[Case]:
         yield Case("rotate", [p, bad, 1])
         yield Case("quaternionMatrix", [[0, *bad]])
         yield Case("rotateByQuaternion", [[0, *bad], p])
-    for bad in not_finite:
-        yield from calls("periodicSpline nearestRotation", [[p, q, bad]])
-        yield Case("rotate", [bad, p, 1])
-        yield Case("transform", [m, bad])
-        yield Case("rotateByQuaternion", [[1, *p], bad])
-        yield Case("conjugate", [[1, *bad]])
-        yield Case("quaternionProduct", [[1, *p], [1, *bad]])
-    for number in (np.nan, -np.inf):
-        yield from calls("slerp nlerp rotate", [p, q, number])
-        yield from calls("rotationMatrix quaternionFromAxisAngle", [p, number])
-        yield Case("matrixFromEulerAngles", [0, number, 0])
-        yield Case("deCasteljau", [[p, q], number])
-        yield Case("slerpRotations", [m, m, number])
     for bad in ((1 + 5.1e-4) * m, -m, np.nan * m, np.zeros((3, 3))):
         yield from calls("axisAngle eulerAngles quaternionFromMatrix", [bad])
         yield from calls("slerpRotations", [m, bad, 0.5], [bad, m, 0.5])
         yield Case("closedRotationCurve", [[m, bad, m]])
-    for fraction in (-0.1, 1.1, np.nan):
-        yield Case("controlPoints", [[p, q, r], fraction])
-        yield Case("closedCurve", [[p, q, r], 2, fraction])
-        yield Case("closedRotationCurve", [[m, m, m], 2, fraction])
-    for samples in (0, -1, 1.5):
-        yield from calls("closedCurve squad periodicSpline", [[p, q, r], samples])
-        yield Case("closedRotationCurve", [[m, m, m], samples])
-    yield from calls("controlPoints closedCurve squad periodicSpline", [[p, q]])
-    yield Case("closedRotationCurve", [[m, m]])
-    yield Case("deCasteljau", [np.empty((0, 3)), 0.5])
-    yield Case("slerp", [p, p[:2], 0.5])
 
 
 def numbers(value: Any) -> Array:
@@ -355,7 +330,7 @@ def test_node_computes_and_refuses_what_python_does() -> None:
         for d in DIMENSIONS:
             computed += answered(in_any_dimension(rng, d))
         computed += answered(in_three_dimensions(rng))
-    degenerate, bad = answered(without_answer(rng)), answered(with_bad_numbers(rng))
+    degenerate, bad = answered(without_answer(rng)), answered(without_direction(rng))
     assert {case["name"] for case in computed if "value" in case} == set(PYTHON)
     assert {case.get("error") for case in degenerate} == {"DegenerateError"}
     assert {case.get("error") for case in bad} == {"RangeError"}

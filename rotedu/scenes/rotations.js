@@ -1,7 +1,8 @@
 /**
  * The mathematics of figures that answer the hand: functions of rotedu, their names in camelCase.
  *
- * Where rotedu scales vectors to length 1 and makes rotation matrices exact, so do the exports.
+ * Where rotedu scales vectors to length 1 and makes rotation matrices exact, so do the exports; they
+ * refuse what has no answer, but not numbers that no control can give.
  *
  * @typedef {number[]} Vector of any number of dimensions
  * @typedef {number[]} Point u, v, w
@@ -54,7 +55,7 @@ export function unit(v) {
 export const angleBetween = (p, q) => theta(...units([p, q]));
 
 /** A point of the shortest arc (5-2): `rotedu.arcs.slerp`. */
-export const slerp = (p, q, t) => arc(...units([p, q]), finite(t));
+export const slerp = (p, q, t) => arc(...units([p, q]), t);
 
 /** A point of the chord, projected onto the sphere: `rotedu.arcs.nlerp`. */
 export function nlerp(p, q, t) {
@@ -75,8 +76,6 @@ export function bisect(p, q) {
 
 /** The control points after and before each point: `rotedu.control_points.control_points`. */
 export function controlPoints(points, fraction = 1 / 2) {
-  threeAtLeast(points);
-  fromZeroToOne(fraction);
   const p = units(points);
   const after = rolled(p, 1);
   const doubled = rolled(p, -1).map((before, i) => reflected(before, p[i]));
@@ -89,8 +88,6 @@ export function controlPoints(points, fraction = 1 / 2) {
 
 /** All points of de Casteljau's construction: `rotedu.closed_curve.de_casteljau_levels`. */
 export function deCasteljauLevels(control, u) {
-  if (!control.length) throw new RangeError("a curve needs at least one control point");
-  finite(u);
   const levels = [units(control)];
   for (let level = levels[0]; level.length > 1; level = levels.at(-1)) {
     const name = levels.length > 1 ? `points of level ${levels.length - 1}` : "control";
@@ -116,7 +113,6 @@ export function closedCurve(points, samples = 100, fraction = 1 / 2) {
 
 /** Points of Shoemake's closed curve, `samples` on each segment: `rotedu.orientations.squad`. */
 export function squad(quaternions, samples = 100) {
-  threeAtLeast(quaternions);
   const q = units(quaternions);
   const [before, after] = [rolled(q, -1), rolled(q, 1)];
   refuseAntipodalAmong(q, after, "{i} and {j}", "quaternions");
@@ -130,8 +126,6 @@ export function squad(quaternions, samples = 100) {
 
 /** Points of the closed cubic curve through values: `rotedu.orientations.periodic_spline`. */
 export function periodicSpline(values, samples = 100) {
-  threeAtLeast(values);
-  for (const value of values) value.forEach(finite);
   const after = rolled(values, 1);
   const right = rolled(values, -1).map((before, i) => combine(3, after[i], -3, before));
   // What is wrong with the rates is halved by each step.
@@ -167,18 +161,15 @@ export function arcAxis(p, q) {
 
 /** Rotate a point about an axis (3-1): `rotedu.ordinary_rotation.rotate`. */
 export function rotate(point, axis, angle) {
-  const r = point.map(finite);
   const n = unit(axis);
-  const cos = Math.cos(finite(angle));
-  const sin = Math.sin(angle);
-  return combine(1, combine(cos, r, (1 - cos) * dot(r, n), n), sin, cross(n, r));
+  const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
+  return combine(1, combine(cos, point, (1 - cos) * dot(point, n), n), sin, cross(n, point));
 }
 
 /** The matrix of a rotation about an axis (3-3): `rotedu.ordinary_rotation.rotation_matrix`. */
 export function rotationMatrix(axis, angle) {
   const [nu, nv, nw] = unit(axis);
-  const cos = Math.cos(finite(angle));
-  const sin = Math.sin(angle);
+  const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
   const k = 1 - cos;
   return [
     [cos + k * nu * nu, k * nu * nv - sin * nw, k * nu * nw + sin * nv],
@@ -188,7 +179,7 @@ export function rotationMatrix(axis, angle) {
 }
 
 /** Multiply a point by a matrix (3-2): `rotedu.ordinary_rotation.transform`. */
-export const transform = (matrix, point) => matrix.map((row) => finite(dot(row, point)));
+export const transform = (matrix, point) => matrix.map((row) => dot(row, point));
 
 /** The axis and angle of a rotation matrix: `rotedu.ordinary_rotation.axis_angle`. */
 export function axisAngle(matrix) {
@@ -226,8 +217,6 @@ export function slerpRotations(r1, r2, t) {
 
 /** Orientations of a closed curve: `rotedu.orientations.closed_rotation_curve`. */
 export function closedRotationCurve(rotations, samples = 100, fraction = 1 / 2) {
-  threeAtLeast(rotations);
-  fromZeroToOne(fraction);
   const given = rotations.map(rotation);
   const turns = rolled(given, 1).map((after, i) => axisAngle(product(transpose(given[i]), after)));
   const angles = turns.map(({ angle }) => angle);
@@ -251,7 +240,7 @@ export function closedRotationCurve(rotations, samples = 100, fraction = 1 / 2) 
 /** The rotation that differs least from a matrix: `rotedu.orientations.nearest_rotation`. */
 export function nearestRotation(matrix) {
   // Its quaternion makes the sum of products with the entries, q^T K q, as large as it can be.
-  const { values, vectors } = eigen(productsOf(matrix));
+  const { values, vectors } = eigen(sixteenProducts(matrix, 0));
   const [, , second, largest] = [...values].sort((a, b) => a - b);
   // Twice the sum of the smaller singular values, and twice the largest.
   if (largest - second <= ANTIPODAL * (largest + second)) {
@@ -265,7 +254,7 @@ export function nearestRotation(matrix) {
  * nearest rotation is unique if the two smaller ones do not add up to zero.
  */
 export function singularValues(matrix) {
-  const { values } = eigen(productsOf(matrix));
+  const { values } = eigen(sixteenProducts(matrix, 0));
   // a + b + c, a - b - c, -a + b - c, -a - b + c
   const [first, second, third] = values.sort((x, y) => y - x);
   return [(first + second) / 2, (first + third) / 2, -(second + third) / 2];
@@ -273,7 +262,7 @@ export function singularValues(matrix) {
 
 /** Turns about U, V, W, as 3x3 matrix: `rotedu.general_rotation.matrix_from_euler_angles`. */
 export function matrixFromEulerAngles(u, v, w) {
-  const [cu, cv, cw] = [u, v, w].map((angle) => Math.cos(finite(angle)));
+  const [cu, cv, cw] = [u, v, w].map(Math.cos);
   const [su, sv, sw] = [u, v, w].map(Math.sin);
   return [
     [cv * cw, su * sv * cw - cu * sw, cu * sv * cw + su * sw],
@@ -297,7 +286,7 @@ export function eulerAngles(matrix) {
 
 /** The unit quaternion of a rotation: `rotedu.quaternions.Quaternion.from_axis_angle`. */
 export function quaternionFromAxisAngle(axis, angle) {
-  const sin = Math.sin(finite(angle) / 2);
+  const sin = Math.sin(angle / 2);
   return [Math.cos(angle / 2), ...unit(axis).map((x) => sin * x)];
 }
 
@@ -308,14 +297,14 @@ export function quaternionFromAxisAngle(axis, angle) {
  */
 export function quaternionProduct([w1, ...v1], [w2, ...v2]) {
   const v = combine(1, combine(w1, v2, w2, v1), 1, cross(v1, v2));
-  return [w1 * w2 - dot(v1, v2), ...v].map(finite);
+  return [w1 * w2 - dot(v1, v2), ...v];
 }
 
 /**
  * The conjugate [w, -v]: `rotedu.quaternions.Quaternion.conjugate`.
  * @type {(q: Quaternion) => Quaternion}
  */
-export const conjugate = ([w, x, y, z]) => [w, -x, -y, -z].map(finite);
+export const conjugate = ([w, x, y, z]) => [w, -x, -y, -z];
 
 /** The matrix of the rotation: `rotedu.quaternions.Quaternion.matrix`. */
 export function quaternionMatrix(q) {
@@ -336,9 +325,8 @@ export function quaternionFromMatrix(matrix) {
 /** Rotate a point by q [0, r] q* (2-6): `rotedu.quaternions.Quaternion.rotate`. */
 export function rotateByQuaternion(q, point) {
   const [w, ...v] = unit(q);
-  const r = point.map(finite);
-  const twice = cross(v, r).map((x) => 2 * x);
-  return combine(1, combine(1, r, w, twice), 1, cross(v, twice));
+  const twice = scaled(2, cross(v, point));
+  return combine(1, combine(1, point, w, twice), 1, cross(v, twice));
 }
 
 // What the exports share. Their points are of length 1 already.
@@ -368,9 +356,6 @@ const nextLevel = (level, u) => level.slice(1).map((q, j) => arc(level[j], q, u)
 
 /** Evaluate the segments of a closed curve, given their parts: `rotedu.closed_curve.sampled`. */
 function sampled(curve, parts, samples) {
-  if (!(Number.isInteger(samples) && samples > 0)) {
-    throw new RangeError("the number of samples must be a positive integer");
-  }
   return parts[0].flatMap((_, i) => {
     const segment = parts.map((part) => part[i]);
     return Array.from({ length: samples }, (_, k) => curve(segment, k / samples));
@@ -441,12 +426,6 @@ const sixteenProducts = ([[uu, uv, uw], [vu, vv, vw], [wu, wv, ww]], one) => [
   [vu - uv, uw + wu, vw + wv, one - uu - vv + ww],
 ];
 
-/** The symmetric matrix whose eigenvectors are quaternions near a matrix. */
-function productsOf(matrix) {
-  for (const row of matrix) row.forEach(finite);
-  return sixteenProducts(matrix, 0);
-}
-
 /** Eigenvalues of a symmetric matrix, and its eigenvectors as rows: Jacobi's method. */
 function eigen(matrix) {
   const a = matrix.map((row) => [...row]);
@@ -507,26 +486,7 @@ function refuseTwoWays(angles, tolerance, pair, sequence, apart) {
 /** Start a closed sequence later, or earlier by a negative number. */
 const rolled = (points, by) => points.map((_, i) => points.at((i + by) % points.length));
 
-function threeAtLeast(points) {
-  if (points.length < 3) throw new RangeError("a closed curve needs at least 3 points");
-}
-
-function fromZeroToOne(fraction) {
-  if (!(fraction >= 0 && fraction <= 1)) throw new RangeError("a fraction is from 0 to 1");
-}
-
-function finite(number) {
-  if (!Number.isFinite(number)) throw new RangeError(`numbers must be finite; got ${number}`);
-  return number;
-}
-
-/** Scale points to length 1 and refuse points of different dimensions. */
-function units(points) {
-  if (points.some((point) => point.length !== points[0].length)) {
-    throw new RangeError("all points must have the same dimension");
-  }
-  return points.map(unit);
-}
+const units = (points) => points.map(unit);
 
 /** Replace a matrix that is a rotation to four decimals with the nearest rotation. */
 function rotation(matrix) {

@@ -1,9 +1,9 @@
 """An answer may be anything that Python knows: it gets a calm verdict and is not changed."""
 
-import sys
 from decimal import Decimal
 from fractions import Fraction
 from typing import Any
+from unittest.mock import Mock
 
 import numpy as np
 import pytest
@@ -14,24 +14,6 @@ from rotedu.edition.exercises import check
 from rotedu.edition.exercises.answers import COMPLEX, plain
 from rotedu.edition.exercises.judging import EXERCISES
 from rotedu.quaternions import Quaternion
-
-
-def raises(*_: Any) -> Any:
-    raise RuntimeError("no\n" * 10**6)
-
-
-def prints(*_: Any) -> float:
-    print("printed")
-    return 0.0
-
-
-def exits(*_: Any) -> None:
-    sys.exit()
-
-
-def recurses(*_: Any) -> Any:
-    return recurses()
-
 
 ODD: dict[str, Any] = {
     "lists in lists": 1.0,
@@ -44,10 +26,9 @@ ODD: dict[str, Any] = {
     "a class": float,
     "a symbol": sympy.Symbol("x"),
     "a function of nothing": lambda: 1,
-    "a function that raises": raises,
-    "a function that exits": exits,
-    "a function that prints": prints,
-    "a function that recurses": recurses,
+    "a function that raises": Mock(side_effect=RuntimeError("no\n" * 10**6)),
+    "a function that exits": Mock(side_effect=SystemExit),
+    "a function that prints": lambda *_: print("printed") or 0.0,
     "a function that returns a complex": lambda *_: np.complex128(1),
 }
 for _ in range(2000):
@@ -72,11 +53,8 @@ def test_an_odd_answer_gets_a_calm_verdict(
 
 
 def test_an_interrupted_check_ends() -> None:
-    def interrupted(*_: float) -> float:
-        raise KeyboardInterrupt
-
     with pytest.raises(KeyboardInterrupt):
-        check("5.11", interrupted)
+        check("5.11", Mock(side_effect=KeyboardInterrupt))
 
 
 class TestPlain:

@@ -1,7 +1,6 @@
 """Checks of the exercises of Chapter 6."""
 
 from collections.abc import Iterator
-from itertools import count
 
 import numpy as np
 
@@ -95,17 +94,15 @@ def joints_of_an_arm() -> Iterator[Part]:
     def total(cost: OperationCount) -> int:
         return cost.multiplications + cost.additions
 
-    def saved(joints: int, matrices: OperationCount = MATRICES) -> int:
-        return (joints - 1) * (total(matrices) - total(QUATERNIONS)) - total(CONVERSION)
+    def enough(matrices: OperationCount) -> int:
+        return total(CONVERSION) // (total(matrices) - total(QUATERNIONS)) + 2
 
-    shorter = OperationCount(24, 15)
-    enough = next(joints for joints in count(1) if saved(joints) > 0)
     hints = {
         "That many joints do not save quite enough.": when(
-            enough - 1, "How many products does a chain of that many rotations have?"
+            enough(MATRICES) - 1, "How many products does a chain of that many rotations have?"
         ),
         "With one joint fewer, quaternions are already cheaper.": when(
-            next(joints for joints in count(1) if saved(joints, shorter) > 0),
+            enough(OperationCount(24, 15)),
             "Take the product of matrices with the cost in the starter cell.",
         ),
         "The answer is the smallest whole number of joints that will do. Compare the totals for"
@@ -114,7 +111,7 @@ def joints_of_an_arm() -> Iterator[Part]:
             " conversion cost?"
         ),
     }
-    yield Part(enough, hints, within=0)
+    yield Part(enough(MATRICES), hints, within=0)
 
 
 @exercise(

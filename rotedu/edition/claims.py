@@ -478,10 +478,6 @@ def evidence_table(evidence: Mapping[int, str]) -> Table:
         What decides, in a few words of Markdown, by the number of the claim. The rows keep its
         order, and numbers of equations and errata become links.
 
-    Returns
-    -------
-    Table
-
     Examples
     --------
     >>> evidence_table({3: "three are, E6"})

@@ -226,10 +226,6 @@ def equation_table(section: int) -> Table:
     section : int
         Section of the paper, from 2 to 5.
 
-    Returns
-    -------
-    Table
-
     Examples
     --------
     >>> print(repr(equation_table(3)).splitlines()[3].split(" | ")[1])
@@ -251,12 +247,7 @@ def equation_table(section: int) -> Table:
 
 
 def figure_table() -> Table:
-    """Make the table of the figures, with links, for a page of the book.
-
-    Returns
-    -------
-    Table
-    """
+    """Make the table of the figures, with links, for a page of the book."""
     return Table(
         ("Figure", "What it shows", "Function"),
         [

@@ -134,12 +134,7 @@ ERRATA = tuple(Erratum(number, *told, kind) for (number, kind), told in BY_NUMBE
 
 
 def errata_table() -> Table:
-    """Make the table of the errata, with links, for a page of the book.
-
-    Returns
-    -------
-    Table
-    """
+    """Make the table of the errata, with links, for a page of the book."""
     return Table(
         ("Number", "Where", "As printed", "What it should be", "What is wrong"),
         [

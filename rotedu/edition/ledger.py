@@ -105,10 +105,6 @@ def ledger(page: str) -> Table:
     page : str
         The page's file without its ending.
 
-    Returns
-    -------
-    Table
-
     Raises
     ------
     ValueError

@@ -12,6 +12,7 @@ import io
 import os
 import sys
 from collections.abc import Iterator
+from dataclasses import dataclass
 from typing import Any, cast
 
 import numpy as np
@@ -65,8 +66,7 @@ def choose_render_window() -> None:
     found = [window for library, window in WINDOWS.items() if can_load(library)]
     if not found:
         vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_ERROR)
-    window = found[0] if found else "vtkEGLRenderWindow"
-    os.environ.setdefault("VTK_DEFAULT_OPENGL_WINDOW", window)
+    os.environ.setdefault("VTK_DEFAULT_OPENGL_WINDOW", [*found, "vtkEGLRenderWindow"][0])
 
 
 def require_opengl() -> None:
@@ -79,32 +79,19 @@ choose_render_window()
 
 
 def describe(plotter: pyvista.Plotter, alt: str) -> None:
-    """Give a scene the text that replaces it where it cannot be seen.
-
-    Parameters
-    ----------
-    plotter : pyvista.Plotter
-        The scene.
-    alt : str
-        What the picture shows, in a few plain sentences.
-
-    Raises
-    ------
-    ValueError
-        If `alt` is empty.
-    """
+    """Give a scene the text that replaces it where it cannot be seen: a few plain sentences."""
     if not alt.strip():
         raise ValueError("alt: expected a text that says what the scene shows, got an empty one")
     pyvista.set_new_attribute(plotter, "alt_text", " ".join(alt.split()))
 
 
+@dataclass(repr=False)
 class BookFigure:
     """A scene as a notebook output: a picture for any front end, and the scene for the book."""
 
-    def __init__(self, scene: dict[str, Any], poster: bytes, gltf: bytes) -> None:
-        self.scene = scene
-        self.poster = poster
-        self.gltf = gltf
+    scene: dict[str, Any]
+    poster: bytes
+    gltf: bytes
 
     def __repr__(self) -> str:
         return f"<scene: {self.scene['alt']}>"
@@ -121,16 +108,6 @@ class BookFigure:
 
 def book_figure(plotter: pyvista.Plotter, **_: object) -> BookFigure:
     """Make the figure of a scene, as the handler of the pyvista backend ``book``.
-
-    Parameters
-    ----------
-    plotter : pyvista.Plotter
-        The scene, with its alternative text given by `describe`.
-
-    Returns
-    -------
-    BookFigure
-        Poster, size, alternative text, labels and glTF.
 
     Raises
     ------
@@ -203,22 +180,7 @@ def still_picture(plotter: pyvista.Plotter, **_: object) -> Image.Image:
     """Take a picture of a scene, as the handler of the pyvista backend ``still``.
 
     While pyvista's own backend ``static`` keeps every scene open, at 40 MB each, this one closes a
-    scene when its cell has run.
-
-    Parameters
-    ----------
-    plotter : pyvista.Plotter
-        The scene.
-
-    Returns
-    -------
-    PIL.Image.Image
-        The picture.
-
-    Raises
-    ------
-    RuntimeError
-        If there is no OpenGL library.
+    scene when its cell has run. Without an OpenGL library there is a `RuntimeError`.
     """
     require_opengl()
     close_after_cell(plotter)
@@ -255,18 +217,7 @@ def close_after_cell(plotter: pyvista.Plotter) -> None:
 
 
 def take_poster(plotter: pyvista.Plotter) -> bytes:
-    """Take the picture of a scene without its labels.
-
-    Parameters
-    ----------
-    plotter : pyvista.Plotter
-        The scene.
-
-    Returns
-    -------
-    bytes
-        A PNG file, `POSTER_SCALE` times the size of the scene, transparent where nothing is drawn.
-    """
+    """Take the picture of a scene without its labels, `POSTER_SCALE` times its size, as PNG."""
     large = enlarged(plotter, POSTER_SCALE * POSTER_SAMPLES)
     samples = np.asarray(large.screenshot(transparent_background=True, return_img=True))
     large.close()
@@ -304,14 +255,7 @@ def enlarged(plotter: pyvista.Plotter, scale: int) -> pyvista.Plotter:
 
 
 def scene_labels(plotter: pyvista.Plotter, view: str = "") -> list[dict[str, Any]]:
-    """Find the labels of a scene and their places in the picture.
-
-    Parameters
-    ----------
-    plotter : pyvista.Plotter
-        The scene, with labels added by ``add_point_labels``.
-    view : str
-        The view through which the scene is seen, if it is not its own.
+    """Find the labels of a scene, or of a view of it, and their places in the picture.
 
     Returns
     -------

@@ -102,8 +102,6 @@ def place_part(plotter: pyvista.Plotter, name: str, **place: Any) -> str:
 
     Parameters
     ----------
-    plotter : pyvista.Plotter
-        The scene.
     name : str
         Name of the part.
     **place
@@ -144,8 +142,6 @@ def add_view(
 
     Parameters
     ----------
-    plotter : pyvista.Plotter
-        The scene.
     name : str
         Name of the view.
     eye, target, up : array_like, shape (3,)
@@ -177,8 +173,6 @@ def read_out(
 
     Parameters
     ----------
-    plotter : pyvista.Plotter
-        The scene.
     name : str
         Name of the output, which is its name in the page, too.
     label : str
@@ -215,8 +209,6 @@ def draw_chart(
 
     Parameters
     ----------
-    plotter : pyvista.Plotter
-        The scene.
     name : str
         Name of the chart.
     over : str
@@ -250,8 +242,6 @@ def stack_on_phone(
 
     Parameters
     ----------
-    plotter : pyvista.Plotter
-        The scene.
     *parts
         From above: left, top, width and height in pixels of the picture, beyond whose border there
         may be more to see, and the width of the part as a share of that of the stack. What is in a

@@ -140,17 +140,8 @@ def figure(
 ) -> Figure:
     """Make the figure of a scene, as the handler of the pyvista backend ``widget``.
 
-    Parameters
-    ----------
-    plotter : pyvista.Plotter
-        The scene, best with the alternative text that `rotedu.figures.describe` gives it.
-    spec, values : dict, optional
-        As for `Figure`.
-
-    Raises
-    ------
-    ValueError
-        If the scene contains something that the viewer cannot show.
+    `spec` and `values` are those of `Figure`. A scene without a text by
+    `rotedu.figures.describe` is shown, too; one that the viewer cannot show is a `ValueError`.
     """
     alt = getattr(plotter, "alt_text", "A scene without a description.")
     scene = described(plotter) | {"alt": alt, "views": views_of(plotter)}

@@ -60,34 +60,21 @@ def neighbours(points: ArrayLike = NEIGHBOURS) -> dict[str, NDArray[np.float64]]
     return dict(zip(NAMES, found, strict=True))
 
 
-def add_named_point(
-    plotter: pyvista.Plotter,
-    point: ArrayLike,
-    text: str,
-    color: str,
-    shift: tuple[float, float] = (0.0, 0.12),
-) -> None:
-    """Add a point, and its name shifted to the right and up as the camera sees it."""
-    camera = plotter.camera
-    back = np.subtract(camera.position, camera.focal_point)
-    right = np.cross((0, 0, 1), back)
-    right /= np.linalg.norm(right)
-    up = np.cross(back, right) / np.linalg.norm(back)
-    place = 1.03 * np.asarray(point, float) + shift[0] * right + shift[1] * up
-    add_point(plotter, point, color)
-    add_label(plotter, place, text, color)
-
-
 def open_neighbours(
     shown: dict[str, tuple[float, float]],
     eye: ArrayLike = (1.5, 4.75, 2.9),
     target: ArrayLike = (0, 0, 0.06),
 ) -> tuple[pyvista.Plotter, dict[str, NDArray[np.float64]]]:
-    """Open a scene of the construction with some of its points and their shifted names."""
+    """Open a scene of the construction with some of its points, and names shifted right and up."""
     found = neighbours()
     plotter = sphere_scene(eye, target)
-    for name, shift in shown.items():
-        add_named_point(plotter, found[name], name, COLORS[name], shift)
+    back = np.subtract(eye, target)
+    right = normalised(np.cross((0, 0, 1), back))
+    up = np.cross(normalised(back), right)
+    for name, (across, above) in shown.items():
+        add_point(plotter, found[name], COLORS[name])
+        place = 1.03 * found[name] + across * right + above * up
+        add_label(plotter, place, name, COLORS[name])
     return plotter, found
 
 

@@ -7,6 +7,7 @@ from numpy.typing import ArrayLike
 from rotedu.colors import RESULT, VECTOR, WRONG
 from rotedu.figures import describe
 from rotedu.scenes.parts import add_label, add_line, add_point, sphere_scene
+from rotedu.scenes.shapes import normalised
 
 __all__ = ["two_curves"]
 
@@ -25,16 +26,16 @@ def two_curves(
     difference : str
         Sentence for the alternative text that says how the wrong curve differs.
     """
-    p, right, wrong = (np.asarray(x, float) for x in (points, right, wrong))
+    p = np.asarray(points, float)
     centre = p.mean(axis=0)
-    plotter = sphere_scene(eye=5.2 * centre / np.linalg.norm(centre))
+    plotter = sphere_scene(eye=5.2 * normalised(centre))
     for curve, color, radius in ((right, RESULT, 0.014), (wrong, WRONG, 0.012)):
-        add_line(plotter, [*curve, curve[0]], color, radius)
+        closed = np.vstack([curve, np.asarray(curve)[:1]])
+        add_line(plotter, closed, color, radius)
     for i, point in enumerate(p):
         add_point(plotter, point, VECTOR, 0.036)
         away = point - centre
-        place = 1.02 * point + 0.14 * away / np.linalg.norm(away)
-        add_label(plotter, place, f"$P_{i}$", VECTOR)
+        add_label(plotter, 1.02 * point + 0.14 * normalised(away), f"$P_{i}$", VECTOR)
     describe(
         plotter,
         f"A see-through sphere with {len(p)} blue points and two closed curves through all of"

@@ -107,8 +107,6 @@ def draw(
 
     Parameters
     ----------
-    plotter : pyvista.Plotter
-        The scene.
     state : dict
         What the model of an explorable has computed.
     looks, texts : mapping

@@ -31,17 +31,8 @@ def new_scene(
 ) -> pyvista.Plotter:
     """Open an empty scene with the W axis pointing up.
 
-    Parameters
-    ----------
-    eye, target : array_like, shape (3,)
-        Position of the camera, and the point it looks at.
-    view_angle : float
-        Height of the field of view in degrees.
-    size : tuple of int
-        Width and height of the picture in pixels.
-    swing, stack
-        If given: by how many degrees a reader can turn the scene, as `limit_turning` says it, and
-        the parts that `stack_on_phone` puts one above the other.
+    The camera at `eye` looks at `target` and sees `view_angle` degrees from top to bottom. If
+    given, `limit_turning` gets `swing`, and `stack_on_phone` gets `stack`.
     """
     plotter = pyvista.Plotter(window_size=list(size))
     plotter.enable_anti_aliasing("ssaa")
@@ -55,13 +46,7 @@ def new_scene(
 
 
 def sphere_scene(eye: ArrayLike, target: ArrayLike = ORIGIN) -> pyvista.Plotter:
-    """Open a scene with the unit sphere, equally large from wherever it is seen.
-
-    Parameters
-    ----------
-    eye, target : array_like, shape (3,)
-        Position of the camera, and the point it looks at, near the origin.
-    """
+    """Open a scene with the unit sphere, equally large from wherever it is seen."""
     radius = np.tan(np.arcsin(1 / np.linalg.norm(eye)))
     plotter = new_scene(eye, target, 2 * float(np.degrees(np.arctan(radius / FILLED))), ROUND)
     add_sphere(plotter)

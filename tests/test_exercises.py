@@ -119,6 +119,7 @@ def test_a_hint_has_two_stages() -> None:
     first, second = (check("3.1", [2, -1, 3], hint=stage) for stage in (1, 2))
     assert first.text == ('not yet. This turns clockwise.\nFor more: check("3.1", answer, hint=2)')
     assert second.text == "not yet. Seen from the tip of W, where does U go first?"
+    assert check("3.1", [-2, 1, 3]).text == "right. What lies along the axis stays where it is."
 
 
 MISTAKE, OTHER = ("a mistake", "more"), ("another", "even more")

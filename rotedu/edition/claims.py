@@ -8,22 +8,13 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from functools import partial
-from typing import Any, Literal
+from typing import Any
 
 from rotedu.edition.notebook import Table, linked
 
 __all__ = ["CLAIMS", "VERDICTS", "Claim", "claim_table", "evidence_table", "verdict_table"]
 
-Verdict = Literal[
-    "holds",
-    "holds under a condition",
-    "does not hold",
-    "does not follow",
-    "not confirmed",
-    "a matter of names",
-]
-
-VERDICTS: dict[Verdict, str] = {
+VERDICTS = {
     "holds": "true; cases that numbers taken at random never meet do not count, such as 0/0 between"
     " equal points, but are named beside it",
     "holds under a condition": "true in one use, range or reading of the words, which is named"
@@ -54,7 +45,7 @@ CHAPTERS = {
 }
 
 
-def signed(verdict: Verdict) -> str:
+def signed(verdict: str) -> str:
     """Return a verdict with its sign, in Markdown."""
     return f"{SIGNS.get(verdict, '?')} **{verdict}**"
 
@@ -87,7 +78,7 @@ class Claim:
     number: int
     claim: str
     where: tuple[str, ...]
-    verdict: Verdict
+    verdict: str
     chapter: str
     condition: str = ""
     reason: str = ""
@@ -111,7 +102,7 @@ class Claim:
         return signed(self.verdict) + ", a slip" * self.slip + (f": {why}" if why else "")
 
 
-def judged(verdict: Verdict, **more: Any) -> Callable[..., partial[Claim]]:
+def judged(verdict: str, **more: Any) -> Callable[..., partial[Claim]]:
     """Return a function that makes a claim but for its number, its places and its page."""
     return lambda claim, reason="": partial(
         Claim, claim=claim, verdict=verdict, reason=reason, **more

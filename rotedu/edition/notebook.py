@@ -16,16 +16,12 @@ import numpy.typing as npt
 class Statement(str):
     """A text that a notebook shows without quotation marks."""
 
-    __slots__ = ()
-
     def __repr__(self) -> str:
         return str(self)
 
 
 class Source(Statement):
     """The source of a function, shown as highlighted code."""
-
-    __slots__ = ()
 
     def _repr_markdown_(self) -> str:
         return f"```python\n{self}\n```"

@@ -176,11 +176,9 @@ def test_the_authors_are_the_same_everywhere() -> None:
     ]
     creators = [author["name"].split(", ") for author in json.loads(archive)["creators"]]
     assert [" ".join(reversed(name)) for name in creators] == names
-    for authors in (
-        tomllib.loads(project)["project"]["authors"],
-        yaml.safe_load(paper.split("---")[1])["authors"],
-    ):
-        assert [author["name"] for author in authors] == names
+    assert [author["name"] for author in tomllib.loads(project)["project"]["authors"]] == names
+    authors = yaml.safe_load(paper.split("---")[1])["authors"]
+    assert [author["name"] for author in authors] == names
 
 
 def test_the_version_of_the_package_is_named_everywhere_with_its_date(tmp_path: Path) -> None:
@@ -237,13 +235,12 @@ def test_the_paper_cites_what_it_lists() -> None:
 
 
 def test_both_bibliographies_agree() -> None:
-    entries = [
+    paper, book = (
         dict(re.findall(r"(?ms)^@\w+\{(\w+),\n(.*?)^\}$", (ROOT / file).read_text("utf-8")))
         for file in ("paper/paper.bib", "book/references.bib")
-    ]
-    paper, book = entries
-    for key in paper.keys() & book.keys():
-        assert paper[key] == book[key], key
+    )
+    shared = paper.keys() & book.keys()
+    assert {key: paper[key] for key in shared} == {key: book[key] for key in shared}
 
 
 def test_without_a_repository_no_page_leads_there(book: Path) -> None:
@@ -290,20 +287,16 @@ def test_the_citation_is_valid() -> None:
 
 
 def test_the_search_keeps_the_numbers_of_pages_that_stay(tmp_path: Path) -> None:
-    source, built = tmp_path / "source", tmp_path / "built"
-    source.mkdir()
     for name, number in (("index", "1-1"), ("other", "1-2")):
-        equation = f".. math:: a\n   :label: eq-{number}\n"
-        (source / f"{name}.rst").write_text(
-            f"{name}\n=====\n\n{equation}\n.. toctree::\n   :glob:\n\n   o*\n"
-        )
-    command = [sys.executable, "-m", "sphinx", "-q", "-C", "-D", "extensions=paper_numbers"]
-    path = Path(__file__).parents[1] / "book" / "_ext"
+        page = f":orphan:\n\n{name}\n=====\n\n.. math:: a\n   :label: eq-{number}\n\n"
+        (tmp_path / f"{name}.rst").write_text(page)
+    extension = ["-C", "-D", "extensions=paper_numbers", tmp_path, tmp_path / "built"]
+    environment = os.environ | {"PYTHONPATH": str(ROOT / "book" / "_ext")}
     for changed in ("", "A word more.\n"):
-        with (source / "index.rst").open("a") as page:
-            page.write(f"\n{changed}")
-        environment = os.environ | {"PYTHONPATH": str(path)}
-        subprocess.run([*command, source, built], env=environment, check=True)
-        index = (built / "searchindex.js").read_text("utf-8")
-        entries = re.search(r'"indexentries": ?\{(.*?)\}', index)[1]
+        with (tmp_path / "index.rst").open("a") as index:
+            index.write(changed)
+        command = [sys.executable, "-m", "sphinx", "-q", *extension]
+        subprocess.run(command, env=environment, check=True)
+        built = (tmp_path / "built" / "searchindex.js").read_text("utf-8")
+        entries = re.search(r'"indexentries": ?\{(.*?)\}', built)[1]
         assert re.findall(r'"(\d-\d)":', entries) == ["1-1", "1-2"]

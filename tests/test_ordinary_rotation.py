@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 from scipy.spatial.transform import Rotation
 from spheres import E3, Array, close, random_units
+from symbolic import matrix, symbolic
 
 from rotedu.cost import OperationCount, count
 from rotedu.errors import DegenerateError
@@ -25,8 +26,6 @@ RNG = np.random.default_rng(31)
 SMALL = [0, 1e-300, 1e-12, 1e-9, 1e-8, 1e-4]
 NEAR_PI = [np.pi - 1e-4, np.pi - 1e-8, np.pi - 1e-9]
 ALL_ANGLES = [*SMALL, 0.5, np.pi / 2, 2 * np.pi / 3, 3, *NEAR_PI, np.pi]
-HALF_TURN = np.diag([1.0, -1, -1])
-
 
 AXES = np.vstack([np.eye(3), -np.eye(3), [[0.6, 0.8, 0], [0, -0.6, 0.8]], random_units(500, 3)])
 POINTS = RNG.normal(size=(len(AXES), 3))
@@ -100,19 +99,10 @@ class TestAxisAngle:
         close(axis, AXES * np.sign(lead)[:, None], 2e-15)
         assert (angle == np.pi).all()
 
-    @pytest.mark.parametrize(
-        ("matrix", "expected"),
-        [
-            (HALF_TURN, [1, 0, 0]),
-            (np.diag([-1, 1, -1]), [0, 1, 0]),
-            (np.diag([-1, -1, 1]), [0, 0, 1]),
-            ([[-1, 0, 0], [0, 0, -1], [0, -1, 0]], [0, 0.5**0.5, -(0.5**0.5)]),
-        ],
-    )
-    def test_exact_half_turns(self, matrix: Any, expected: list[float]) -> None:
-        axis, angle = axis_angle(matrix)
-        close(axis, expected, 1e-15)
-        assert angle == np.pi
+    def test_exact_half_turns(self) -> None:
+        axes, angles = axis_angle([*map(np.diag, 2 * np.eye(3) - 1), -np.eye(3)[[0, 2, 1]]])
+        close(axes, [*np.eye(3), [0, 0.5**0.5, -(0.5**0.5)]], 1e-15)
+        assert (angles == np.pi).all()
 
 
 class TestSixteenProducts:
@@ -144,33 +134,30 @@ class TestTransform:
     def test_one_matrix_for_all_points(self, shape: tuple[int, ...]) -> None:
         r = RNG.normal(size=shape)
         close(transform(self.matrix, r), np.einsum("ij,...j->...i", self.matrix, r))
-        for matrix in (self.affine, self.projective, -3 * self.affine):
-            close(transform(matrix, r), self.homogeneous(matrix, r))
+        for m in (self.affine, self.projective, -3 * self.affine):
+            close(transform(m, r), self.homogeneous(m, r))
 
     def test_stacks(self) -> None:
-        matrices, r = rotation_matrix(AXES[8:13], 1.0), RNG.normal(size=(5, 3))
-        each = np.stack([m @ p for m, p in zip(matrices, r, strict=True)])
-        close(transform(matrices, r), each)
-        close(transform(matrices, r[0]), np.stack([m @ r[0] for m in matrices]))
-        every = np.stack([[m @ p for p in r] for m in matrices])
-        close(transform(matrices[:, None], r), every)
-
-    def test_stack_of_affine_and_projective_matrices(self) -> None:
-        matrices, r = np.stack([self.affine, self.projective]), RNG.normal(size=(6, 1, 3))
-        close(transform(matrices, r), self.homogeneous(matrices, r))
-        close(transform(matrices[:, None], r[:, 0]), self.homogeneous(matrices[:, None], r[:, 0]))
-        affine = np.stack([self.affine, self.affine])
-        close(transform(affine, r), self.homogeneous(affine, r))
+        r = RNG.normal(size=(5, 3))
+        for matrices in [
+            rotation_matrix(AXES[8:13], 1.0),
+            np.stack([self.affine, self.projective] * 2 + [self.affine]),
+            np.stack([self.affine] * 5),
+        ]:
+            every = np.stack([transform(m, r) for m in matrices])
+            close(transform(matrices[:, None], r), every)
+            close(transform(matrices, r), every[np.arange(5), np.arange(5)])
+            close(transform(matrices, r[0]), every[:, 0])
 
     def test_points_at_infinity_are_named(self) -> None:
         camera = np.eye(4)[[0, 1, 2, 2]]
-        for matrix, points, message in [
+        for m, points, message in [
             (camera, [1, 2, 0], r"^matrix sends 1 of 1 points to infinity$"),
             (camera, [[[1, 2, 3], [1, 2, 1]], [[1, 2, 0], [0, 0, 0]]], r"2 of 4 .* \(1, 0\)$"),
             (np.stack([np.eye(4), camera]), [1, 2, 0], r"1 of 2 points .* at index \(1,\)$"),
         ]:
             with pytest.raises(DegenerateError, match=message):
-                transform(matrix, points)
+                transform(m, points)
 
     def test_result_shares_no_memory_with_the_points(self) -> None:
         r = POINTS.copy()
@@ -179,27 +166,14 @@ class TestTransform:
         rotate(r, [0, 0, 1], 0)[:] = 0
         close(r, POINTS, 0)
 
-    @pytest.mark.parametrize("matrix", [matrix, affine, projective])
-    def test_however_many_points_lie_in_memory(self, matrix: Array) -> None:
+    def test_however_many_points_lie_in_memory(self) -> None:
         many = RNG.normal(size=(2001, 2, 3))
-        for points in [
-            many,
-            many[1:].reshape(-1, 3),
-            np.asfortranarray(many[:, 0]),
-            np.asfortranarray(many),
-            many[::-1, 1, ::-1],
-        ]:
-            few = np.concatenate([transform(matrix, part) for part in np.array_split(points, 300)])
-            close(transform(matrix, points), few, 1e-14)
-            single = transform(matrix.astype("f4"), points.astype("f4"))
-            assert single.dtype == np.float32
-            close(single, few, 2e-5)
-
-    def test_other_numbers(self) -> None:
-        for dtype in (">f8", "f2", "i4"):
-            points = (100 * POINTS).astype(dtype)
-            close(transform(self.matrix, points), points @ self.matrix.T, 1e-12)
-            assert transform(np.eye(3, dtype=dtype), points).dtype == np.float64
+        for points in [many[1:], np.asfortranarray(many), many[::-1, 1, ::-1]]:
+            close(transform(self.matrix, points), points @ self.matrix.T)
+            for m in (self.affine, self.projective):
+                moved = self.homogeneous(m, points)
+                close(transform(m, points), moved)
+                close(transform(m.astype("f4"), points.astype("f4")), moved, 2e-5)
 
     def test_an_affine_matrix_costs_no_division(self) -> None:
         assert count(transform, self.affine, [1, 2, 3]) == OperationCount(9, 9)
@@ -233,21 +207,14 @@ class TestRefusals:
         [
             (lambda: rotate(1, E3, 1), r"points must have shape \(..., 3\); got shape \(\)$"),
             (lambda: axis_angle(np.eye(4)), r"matrix must .* \(..., 3, 3\); got shape \(4, 4\)$"),
-            (lambda: axis_angle(np.ones(3)), r"matrix must .* \(..., 3, 3\); got shape \(3,\)$"),
             (
                 lambda: transform(np.ones((3, 4)), E3),
                 r"matrix must have shape \(..., 3, 3\) or \(..., 4, 4\); got shape \(3, 4\)$",
             ),
-            (lambda: transform(np.eye(4), np.ones((2, 4))), r"points must .*; got shape \(2, 4\)$"),
-            (lambda: rotate([1, 2, 3], [0, 0, 0.0], 1), "axis must not be the zero vector; got z"),
             (lambda: rotation_matrix([E3, [0, 0, 0]], 1), r"axis must not be .* at index \(1,\)"),
             (
-                lambda: rotate(np.ones((4, 3)), np.ones((5, 3)), 1),
-                r"points and axis and angle must broadcast over",
-            ),
-            (
                 lambda: rotation_matrix(np.ones((4, 3)), [1, 2, 3]),
-                r"axis and angle must .* got \(4, 3\) and \(3,\)$",
+                r"axis and angle must broadcast over .* got \(4, 3\) and \(3,\)$",
             ),
             # Objects are not exempt from the check of shapes.
             (lambda: rotate([1, 2, 3], sp.symbols("x y"), 1), r"axis must .*; got shape \(2,\)"),
@@ -261,39 +228,26 @@ class TestRefusals:
         ("matrix", "message"),
         [
             (2 * np.eye(3), r"differs by 3\.0e\+00; .*nearest_rotation"),
-            (np.zeros((3, 3)), r"differs by 1\.0e\+00; "),
             (np.full((3, 3), 1e200), r"differs by inf; "),
-            (
-                rotation_matrix([0, 0, 1], 1) * 1.001,
-                r"may differ .* by 1e-03, but differs by 2\.0e-03; ",
-            ),
             (-np.eye(3), r"determinant is -1, so it reflects$"),
-            (-HALF_TURN, r"determinant is -1, so it reflects$"),
             ([np.eye(3), -np.eye(3)], r"determinant is -1, so it reflects at index \(1,\)$"),
             ([np.eye(3), 3 * np.eye(3)], r"differs by 8\.0e\+00 at index \(1,\); "),
         ],
     )
     def test_not_a_rotation(self, matrix: Any, message: str) -> None:
-        for f in (axis_angle, sixteen_products):
-            with pytest.raises(ValueError, match=f"^matrix must be a rotation: .*{message}"):
-                f(matrix)
+        with pytest.raises(ValueError, match=f"^matrix must be a rotation: .*{message}"):
+            axis_angle(matrix)
 
 
 class TestProofs:
     """The same code, run on symbols, so the results hold for all axes and angles."""
 
-    class Angle(sp.Symbol):
-        """An angle with the methods that numpy calls for the cosine and sine of an object."""
-
-        def cos(self) -> Any:
-            return sp.cos(self)
-
-        def sin(self) -> Any:
-            return sp.sin(self)
-
     n = sp.symbols("n_u n_v n_w", real=True)
     r = sp.symbols("r_u r_v r_w", real=True)
-    theta = Angle("theta", real=True)
+    theta = sp.Symbol("theta", real=True)
+    given = symbolic(*n), symbolic(theta)
+    rodrigues = matrix(rotate(symbolic(*r), *given))
+    by_entries = matrix(rotation_matrix(*given))
 
     def is_zero(self, expression: Any) -> bool:
         """Whether an expression vanishes modulo |n| = 1 and cos^2 + sin^2 = 1."""
@@ -302,15 +256,9 @@ class TestProofs:
         laws = [sum(x**2 for x in self.n) - 1, c**2 + s**2 - 1]
         return bool(sp.reduced(polynomial, laws, self.n[0], s)[1] == 0)
 
-    def matrix(self) -> sp.Matrix:
-        return sp.Matrix(rotation_matrix(self.n, self.theta))
-
     @pytest.mark.equation("3-3")
     def test_matrix_times_vector_is_rodrigues_formula(self) -> None:
-        difference = self.matrix() * sp.Matrix(self.r) - sp.Matrix(
-            rotate(self.r, self.n, self.theta)
-        )
-        assert difference.expand() == sp.zeros(3, 1)
+        assert (self.by_entries * sp.Matrix(self.r) - self.rodrigues).expand() == sp.zeros(3, 1)
 
     @pytest.mark.equation("3-2")
     def test_transform_is_the_matrix_product(self) -> None:
@@ -319,7 +267,7 @@ class TestProofs:
         assert (product - m * sp.Matrix(self.r)).expand() == sp.zeros(3, 1)
 
     def test_matrix_is_a_rotation_by_the_angle_about_the_axis(self) -> None:
-        m, n = self.matrix(), sp.Matrix(self.n)
+        m, n = self.by_entries, sp.Matrix(self.n)
         skew = sp.Matrix([m[2, 1] - m[1, 2], m[0, 2] - m[2, 0], m[1, 0] - m[0, 1]])
         for zero in [
             *(m.T * m - sp.eye(3)),
@@ -337,4 +285,4 @@ class TestProofs:
         along = r.dot(n) * n
         cos, sin = sp.cos(self.theta), sp.sin(self.theta)
         first = along + cos * (r - along) + sin * n.cross(r)
-        assert (first - sp.Matrix(rotate(self.r, self.n, self.theta))).expand() == sp.zeros(3, 1)
+        assert (first - self.rodrigues).expand() == sp.zeros(3, 1)

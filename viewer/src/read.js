@@ -29,8 +29,7 @@ export async function read(file) {
     geometry.computeBoundingSphere();
     if (geometry.boundingSphere)
       around.union(geometry.boundingSphere.clone().applyMatrix4(matrixWorld));
-    // A node with several primitives becomes a group.
-    const { userData } = "pickable" in part.userData ? part : (part.parent ?? part);
+    const { userData } = part;
     const { name, pickable, hidden, ...place } = userData;
     const drawn = dress(part, lights);
     const hides = part.isMesh && pickable ? surface(part, positions) : undefined;

@@ -2,7 +2,7 @@
 import { Scene, Vector3 } from "three";
 import { Aim } from "./aim.js";
 import { all, createCanvas, createTools } from "./elements.js";
-import { scaleWidths, sortSeeThrough } from "./materials.js";
+import { sortSeeThrough } from "./materials.js";
 import { orbit } from "./orbit.js";
 import { move } from "./parts.js";
 import { Labels } from "./placed-labels.js";
@@ -42,7 +42,6 @@ export class View {
     this.objects = objects;
     this.parts = parts;
     this.surfaces = surfaces;
-    this.made = made;
     this.scene = new Scene();
     this.scene.add(...objects);
     this.canvas = createCanvas(made.alt);
@@ -86,9 +85,9 @@ export class View {
     this.endings = [() => observer.disconnect(), onRestored(() => this.redraw())];
   }
 
-  /** Fit pictures, labels and widths to the size that the page gives them. */
+  /** Fit pictures and labels to the size that the page gives them. */
   fit() {
-    const { canvas, made, rows } = this;
+    const { canvas, rows } = this;
     const size = pixels(this.element);
     const now = `${size.width} ${size.height}`;
     // The observer also calls at the start, and when the scene is folded away.
@@ -97,10 +96,6 @@ export class View {
     Object.assign(canvas, size);
     for (const { labels } of [this, ...this.views.values()]) labels.measure();
     rows.fit(canvas);
-    const [{ from, to }] = rows.fixed;
-    const across = ((canvas.width / made.width) * to[2]) / from[2];
-    const down = ((canvas.height / made.height) * to[3]) / from[3];
-    scaleWidths(this.objects, Math.min(across, down));
     this.turn();
     this.draw();
   }

@@ -1,33 +1,31 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import * as three from "three";
-import { dress, scaleWidths, sortSeeThrough } from "../src/materials.js";
+import { dress, sortSeeThrough } from "../src/materials.js";
 
 globalThis.BALL = "";
-const LOOKS = { specular: [0.1, 0.2, 0.3], pointSize: 5, lineWidth: 3 };
+const LOOKS = { specular: [0.1, 0.2, 0.3] };
 
 /** A part as three's loader returns it, and what draws it. */
-function drawn(kind, material = {}) {
+function drawn(transparent) {
   const geometry = new three.BufferGeometry();
   const numbers = new Float32Array([0, 0, 0, 1, 2, 3, 4, 5, 7]);
   geometry.setAttribute("position", new three.BufferAttribute(numbers, 3));
   geometry.setIndex([2, 0, 0, 1]);
-  const part = new kind(geometry, new three.MeshBasicMaterial(material));
+  const part = new three.Mesh(geometry, new three.MeshBasicMaterial({ transparent }));
   part.material.userData = LOOKS;
   return dress(part, []);
 }
 
 const uniform = ({ material }, name) => material.uniforms[name].value;
 
-test("what is see-through lets others through; on both sides it is drawn inside first", () => {
+test("what is see-through lets others through, and is drawn inside first", () => {
   const [both, back, front] = [0, -1, 1];
-  for (const [side, transparent, ...sides] of [
-    [three.DoubleSide, false, both],
-    [three.FrontSide, false, front],
-    [three.FrontSide, true, front],
-    [three.DoubleSide, true, back, front],
+  for (const [transparent, ...sides] of [
+    [false, both],
+    [true, back, front],
   ]) {
-    const made = drawn(three.Mesh, { side, transparent });
+    const made = drawn(transparent);
     assert.deepEqual(
       made.map((object) => uniform(object, "sides")),
       sides,
@@ -40,15 +38,9 @@ test("what is see-through lets others through; on both sides it is drawn inside 
   }
 });
 
-test("widths are those of the poster, however often the picture changes its size", () => {
-  const [point, line] = [...drawn(three.Points), ...drawn(three.LineSegments)];
-  for (const factor of [2, 0.5]) scaleWidths([point, line], factor);
-  assert.deepEqual([uniform(point, "pointSize"), line.material.linewidth], [2.5, 1.5]);
-});
-
 test("a see-through surface counts by its far or its near end, where it is and as large as it is", () => {
-  const made = drawn(three.Mesh, { side: three.DoubleSide, transparent: true });
-  const all = [...made, ...drawn(three.Mesh)];
+  const made = drawn(true);
+  const all = [...made, ...drawn(false)];
   const camera = new three.PerspectiveCamera();
   camera.position.set(0, 0, 9);
   const { geometry } = made[0];

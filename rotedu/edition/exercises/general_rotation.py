@@ -367,7 +367,10 @@ def faults_of_triangles(camera: Array, triangles: Array, near_last: Array) -> di
             example=(camera, triangles / 100, near_last),
         ),
         "These are not all the triangles of the spoon.": when(
-            lambda back: not is_complete(back),
+            # A triangle twice is one triangle, whichever of its corners comes first.
+            lambda back: (
+                not len(np.unique(back.mean(axis=1).round(6), axis=0)) == TRIANGLES == len(back)
+            ),
             "Keep those that others hide, too, since filling them in order hides them.",
             example=(camera, triangles, near_last),
         ),
@@ -428,12 +431,6 @@ def photograph_of_a_spoon() -> Iterator[Part]:
     }
     yield Part(lambda depth, order: (np.diff(depth[order]) >= -1e-9).all(), hints, item=slice(1, 3))
     yield Part(None, faults_of_triangles(camera, triangles, near_last), item=3)
-
-
-def is_complete(back: Array) -> bool:
-    """Tell whether triangles are as many as those of the spoon, and none of them is there twice."""
-    # A triangle twice is one triangle, whichever of its corners comes first.
-    return len(np.unique(back.mean(axis=1).round(6), axis=0)) == TRIANGLES == len(back)
 
 
 def is_spoon(corners: Array) -> bool:

@@ -109,14 +109,12 @@ def test_figure_1_stays_in_the_picture_when_its_axis_is_tilted() -> None:
         assert np.abs(in_picture(plotter, points) - 0.5).max() < 0.5
 
 
-def test_the_path_of_the_camera_leads_through_its_targets() -> None:
-    plotter = scenes.camera_arcs()
+@pytest.mark.parametrize("path", ["arcs", "curve"])
+def test_the_path_of_the_camera_leads_through_its_targets(path: str) -> None:
+    [way] = states("camera_by_hand", [{}])[0]["parts"][path]["paths"]
     targets = np.array(scenes.CAMERA_TARGETS)
     targets /= np.linalg.norm(targets, axis=1, keepdims=True)
-    assert [label["text"] for label in scene_labels(plotter)] == list(scenes.CAMERA_SEES)
-    path = np.vstack([mesh.points for mesh in meshes(plotter, colors.RESULT)])
-    assert np.all(abs(np.linalg.norm(path, axis=1) - 1) < 0.06)
-    assert np.linalg.norm(path - targets[:, None], axis=2).min(axis=1).max() < 0.03
+    assert np.linalg.norm(way - targets[:, None], axis=2).min(axis=1).max() < 1e-5
 
 
 def test_the_camera_looks_ahead_and_stands_upright() -> None:
@@ -269,15 +267,6 @@ def test_reversed_axis_is_that_of_5_9_as_printed() -> None:
     np.testing.assert_allclose(b, double(a, p), atol=1e-14)
 
 
-def test_camera_goes_past_its_targets_on_both_paths() -> None:
-    [state] = states("camera_by_hand", [{}])
-    for target in scenes.CAMERA_TARGETS:
-        target = np.array(target) / np.linalg.norm(target)
-        for path in ("arcs", "curve"):
-            [way] = state["parts"][path]["paths"]
-            assert np.linalg.norm(np.array(way) - target, axis=1).min() < 1e-5
-
-
 def test_who_rides_on_the_camera_sees_what_its_frame_shows() -> None:
     plotter = scenes.camera_by_hand(u=0.6, path="curve")
     looks, _, up = plotter.actors["camera"].user_matrix[:3, :3].T
@@ -306,14 +295,6 @@ def test_a_still_picture_shows_all_views(monkeypatch: pytest.MonkeyPatch) -> Non
     monkeypatch.setattr(pyvista, "OFF_SCREEN", True)
     width, height = still_picture(scenes.camera_by_hand()).size
     assert (width, height) == (960, 480)
-
-
-def test_a_spoon_that_has_come_home_covers_the_one_at_the_start() -> None:
-    plotter = scenes.worn_spoons_by_hand(turns=0)
-    for name in ("matrix", "quaternion"):
-        first, last = (plotter.actors[part] for part in (f"{name} at the start", name))
-        np.testing.assert_allclose(first.user_matrix, last.user_matrix, atol=1e-12)
-        assert first.mapper.dataset.volume < 0.8 * last.mapper.dataset.volume
 
 
 def test_one_path_of_the_camera_is_thick() -> None:

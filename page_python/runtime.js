@@ -1,12 +1,14 @@
 /*
  * The page's Python: a worker that the first run starts. What it has fetched is kept for the next
- * one, which a run starts after Stop.
+ * one, and spare workers have their scripts: after Stop, Python starts again without a network.
  */
 import { home } from "./elements.js";
 
 export const STOPPED = "Stopped. What has run is forgotten; the next Run starts Python anew.";
+const SPARES = 2;
 const root = document.documentElement;
 let worker;
+let spares = [];
 let kept = {};
 let serial = 0;
 let waiting;
@@ -30,11 +32,22 @@ export const stop = () => end("absent", STOPPED);
 
 function start() {
   root.dataset.python = "loading";
-  const made = new Worker(new URL(globalThis.WORKER, home));
+  const made = spares.pop() ?? load();
   made.onmessage = hear;
   made.onerror = ({ message = "its script did not load" }) => fail(message);
   if (kept.files) made.postMessage(kept);
   return made;
+}
+
+const load = () => new Worker(new URL(globalThis.WORKER, home));
+
+function addSpares() {
+  while (spares.length < SPARES) {
+    const spare = load();
+    spares.push(spare);
+    // Without a network none loads.
+    spare.onerror = () => (spares = spares.filter((each) => each !== spare));
+  }
 }
 
 function hear({ data }) {
@@ -44,6 +57,7 @@ function hear({ data }) {
     root.dataset.python = "ready";
     waiting?.loading?.();
     kept = { compiled: data.compiled, files: data.files };
+    addSpares();
   }
   if (data.id !== waiting?.id) return;
   if (data.text) waiting.printing?.(data.text);

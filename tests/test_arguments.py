@@ -10,15 +10,14 @@ from scipy.spatial.transform import Rotation
 from spheres import E1, E2, E3, HERE, PAIRS, RNG, UNEVEN, close, on_the_sphere, random_units
 
 from rotedu import _arguments as arguments
-from rotedu.arcs import nlerp, slerp, slerp_by_rotation
+from rotedu.arcs import slerp, slerp_by_rotation
 from rotedu.closed_curve import closed_curve
-from rotedu.control_points import bisect, double
+from rotedu.control_points import double
 from rotedu.cost import OperationCount, count
-from rotedu.edition.notebook import source
 from rotedu.errors import DegenerateError
 from rotedu.general_rotation import perspective
 from rotedu.ordinary_rotation import axis_angle, rotate, rotation_matrix
-from rotedu.orientations import closed_rotation_curve, slerp_rotations
+from rotedu.orientations import closed_rotation_curve
 from rotedu.quaternions import Quaternion
 
 # The warnings about unstable curves have tests of their own.
@@ -48,7 +47,7 @@ METHODS = {
 FUNCTIONS = PUBLIC | METHODS
 TURN, THREE = {"matrix": np.eye(3)}, np.stack([np.eye(3)] * 3)
 TWO = {"r1": np.eye(3), "r2": np.eye(3)}
-PAIR = {"p": E1, "q": [0, 1, 1]}
+PAIR = {"p": E1, "q": [0, 0.6, 0.8]}
 EULER = {"u": 1, "v": 1, "w": 1}
 ANGLE, VECTOR = {"angle": 1}, {"v": [1, 2, 3]}
 CURVE = {"points": np.eye(3), "fraction": 0.5}
@@ -70,7 +69,7 @@ GOOD: dict[str, dict[str, Any]] = {
     **dict.fromkeys(["translation", "matrix_from_rotation_vector"], VECTOR),
     "scaling": {"s": [1, 2, 3]},
     "shearing": {"uv": 1, "uw": 1, "vu": 1, "vw": 1, "wu": 1, "wv": 1},
-    "reflection": {"normal": [1, 2, 3]},
+    "reflection": {"normal": [0, 0.6, 0.8]},
     "perspective": {"distance": 1},
     **dict.fromkeys(["angle_between", "arc_axis", "double", "double_by_rotation"], PAIR),
     **dict.fromkeys(["bisect", "bisect_by_rotation"], PAIR),
@@ -85,11 +84,12 @@ GOOD: dict[str, dict[str, Any]] = {
     "integrate": {"rotation": np.eye(3), "velocities": np.eye(3), "dt": 0.1},
     "matrix_steps": TURN | {"velocities": np.eye(3), "dt": 0.1},
     "quaternion_steps": {"q": np.eye(4)[0], "velocities": np.eye(3), "dt": 0.1},
-    "look_at": {"direction": E1, "up": [0, 1, 1]},
+    "look_at": {"direction": E1, "up": [0, 0.6, 0.8]},
     "mean_rotation": {"rotations": THREE, "weights": [1, 2, 3]},
     **dict.fromkeys(["angular_distance", "chordal_distance"], TWO),
-    "matrix_from_two_columns": {"a": E1, "b": [0, 1, 1]},
+    "matrix_from_two_columns": {"a": E1, "b": [0, 0.6, 0.8]},
 }
+NEED_LAPACK = {"nearest_rotation", "mean_rotation", "periodic_spline"}
 ARGUMENTS = [(f, name) for f, arguments in GOOD.items() for name in arguments]
 # Arguments whose length has no meaning, or which must be points of the sphere.
 DIRECTIONS = [
@@ -136,23 +136,19 @@ class TestShapes:
     @pytest.mark.parametrize(
         ("p", "q", "t", "expected"),
         [
-            ((7, 3), (3,), (), (7, 3)),
             ((3,), (7, 3), (), (7, 3)),
-            ((5, 1, 3), (7, 3), (), (5, 7, 3)),
             ((7, 3), (2, 1, 1, 3), (5, 1), (2, 5, 7, 3)),
-            ((3, 3), (3,), (3, 1), (3, 3, 3)),
             ((0, 3), (3,), (), (0, 3)),
         ],
     )
     def test_broadcasting_is_a_loop(self, p: Any, q: Any, t: Any, expected: Any) -> None:
         p, q, t = RNG.normal(size=p), RNG.normal(size=q), RNG.uniform(size=t)
-        for f in (slerp, slerp_by_rotation):
-            found = f(p, q, t)
-            assert found.shape == expected
-            every_p, every_q = np.broadcast_to(p, expected), np.broadcast_to(q, expected)
-            every_t = np.broadcast_to(t, expected[:-1])
-            for i in np.ndindex(expected[:-1]):
-                close(found[i], f(every_p[i], every_q[i], every_t[i]), 1e-15)
+        found = slerp(p, q, t)
+        assert found.shape == expected
+        every = np.broadcast_to(p, expected), np.broadcast_to(q, expected)
+        every_t = np.broadcast_to(t, expected[:-1])
+        for i in np.ndindex(expected[:-1]):
+            close(found[i], slerp(*(each[i] for each in every), every_t[i]), 1e-15)
 
     def test_sequences_integers_and_views(self) -> None:
         expected = rotate(np.array([1.0, 2, 3]), np.array([0.0, 0, 1]), 2.0)
@@ -162,7 +158,6 @@ class TestShapes:
             (np.array([3, 0, 2, 0, 1.0])[::-2], [0, 0, 10**30]),
         ]:
             close(rotate(r, n, 2), expected, 0)
-        close(closed_curve(np.eye(3, dtype=int), 5), closed_curve(np.eye(3), 5), 0)
 
 
 class TestSinglePrecision:
@@ -205,19 +200,17 @@ class TestCounts:
         assert plain.multiplications < turned.multiplications
         assert plain.additions < turned.additions
 
-    def test_everything_can_be_counted(self) -> None:
-        for f in [
-            "angle_between",
-            "arc_axis",
-            "bisect",
-            "bisect_by_rotation",
-            "double_by_rotation",
-        ]:
-            assert count(FUNCTIONS[f], E1, HERE).multiplications > 0
-        curve = count(lambda points: closed_curve(points, 2), UNEVEN)
-        assert curve.trigonometric >= 5 * 2 * 6
-        turns = rotation_matrix([1, 2, 2], np.arange(3))
-        assert count(lambda r: closed_rotation_curve(r, 2), turns).multiplications > 0
+    @pytest.mark.parametrize("f", GOOD.keys() - NEED_LAPACK)
+    def test_results_are_those_of_the_floats(self, f: str) -> None:
+        found: list[Any] = []
+
+        def compute(*values: Any) -> None:
+            found.extend(results(f, **dict(zip(GOOD[f], values, strict=True))))
+
+        count(compute, *(np.asarray(value, float) for value in GOOD[f].values()))
+        for counted, expected in zip(found, results(f), strict=True):
+            value = np.vectorize(lambda x: getattr(x, "value", x), otypes=[float])(counted)
+            close(value, expected, 3e-7 if expected.dtype == np.float32 else 1e-15)
 
     def test_out_and_back_costs_as_much_as_other_ways(self) -> None:
         """Here a_i is P_i: angles are zero, and arrays of floats are clipped."""
@@ -225,12 +218,6 @@ class TestCounts:
         with np.errstate(invalid="ignore"):
             found = count(lambda p: closed_curve(p, 2), out_and_back)
         assert found == count(lambda p: closed_curve(p, 2), UNEVEN[:4])
-
-    def test_results_are_those_of_the_floats(self) -> None:
-        results: list[Any] = []
-        count(lambda points: results.append(closed_curve(points, 3)), UNEVEN)
-        found = np.vectorize(lambda scalar: scalar.value, otypes=[float])(results[0])
-        close(found, closed_curve(UNEVEN, 3), 1e-15)
 
 
 ASKEW = "must be a rotation: M^T M may differ from the identity by 1e-03, but differs by"
@@ -288,25 +275,11 @@ class TestCoarseRotations:
 
 
 class TestListings:
-    """A page shows with `source` the very function that it calls, and its body is short."""
+    """What a page shows with `source` is the function that it calls, without its checks."""
 
     def test_every_public_function_is_checked_by_its_annotations(self) -> None:
         plain = {name for name, f in PUBLIC.items() if not hasattr(f, "__wrapped__")}
         assert plain == {"Quaternion", "compose"}
-
-    @pytest.mark.parametrize(
-        ("function", "equation"),
-        [
-            (double, "return 2 * dot(p, q) * q - p"),
-            (bisect, "return unit(p + q)"),
-            (nlerp, "return unit((1 - t) * p + t * q)"),
-            (rotate, "return cos * r + (1 - cos) * dot(r, n) * n + sin * cross(n, r)"),
-            (Quaternion.__mul__, "w1 * w2 - dot(v1, v2), w1 * v2 + w2 * v1 + cross(v1, v2)"),
-            (slerp_rotations, "return product(r1, rotation_matrix(axis, t * theta))"),
-        ],
-    )
-    def test_shows_the_equation(self, function: Any, equation: str) -> None:
-        assert equation in repr(source(function))
 
     def test_what_was_checked_is_not_checked_again(self, monkeypatch: pytest.MonkeyPatch) -> None:
         seen = []
@@ -333,6 +306,7 @@ CLOSED = {
     "squad": "quaternions",
     "periodic_spline": "values",
 }
+OF_ANY_DIMENSION = {"de_casteljau", "de_casteljau_levels", *CLOSED} - {"closed_rotation_curve"}
 ONE, TWICE, MIRROR = np.eye(3), 2 * np.eye(3), -np.eye(3)
 NEARLY, MOVED = np.diag([1 - 1e-9, 1, 1]), np.eye(4) + np.diag([5], 3)
 BAD: dict[str, list[tuple[dict[str, Any], str]]] = {
@@ -342,7 +316,6 @@ BAD: dict[str, list[tuple[dict[str, Any], str]]] = {
         ({"p": PAIRS[0, :4], "q": PAIRS[1, :5]}, "p and q and t must broadcast over their leading"),
         ({"p": [0, np.nan, np.inf]}, "p must be finite in float64; got nan at index (1,)"),
     ],
-    "slerp_by_rotation": [({"p": np.eye(4)[0]}, "p must have shape (..., 3); got shape (4,)")],
     "de_casteljau": [
         ({"control": random_units(5, 4, 3), "u": [1, 2]}, "control and u must broadcast over"),
         ({"control": np.empty((0, 3))}, "control must number at least 1; got 0"),
@@ -351,7 +324,6 @@ BAD: dict[str, list[tuple[dict[str, Any], str]]] = {
         ({"points": np.empty((3, 0))}, "points must not be the zero vector"),
         ({"points": E1}, "points must have shape (..., n, d); got shape (3,)"),
     ],
-    "control_points": [({"points": E1}, "points must have shape (..., n, d); got shape (3,)")],
     "slerp_rotations": [
         ({"r1": np.eye(4)}, "r1 must have shape (..., 3, 3); got shape (4, 4)"),
         ({"r2": MIRROR}, "r2 must be a rotation: it is orthogonal, but its determinant is -1, so "),
@@ -403,6 +375,14 @@ class TestRefusals:
             place = f" at index {tuple(n - 1 for n in value.shape)}" if value.ndim else ""
             wanted = f"ValueError: {name} must be finite in float64; got {bad}{place}"
             assert refusal(f, **{name: value}) == wanted
+
+    @pytest.mark.parametrize(("f", "name"), ARGUMENTS)
+    def test_wrong_number_of_components(self, f: str, name: str) -> None:
+        shape = np.shape(GOOD[f][name])
+        if shape and f not in OF_ANY_DIMENSION:
+            found = refusal(f, **{name: np.ones((*shape[:-1], 5))})
+            assert found.startswith("ValueError: ")
+            assert " must have shape (" in found
 
     def test_up_to_the_limits_of_the_conventions_all_is_finite(self) -> None:
         q = Quaternion(1e150, [1e150, -1e150, 1e150])

@@ -1,18 +1,16 @@
 """The counts of the paper, found by running the code."""
 
 import math
-from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import numpy as np
 import pytest
 
 from rotedu.cost import OperationCount, count
-from rotedu.ordinary_rotation import axis_angle, rotate, rotation_matrix, transform
+from rotedu.ordinary_rotation import rotate, rotation_matrix, transform
 
 AXIS, ANGLE, POINT = np.array([2.0, 3.0, 6.0]) / 7, 0.7, np.array([1.0, -2.0, 3.0])
 MATRIX = rotation_matrix(AXIS, ANGLE)
-PROJECTIVE = np.vstack([np.column_stack([MATRIX, POINT]), (0, 0, 1, 5)])
 
 
 def matrix_and_points(points: Any, axis: Any, angle: Any) -> Any:
@@ -24,12 +22,7 @@ def matrix_and_points(points: Any, axis: Any, angle: Any) -> Any:
     [
         (rotation_matrix, (AXIS, ANGLE), OperationCount(24, 10, trigonometric=2)),
         (transform, (MATRIX, POINT), OperationCount(9, 6)),
-        (matrix_and_points, (POINT, AXIS, ANGLE), OperationCount(33, 16, trigonometric=2)),
-        (
-            matrix_and_points,
-            ([POINT] * 100, AXIS, ANGLE),
-            OperationCount(24 + 900, 10 + 600, trigonometric=2),
-        ),
+        (matrix_and_points, ([POINT] * 100, AXIS, ANGLE), OperationCount(924, 610, 0, 0, 2)),
         # The second line of (3-1).
         (rotate, (POINT, AXIS, ANGLE), OperationCount(19, 12, trigonometric=2)),
         # Each point of a stack pays for its matrix.
@@ -123,31 +116,15 @@ class TestWhatIsCounted:
 
 
 class TestComputedWhileCounted:
-    @pytest.mark.parametrize(
-        ("function", "args"),
-        [
-            (rotation_matrix, (AXIS, ANGLE)),
-            (rotate, (POINT, AXIS, ANGLE)),
-            (transform, (PROJECTIVE, POINT)),
-            (lambda m: axis_angle(m)[0], (MATRIX,)),
-            (lambda m: axis_angle(m)[1], (np.stack([MATRIX, np.eye(3), MATRIX.T]),)),
-            (lambda x: [x, x**2, x**3, x**4], (3.0,)),
-        ],
-    )
-    def test_result_is_that_of_the_floats(self, function: Any, args: Any) -> None:
-        results = []
-        count(lambda *counting: results.append(function(*counting)), *args)
-        found = np.vectorize(lambda scalar: scalar.value, otypes=[float])(results[0])
-        np.testing.assert_allclose(found, function(*args), atol=1e-15)
+    def test_powers_are_those_of_the_floats(self) -> None:
+        found: list[Any] = []
+        count(lambda x: found.extend(x**n for n in (1, 2, 3, 4)), 3.0)
+        assert [power.value for power in found] == [3, 9, 27, 81]
 
     def test_branches_are_taken_by_value(self) -> None:
         for value, divisions in [(4.0, 1), (2.0, 0), (0.0, 0)]:
             counted = count(lambda x: 1 / x if x and x != 2 else 0, value)
             assert counted == OperationCount(divisions=divisions)
-
-    def test_errors_come_through(self) -> None:
-        with pytest.raises(ValueError, match="points must have shape"):
-            count(rotate, [1.0, 2.0], AXIS, ANGLE)
 
 
 class TestIndependence:
@@ -167,11 +144,6 @@ class TestIndependence:
         total = count(lambda x: inner.append(count(lambda y: y * x, 2.0)), 3.0)
         assert inner == [OperationCount(1)]
         assert total == OperationCount(1)
-
-    def test_threads_do_not_mix(self) -> None:
-        with ThreadPoolExecutor(4) as pool:
-            counts = set(pool.map(lambda _: count(rotation_matrix, AXIS, ANGLE), range(40)))
-        assert counts == {OperationCount(24, 10, trigonometric=2)}
 
     def test_arguments_are_not_changed(self) -> None:
         points = POINT.copy()

@@ -15,7 +15,6 @@ from spheres import E1, E2, E3, Array, close
 from symbolic import matrix, symbolic
 
 from rotedu.cost import OperationCount, count
-from rotedu.errors import DegenerateError
 from rotedu.general_rotation import (
     axis_angle_from_euler_angles,
     compose,
@@ -44,23 +43,10 @@ angles = st.floats(-10, 10)
 vectors = arrays(float, 3, elements=st.floats(-10, 10))
 
 
-def half_angle_sums(*angles: Any) -> list[Array]:
-    """Alpha, beta, gamma (4-4) and delta (4-6)."""
-    delta, *vector = np.moveaxis(quaternion_from_euler_angles(*angles).components, -1, 0)
-    return [*vector, delta]
-
-
-class TestPrincipal:
-    @pytest.mark.parametrize(("principal", "axis"), PRINCIPAL.items())
-    def test_against_scipy(self, principal: Any, axis: Array) -> None:
-        turned = principal(EULER[:, 0])
-        close(turned[:, :3, :3], Rotation.from_rotvec(np.outer(EULER[:, 0], axis)).as_matrix())
-        close(turned, homogeneous(turned[:, :3, :3]), 0)
-
-    def test_product_against_scipy(self) -> None:
-        product = matrix_from_euler_angles(*EULER.T)
-        close(product[:, :3, :3], Rotation.from_euler("xyz", EULER).as_matrix(), 2e-15)
-        close(product, homogeneous(product[:, :3, :3]), 0)
+def test_product_against_scipy() -> None:
+    product = matrix_from_euler_angles(*EULER.T)
+    close(product[:, :3, :3], Rotation.from_euler("xyz", EULER).as_matrix(), 2e-15)
+    close(product, homogeneous(product[:, :3, :3]), 0)
 
 
 class TestSingleRotation:
@@ -77,34 +63,23 @@ class TestSingleRotation:
         angles = np.radians([300, 40, 20])
         _, angle = axis_angle_from_euler_angles(*angles)
         close(np.degrees(angle), 281.02, 0.005)
-        alpha, beta, gamma, _ = half_angle_sums(*angles)
-        close(np.degrees(2 * np.arcsin(np.sqrt(alpha**2 + beta**2 + gamma**2))), 78.98, 0.005)
+        sine = np.linalg.norm(quaternion_from_euler_angles(*angles).v)
+        close(np.degrees(2 * np.arcsin(sine)), 78.98, 0.005)
 
     @pytest.mark.equation("4-3")
     @pytest.mark.parametrize(
-        "angles",
-        [
-            (0, 0, 0),
-            (np.pi, np.pi, np.pi),
-            (-np.pi, np.pi, np.pi),
-            (2 * np.pi, 0, 0),
-            (0, -2 * np.pi, 4 * np.pi),
-            (3 * np.pi, np.pi, -5 * np.pi),
-        ],
+        "turns", [(0, 0, 0), (1, 1, 1), (-1, 1, 1), (2, 0, 0), (0, -2, 4), (3, 1, -5)]
     )
-    def test_identity(self, angles: Any) -> None:
-        axis, angle = axis_angle_from_euler_angles(*angles)
-        close(axis, [1, 0, 0], 0)
-        assert angle in (0, 2 * np.pi)
-        close(matrix_from_euler_angles(*angles), np.eye(4), 1e-15)
+    def test_identity(self, turns: Any) -> None:
+        for angles in np.pi * np.array(turns), np.pi * np.array(turns, np.float32):
+            axis, angle = axis_angle_from_euler_angles(*angles)
+            close(axis, [1, 0, 0], 0)
+            assert angle in (0, np.asarray(2 * np.pi, angles.dtype))
 
-    def test_identity_among_others_and_in_single_precision(self) -> None:
+    def test_identity_among_others(self) -> None:
         axis, angle = axis_angle_from_euler_angles([0, np.pi, 0], [0, np.pi, 1], [0, np.pi, 0])
         close(axis, [[1, 0, 0], [1, 0, 0], [0, 1, 0]], 0)
         close(angle, [0, 0, 1], 1e-15)
-        axis, angle = axis_angle_from_euler_angles(*np.full(3, np.pi, np.float32))
-        close(axis, [1, 0, 0], 0)
-        assert angle == 0
 
     @pytest.mark.parametrize("size", [1e-300, 1e-20, 1e-8, 1e-4, np.pi])
     def test_small_angles_and_half_turns_keep_their_digits(self, size: float) -> None:
@@ -125,10 +100,6 @@ class TestEulerAngles:
         close(matrix_from_euler_angles(u, v, w), turned, 3e-15)
         assert (np.abs(v) <= np.pi / 2).all()
         close(euler_angles(turned[:, :3, :3]), (u, v, w), 0)
-
-    def test_against_scipy(self) -> None:
-        rotations = Rotation.random(500, rng=np.random.default_rng(7))
-        close(np.transpose(euler_angles(rotations.as_matrix())), rotations.as_euler("xyz"), 1e-12)
 
     @pytest.mark.parametrize("sign", [1, -1])
     @pytest.mark.parametrize("rest", [0, 1e-17, 1e-16])
@@ -199,19 +170,10 @@ class TestTransforms:
         picture = transform(perspective(2.5), points)
         # Where the line from the eye to the point meets w = 0.
         part = eye[2] / (eye[2] - points[:, 2:])
-        meets = eye + part * (points - eye)
-        close(meets[:, 2], 0)
-        close(picture[:, :2], meets[:, :2])
-
-    def test_perspective_keeps_the_order_in_depth(self) -> None:
-        depths = np.linspace(-100, 3.9, 50)
-        line = np.column_stack([np.ones(50), np.ones(50), depths])
-        assert (np.diff(transform(perspective(4), line)[:, 2]) > 0).all()
-
-    def test_perspective_of_the_plane_and_of_the_eye(self) -> None:
+        close(picture[:, :2], (eye + part * (points - eye))[:, :2])
+        by_depth = np.argsort(points[:, 2])
+        assert (np.diff(picture[by_depth, 2]) > 0).all()
         close(transform(perspective(4), [1, 2, 0]), [1, 2, 0], 0)
-        with pytest.raises(DegenerateError, match="1 of 2 points to infinity at index"):
-            transform(perspective(4), [[1, 2, 0], [1, 2, 4]])
 
     @pytest.mark.equation("4-7")
     def test_homogeneous(self) -> None:
@@ -276,9 +238,7 @@ def test_counts_of_the_audit() -> None:
 @pytest.mark.parametrize(
     ("refused", "message"),
     [
-        (lambda: translation(np.ones((2, 4))), r"v must have shape \(..., 3\); got .*\(2, 4\)"),
         (lambda: scaling(np.ones((2, 4))), r"s must have shape \(\) or \(..., 3\); got .*\(2, 4\)"),
-        (lambda: homogeneous(np.eye(4)), r"matrix must have shape \(..., 3, 3\); got shape"),
         (
             lambda: compose(np.eye(4), np.eye(2)),
             r"matrices\[1\] must have shape \(..., 3, 3\) or \(..., 4, 4\); got shape \(2, 2\)",
@@ -288,8 +248,6 @@ def test_counts_of_the_audit() -> None:
             r"matrices\[0\] and matrices\[1\] must broadcast",
         ),
         (lambda: perspective([1, 0]), r"distance must not be zero; got 0 at index \(1,\)$"),
-        (lambda: euler_angles(-np.eye(3)), "matrix must be a rotation: .* it reflects$"),
-        (lambda: euler_angles(perspective(2)), "matrix must be a rotation: its fourth row and"),
     ],
 )
 def test_refusals(refused: Any, message: str) -> None:
@@ -302,19 +260,20 @@ class TestProofs:
 
     angles = sp.symbols("u v w", real=True)
 
+    @pytest.mark.parametrize(("principal", "axis"), PRINCIPAL.items())
+    def test_each_principal_rotation_is_3_3_about_its_axis(self, principal: Any, axis: Any) -> None:
+        angle = symbolic(self.angles[0])
+        turn = rotation_matrix(symbolic(*map(int, axis)), angle)
+        assert (matrix(principal(angle)) - matrix(homogeneous(turn))).expand() == sp.zeros(4, 4)
+
     @pytest.mark.equation("4-2")
     def test_4_2_is_4_1_multiplied_out(self) -> None:
         u, v, w = map(symbolic, self.angles)
-        product = matrix(rotation_w(w)) * matrix(rotation_v(v)) * matrix(rotation_u(u))
-        assert (matrix(matrix_from_euler_angles(u, v, w)) - product).expand() == sp.zeros(4, 4)
-
-    def test_no_other_order_gives_4_2(self) -> None:
-        factors = [
-            matrix(f(symbolic(a)))
-            for f, a in zip((rotation_w, rotation_v, rotation_u), self.angles, strict=True)
-        ]
-        first, *others = (reduce(sp.Matrix.multiply, order) for order in permutations(factors))
-        assert all((first - other).expand() != sp.zeros(4, 4) for other in others)
+        factors = matrix(rotation_w(w)), matrix(rotation_v(v)), matrix(rotation_u(u))
+        orders = (reduce(sp.Matrix.multiply, order) for order in permutations(factors))
+        by_entries = matrix(matrix_from_euler_angles(u, v, w))
+        zero = [(by_entries - product).expand() == sp.zeros(4, 4) for product in orders]
+        assert zero == [True] + 5 * [False]
 
     @pytest.mark.equation("4-4", "4-6")
     def test_4_4_and_4_6_are_the_product_of_three_quaternions(self) -> None:
@@ -323,7 +282,6 @@ class TestProofs:
             Quaternion.from_axis_angle(symbolic(*map(int, axis)), theta)
             for axis, theta in zip(np.eye(3), (u, v, w), strict=True)
         )
-        alpha, beta, gamma, delta = half_angle_sums(u, v, w)
-        sums = matrix([delta, alpha, beta, gamma])
+        sums = matrix(quaternion_from_euler_angles(u, v, w).components)
         assert (matrix((qw * qv * qu).components) - sums).expand() == sp.zeros(4, 1)
         assert (matrix((qu * qv * qw).components) - sums).expand() != sp.zeros(4, 1)

@@ -112,9 +112,11 @@ def test_what_stands_behind_it_is_pale(center: ArrayLike, radius: float) -> None
     others = (0, -0.4, -0.4), (-1, 1.4, 0.3)
     for point in (before, behind, *others):
         add_point(plotter, center + radius * np.array(point), "#00ff00", radius=0.06 * radius)
-    line = [place(a, -15) for a in np.linspace(150, 170, 9)]
-    add_line(plotter, center + radius * np.array(line), "#00ff00", radius=0.03 * radius)
+    path = np.array([place(a, -15) for a in np.linspace(150, 170, 9)])
+    add_line(plotter, center + radius * path, "#00ff00", radius=0.03 * radius)
     seen = pixels(take_poster(plotter))
+    line, glass = (opacity(seen, center + radius * place(20, height)) for height in (30, 17))
+    assert line > 0.3 > 0.15 + glass
     for point in (behind, place(160, -15)):
         r, g, b, alpha = seen[pixel(center + radius * point)]
         assert 0.35 < alpha < 0.7

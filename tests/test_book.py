@@ -2,17 +2,15 @@
 
 import re
 import time
-from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
-from urllib.parse import quote, unquote, urlsplit
+from urllib.parse import unquote, urlsplit
 
 import nbformat
 import pytest
 from bs4 import BeautifulSoup
 from html_pages import anchors, parse
-from nightly import nightly
 from notebook_language import notebooks, part_of
 
 ROOT = Path(__file__).parents[1]
@@ -26,13 +24,6 @@ def pages(book: Path) -> dict[str, BeautifulSoup]:
     return {file.relative_to(book).as_posix(): parse(file) for file in sorted(files)}
 
 
-def references(soup: BeautifulSoup) -> Iterator[str]:
-    """Everything that a page links to or loads."""
-    for attribute in FILES:
-        for element in soup.find_all(attrs={attribute: True}):
-            yield element[attribute]
-
-
 NOWHERE = {
     "an error": ".stderr, .traceback, .katex-error, .cell_output:-soup-contains('Traceback (most')",
     "a picture without a caption": (
@@ -41,6 +32,9 @@ NOWHERE = {
     "a chart that is a file": "article img[src$='.svg']",
     # Half of a listing is punctuation and spaces, which no style colours.
     "elements for commas": ".highlight :is(.p, .w)",
+    "a picture that no words describe": "article img:not([alt*=' '])",
+    "a link without a name": "article a[href]:not(.headerlink, [title]):empty",
+    "what is loaded from another host": "[src*='//'], link[rel=stylesheet][href*='//']",
     "a link that runs a script": "[href^='javascript:' i]",
     "a form that is sent, but for the search": "form[action]:not([role=search])",
     # What answers the hand is disabled until a script takes over.
@@ -65,57 +59,27 @@ def test_the_root_leads_to_the_first_page(book: Path) -> None:
 def test_links_and_anchors_lead_somewhere(book: Path, pages: dict[str, BeautifulSoup]) -> None:
     broken = []
     for name, soup in pages.items():
-        for reference in references(soup):
+        for reference in (e[a] for a in FILES for e in soup.find_all(attrs={a: True})):
             url = urlsplit(reference)
             if url.scheme or url.netloc:
                 continue
-            target = (book / name).parent / unquote(url.path) if url.path else book / name
-            target = target.resolve()
-            if not target.exists() or (
-                url.fragment
-                and target.suffix == ".html"
-                # The state of a figure follows its name.
-                and unquote(url.fragment).partition("?")[0] not in anchors(target)
-            ):
+            target = ((book / name).parent / unquote(url.path or Path(name).name)).resolve()
+            # The state of a figure follows its name.
+            anchor = unquote(url.fragment).partition("?")[0]
+            lost = anchor and target.suffix == ".html" and anchor not in anchors(target)
+            if lost or not target.exists():
                 broken.append(f"{name}: {reference}")
     assert broken == []
 
 
-def test_nothing_is_loaded_from_another_host(book: Path, pages: dict[str, BeautifulSoup]) -> None:
-    loaded = {
-        f"{name}: {address}"
-        for name, soup in pages.items()
-        for element in soup.select("[src], link[href]")
-        if urlsplit(address := element.get("src") or element["href"]).netloc
-    }
-    foreign = sorted(loaded)
-    for styles in book.rglob("*.css"):
-        text = styles.read_text(encoding="utf-8")
-        foreign += [
-            f"{styles.name}: {url}" for url in re.findall(r"url\(\W?(?:https?:)?//.*?\)", text)
-        ]
-    assert foreign == []
-
-
-def test_pictures_say_what_they_show(pages: dict[str, BeautifulSoup]) -> None:
-    silent = [
-        f"{name}: {picture['src']}"
-        for name, soup in pages.items()
-        for picture in soup.select("article img")
-        if len(picture.get("alt", "")) < 20
-    ]
-    assert silent == []
-
-
 def test_equations_carry_the_numbers_of_the_paper(pages: dict[str, BeautifulSoup]) -> None:
-    numbers = {}
-    for soup in pages.values():
-        for number in soup.select(".eqno"):
-            label = number.find_parent("div")["id"]
-            numbers[label] = number.get_text().split(")")[0] + ")"
-    assert numbers
-    assert all(f"equation-eq-{text.strip('()')}" == label for label, text in numbers.items())
-    assert {"(3-1)", "(3-2)", "(3-3)"} <= set(numbers.values())
+    shown = [
+        (number.find_parent("div")["id"], number.get_text().split(")")[0])
+        for soup in pages.values()
+        for number in soup.select(".eqno")
+    ]
+    assert len(shown) > 30
+    assert [pair for pair in shown if pair[0] != f"equation-eq-{pair[1].strip('(')}"] == []
 
 
 @dataclass
@@ -270,68 +234,33 @@ def test_the_theme_works(browser: Any, site: str) -> None:
     page.close()
 
 
-def test_the_field_leads_to_the_search(browser: Any, site: str) -> None:
-    page = browser.new_page()
-    page.goto(f"{site}/book/index.html")
-    page.locator("input[name=q]").fill("gimbal lock")
-    page.keyboard.press("Enter")
-    page.wait_for_url("**/search.html?q=gimbal+lock*")
-    page.close()
-
-
-@pytest.mark.parametrize(
-    "search",
-    nightly(
-        [
-            ("slerp", "05-arcs.html"),
-            ("nlerp", "05-arcs.html"),
-            ("shortest path", "05-arcs.html"),
-            ("gimbal lock", "04-general-rotation.html"),
-            ("Euler", "04-general-rotation.html"),
-            ("exponential map", "beyond-motion.html"),
-            ("angular velocity", "beyond-motion.html"),
-            ("5-9", "05-control-points.html#equation-eq-5-9"),
-        ],
-        ("slerp", "05-arcs.html"),
-        ("5-9", "05-control-points.html#equation-eq-5-9"),
-    ),
-)
-def test_the_search_finds(browser: Any, site: str, search: tuple[str, str]) -> None:
-    query, wanted = search
-    page = browser.new_page()
-    page.goto(f"{site}/search.html?q={quote(query)}")
-    page.wait_for_selector(".search-summary:has-text('found')")
-    found = page.locator("#search-results li > a").evaluate_all("all => all.map(a => a.href)")
-    # The glossary and the list of functions may come first.
-    assert any(address.endswith(wanted) for address in found[:7])
-    page.close()
-
-
-def test_the_search_quotes_what_is_text(browser: Any, site: str) -> None:
-    """It quotes no labels and buttons of figures, and each formula once."""
-    page = browser.new_page()
-    page.goto(f"{site}/search.html?q=mirrors")
-    quoted = page.locator("#search-results .context")
-    quoted.first.wait_for()
-    assert page.locator("a[href*='02-quaternions']").count()
-    wrong = re.compile(r"explore\(|With JavaScript|\\[a-z]")
-    assert [text for text in quoted.all_text_contents() if wrong.search(text)] == []
-    page.close()
-
-
-# What HTML knows; data-... may be any.
-ATTRIBUTES = {
-    "script": "async crossorigin defer fetchpriority id integrity nomodule referrerpolicy src type",
-    "link": "as crossorigin href hreflang id media rel sizes title type",
+SEARCHES = {
+    "mirrors": "02-quaternions.html",
+    "gimbal lock": "04-general-rotation.html",
+    "slerp": "05-arcs.html",
+    "shortest path": "05-arcs.html",
+    "exponential map": "beyond-motion.html",
+    "5-9": "05-control-points.html#equation-eq-5-9",
 }
 
 
-def test_attributes_exist_and_run_nothing(pages: dict[str, BeautifulSoup]) -> None:
-    for tag, known in ATTRIBUTES.items():
-        given = {name for soup in pages.values() for found in soup(tag) for name in found.attrs}
-        assert {name for name in given if not name.startswith("data-")} <= {*known.split()}
-    given = {name for soup in pages.values() for found in soup(True) for name in found.attrs}
-    assert [name for name in given if name.startswith("on")] == []
+def test_the_search_finds_and_quotes_what_is_text(browser: Any, site: str) -> None:
+    """It quotes no labels and buttons of figures, and each formula once."""
+    page = browser.new_page()
+    page.goto(f"{site}/book/index.html")
+    wrong = re.compile(r"explore\(|With JavaScript|\\[a-z]")
+    for query, wanted in SEARCHES.items():
+        page.locator("input[name=q]").first.fill(query)
+        page.keyboard.press("Enter")
+        page.wait_for_url(f"**/search.html?q={query.replace(' ', '+')}*")
+        page.wait_for_selector(".search-summary:has-text('found')")
+        found = page.locator("#search-results li > a").evaluate_all("all => all.map(a => a.href)")
+        # The glossary and the list of functions may come first.
+        assert any(address.endswith(wanted) for address in found[:7]), query
+        quoted = page.locator("#search-results .context")
+        quoted.first.wait_for()
+        assert [text for text in quoted.all_text_contents() if wrong.search(text)] == []
+    page.close()
 
 
 def test_pages_offer_the_notebooks_of_students(book: Path, pages: dict[str, BeautifulSoup]) -> None:
@@ -348,12 +277,8 @@ def test_pages_offer_the_notebooks_of_students(book: Path, pages: dict[str, Beau
 
 
 def test_figures_and_equations_show_their_links_to_mouse_and_keyboard(
-    browser: Any, site: str, pages: dict[str, BeautifulSoup]
+    browser: Any, site: str
 ) -> None:
-    soup = pages["book/03-ordinary-rotation.html"]
-    for place in soup.select("figcaption, .eqno"):
-        target = place.select_one("a.headerlink")["href"].removeprefix("#")
-        assert soup.find(id=target)
     page = browser.new_page()
     page.goto(f"{site}/book/03-ordinary-rotation.html")
     for place in ("figcaption", "div.math"):
@@ -407,12 +332,6 @@ def test_words_of_the_glossary_are_links_where_they_are_first_used(
                 if not text.find_parent(["code", "em"])
             )
             assert first.find_parent("a") is not None, (name, first)
-
-
-def test_links_have_names(pages: dict[str, BeautifulSoup]) -> None:
-    for name, soup in pages.items():
-        for link in soup.select("article a[href]:not(.headerlink)"):
-            assert link.get_text(strip=True) or link.get("title") or link.find("img"), (name, link)
 
 
 def test_what_belongs_together_stays_on_one_line(

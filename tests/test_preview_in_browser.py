@@ -1,6 +1,5 @@
 """What a link leads to shows beside it, for a mouse and for the keyboard, and for nobody else."""
 
-from collections.abc import Callable, Iterator
 from typing import Any
 
 import pytest
@@ -21,20 +20,11 @@ FITS = """box => {
 }"""
 
 
-@pytest.fixture
-def reading(browser: Any, site: str) -> Iterator[Callable[..., Any]]:
-    """Open pages of the book; close them at the end."""
-    contexts = []
-
-    def read(name: str, **how: Any) -> Any:
-        contexts.append(browser.new_context(**how))
-        page = contexts[-1].new_page()
-        page.goto(f"{site}/book/{name}.html")
-        return page
-
-    yield read
-    for context in contexts:
-        context.close()
+def read(browser: Any, site: str, name: str, **how: Any) -> Any:
+    """Open a page of the book."""
+    page = browser.new_page(**how)
+    page.goto(f"{site}/book/{name}.html")
+    return page
 
 
 def hover(page: Any, link: str) -> Any:
@@ -45,8 +35,8 @@ def hover(page: Any, link: str) -> Any:
     return page.locator(OPEN)
 
 
-def test_a_link_shows_what_it_leads_to(reading: Callable[..., Any]) -> None:
-    page = reading("03-ordinary-rotation")
+def test_a_link_shows_what_it_leads_to(browser: Any, site: str) -> None:
+    page = read(browser, site, "03-ordinary-rotation")
     for link, holds in SHOWN.items():
         box = hover(page, link)
         box.locator(holds).first.wait_for()
@@ -78,8 +68,8 @@ def test_a_link_shows_what_it_leads_to(reading: Callable[..., Any]) -> None:
 
 
 @pytest.mark.slow
-def test_a_finger_only_follows_links(reading: Callable[..., Any]) -> None:
-    page = reading("03-ordinary-rotation", has_touch=True, is_mobile=True)
+def test_a_finger_only_follows_links(browser: Any, site: str) -> None:
+    page = read(browser, site, "03-ordinary-rotation", has_touch=True, is_mobile=True)
     page.evaluate("addEventListener('click', event => event.preventDefault())")
     link = page.locator(EQUATION).locator("visible=true").first
     link.evaluate(TO_THE_MIDDLE)
@@ -89,8 +79,8 @@ def test_a_finger_only_follows_links(reading: Callable[..., Any]) -> None:
 
 
 @pytest.mark.slow
-def test_the_key_that_closes_the_box_leaves_the_slides_alone(reading: Callable[..., Any]) -> None:
-    page = reading("03-ordinary-rotation")
+def test_the_key_that_closes_the_box_leaves_the_slides_alone(browser: Any, site: str) -> None:
+    page = read(browser, site, "03-ordinary-rotation")
     page.get_by_role("button", name="Slides").click()
     box = hover(page, "article a.first-use")
     box.wait_for()
@@ -102,8 +92,8 @@ def test_the_key_that_closes_the_box_leaves_the_slides_alone(reading: Callable[.
 
 
 @pytest.mark.slow
-def test_a_figure_is_styled_on_a_page_without_figures(reading: Callable[..., Any]) -> None:
-    box = hover(reading("teaching"), "article a[href$='#picture-2-c']")
+def test_a_figure_is_styled_on_a_page_without_figures(browser: Any, site: str) -> None:
+    box = hover(read(browser, site, "teaching"), "article a[href$='#picture-2-c']")
     box.locator(".scene-label").first.wait_for()
     label = box.locator(".scene-label").first
     label.evaluate("label => new Promise(done => setTimeout(done, 300))")

@@ -12,6 +12,7 @@ import comm
 import nbformat
 import numpy as np
 import pytest
+import pyvista
 from bs4 import BeautifulSoup
 from comm.base_comm import BaseComm
 from demanding import demanding_scene, new_plotter
@@ -23,7 +24,7 @@ from rotedu import scenes
 from rotedu.figures import widget
 from rotedu.figures.backend import scene_labels
 from rotedu.figures.gltf import scene_gltf
-from rotedu.figures.widget import Figure, figure
+from rotedu.figures.widget import Figure, figure, figure_of
 
 ROOT = Path(__file__).parents[1]
 VIEWER = b"export const render = () => 'the viewer';" * 100
@@ -71,7 +72,7 @@ def ask(sent: list[Any], made: Figure, question: dict[str, Any]) -> list[Any]:
 
 def test_a_figure_carries_its_scene(sent: list[Any]) -> None:
     plotter = demanding_scene()
-    state = opened(sent, figure(plotter))
+    state = opened(sent, figure_of(plotter))
     assert state["gltf"] == scene_gltf(plotter)
     assert state["scene"] == {
         "alt": plotter.alt_text,
@@ -84,18 +85,25 @@ def test_a_figure_carries_its_scene(sent: list[Any]) -> None:
 
 
 def test_a_scene_needs_no_description_here(sent: list[Any]) -> None:
-    assert figure(new_plotter()).scene["alt"]
+    assert figure_of(new_plotter()).scene["alt"]
+
+
+def test_a_scene_that_only_vtk_can_draw_is_a_picture(capsys: pytest.CaptureFixture[str]) -> None:
+    plotter = pyvista.Plotter(off_screen=True)
+    plotter.add_mesh(pyvista.Sphere(), scalars=range(842))
+    assert figure(plotter).size == tuple(plotter.window_size)
+    assert "got colours by point or cell" in capsys.readouterr().out
 
 
 def test_the_viewer_travels_with_the_first_figure_alone(sent: list[Any]) -> None:
     plotter = scenes.figure_1()
-    states = [opened(sent, figure(plotter)) for _ in range(3)]
+    states = [opened(sent, figure_of(plotter)) for _ in range(3)]
     assert gzip.decompress(states[0]["viewer"]) == VIEWER
     assert [state["viewer"] for state in states[1:]] == 2 * [b""]
 
 
 def test_a_figure_answers_the_loader(sent: list[Any]) -> None:
-    made = figure(scenes.figure_1())
+    made = figure_of(scenes.figure_1())
     assert ask(sent, made, {"get": "sign of life"}) == [({"got": "sign of life"}, [])]
     ((content, (buffer,)),) = ask(sent, made, {"get": "viewer"})
     assert content == {"got": "viewer"}
@@ -106,7 +114,7 @@ def test_a_figure_answers_the_loader(sent: list[Any]) -> None:
 def test_a_missing_viewer_is_said(sent: list[Any]) -> None:
     (widget.STATIC / "figure.js").unlink()
     with pytest.raises(FileNotFoundError, match="make lab"):
-        figure(scenes.figure_1())
+        figure_of(scenes.figure_1())
 
 
 def run(monkeypatch: pytest.MonkeyPatch, *cells: str, reader: bool) -> nbformat.NotebookNode:

@@ -36,9 +36,9 @@ Use in another book
    ``viewer/write-panels.js``; the viewer itself knows none.
 
 A label may hold a formula between dollar signs; in a panel, ``*t*`` is a quantity. Meshes added
-with ``pickable=False`` never hide the labels behind them. A scene raises a `ValueError` if the
-viewer could not show it like the poster: if it has lines that are no tubes, colours by point or
-lights that stay in place, for example.
+with ``pickable=False`` never hide the labels behind them. A scene raises a `ValueError` on a page,
+and is a still picture in a notebook, if the viewer could not show it like the poster: if it has
+lines that are no tubes, colours by point or lights that stay in place, for example.
 """
 
 from rotedu.figures.announce import announce_backend

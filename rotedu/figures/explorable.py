@@ -214,10 +214,10 @@ class Explorable:
     def widget(self) -> Any:
         """Make the figure for a notebook, joined to the values of the inputs."""
         # Loaded only where it is wanted, because anywidget may be missing.
-        from rotedu.figures.widget import figure
+        from rotedu.figures.widget import figure_of
 
         plotter = self.draw(**self.start)
-        made = figure(plotter, spec=self.spec(plotter), values=dict(self.values))
+        made = figure_of(plotter, spec=self.spec(plotter), values=dict(self.values))
         made.observe(self._follow, "values")
         self.widgets.append(made)
         return made

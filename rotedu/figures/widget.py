@@ -24,7 +24,7 @@ import traitlets
 from IPython.display import display, update_display
 from PIL import Image
 
-from rotedu.figures.backend import close_after_cell, described, views_of
+from rotedu.figures.backend import close_after_cell, described, still_picture, views_of
 from rotedu.figures.gltf import scene_gltf
 
 VIEW = "application/vnd.jupyter.widget-view+json"
@@ -132,20 +132,28 @@ def packed_viewer() -> bytes:
     return gzip.compress((STATIC / "figure.js").read_bytes())
 
 
-def figure(
+def figure(plotter: pyvista.Plotter, **_: object) -> Figure | Image.Image:
+    """Show a scene, as the handler of the pyvista backend ``widget``: a picture if need be."""
+    try:
+        return figure_of(plotter)
+    except ValueError as why:
+        print(f"This is a picture that stays still. {why}")
+        return still_picture(plotter)
+
+
+def figure_of(
     plotter: pyvista.Plotter,
     spec: dict[str, Any] | None = None,
     values: dict[str, Any] | None = None,
-    **_: object,
 ) -> Figure:
-    """Make the figure of a scene, as the handler of the pyvista backend ``widget``.
+    """Make the figure of a scene, with or without a text by `rotedu.figures.describe`.
 
-    `spec` and `values` are those of `Figure`. A scene without a text by
-    `rotedu.figures.describe` is shown, too; one that the viewer cannot show is a `ValueError`.
+    `spec` and `values` are those of `Figure`. What the viewer cannot show is a `ValueError`.
     """
+    file = scene_gltf(plotter)
     alt = getattr(plotter, "alt_text", "A scene without a description.")
     scene = described(plotter) | {"alt": alt, "views": views_of(plotter)}
-    made = Figure(scene, scene_gltf(plotter), spec, values)
+    made = Figure(scene, file, spec, values)
     # Otherwise show() would go on to draw a picture that nobody sees.
     plotter.suppress_rendering = True
     close_after_cell(plotter)

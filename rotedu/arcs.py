@@ -6,7 +6,7 @@ others work in any number of dimensions. For unit vectors with four components, 
 `slerp` is the slerp of computer graphics.
 
 Antipodal points, to half of the digits, are refused with a `DegenerateError`, because many arcs
-join them; bad arguments, as everywhere in `rotedu`, with a `ValueError`.
+join them.
 """
 
 import numpy as np
@@ -70,14 +70,10 @@ def arc_axis(p: Unit3, q: Unit3) -> Vector:
     rotedu.errors.DegenerateError
         If p and q coincide (to within rounding) or are antipodal, because many axes would do.
 
-    Notes
-    -----
-    In (5-9) the paper has the operands in the wrong order, which reverses the axis (erratum E2):
-    the arc runs from the reflected point to P_{i+1}, so the reflected point must come first.
-
     References
     ----------
-    Cheng et al. (2023), Eqs. (5-1), (5-6), (5-9), (5-12), (5-15)
+    Cheng et al. (2023), Eqs. (5-1), (5-6), (5-9) with its operands exchanged (erratum E2), (5-12),
+    (5-15)
 
     Examples
     --------
@@ -107,11 +103,6 @@ def slerp(p: Unit, q: Unit, t: Number) -> Vector:
         Unit vectors. If the angle is within x of pi, moving an end by e moves the arc by up to
         e / x. The computation itself adds only rounding.
 
-    Raises
-    ------
-    rotedu.errors.DegenerateError
-        If p and q are antipodal.
-
     Notes
     -----
     As printed, (5-2) divides by sin(theta), so it is 0/0 where p = q and leaves the sphere near pi.
@@ -119,9 +110,8 @@ def slerp(p: Unit, q: Unit, t: Number) -> Vector:
     ``cos((t - 1/2) theta) m + sin((t - 1/2) theta) c``. Since m and c are perpendicular, nothing
     cancels.
 
-    Although the paper says that slerp has no matrix form like (5-3) (erratum E7), (5-3) is such a
-    form for points of the sphere. If p and q are unit quaternions, the arc is the shorter turn as
-    long as p . q is positive; if it is negative, use -q, which is the same rotation.
+    If p and q are unit quaternions, the arc is the shorter turn as long as p . q is positive; if it
+    is negative, use -q, which is the same rotation.
 
     References
     ----------
@@ -165,11 +155,6 @@ def slerp_by_rotation(p: Unit3, q: Unit3, t: Number) -> Vector:
     ndarray, shape (..., 3)
         Unit vectors. Where p = q there is no axis (5-1), and the result is p.
 
-    Raises
-    ------
-    rotedu.errors.DegenerateError
-        If p and q are antipodal.
-
     References
     ----------
     Cheng et al. (2023), Eq. (5-3), whose matrix is (4-7), not (3-3) (erratum E9)
@@ -201,11 +186,6 @@ def nlerp(p: Unit, q: Unit, t: Number) -> Vector:
         Unit vectors on the great circle of `slerp`, which moves at constant speed. At t = 0, 1/2
         and 1 both agree. Here the speed is greatest in the middle, so `nlerp` is behind before
         t = 1/2 and ahead after it.
-
-    Raises
-    ------
-    rotedu.errors.DegenerateError
-        If p and q are antipodal.
 
     Examples
     --------

@@ -1,10 +1,7 @@
 """Beyond the paper, page B: how far rotations are apart, their mean, and two columns for a matrix.
 
-The paper compares matrices and quaternions as ways to turn and to interpolate. To average
-measurements, or to learn orientations from data, the same two ways have to answer new questions:
-how far two rotations are apart, and which numbers stand for them without a jump.
-
-Bad arguments are refused, as everywhere in `rotedu`, with a `ValueError`.
+To average measurements, or to learn orientations from data, matrices and quaternions have to answer
+new questions: how far two rotations are apart, and which numbers stand for them without a jump.
 """
 
 import numpy as np
@@ -161,10 +158,6 @@ def matrix_from_two_columns(a: Unit3, b: Unit3) -> Rotation:
     -----
     This is the method of Gram and Schmidt. What is along a is taken away from b twice: if the two
     are almost parallel, rounding leaves some of it, and the columns would not be perpendicular.
-
-    Wherever the function is defined, it is continuous, and so is the way back, which only leaves
-    out the third column. Therefore networks that predict an orientation often predict these six
-    numbers.
 
     References
     ----------

@@ -1,7 +1,7 @@
 """Section 5, page 5 III: de Casteljau's arcs of arcs, and the closed curve made of them.
 
 Antipodal points, to half of the digits, are refused with a `DegenerateError`, because many arcs
-join them; bad arguments, as everywhere in `rotedu`, with a `ValueError`.
+join them.
 """
 
 import warnings
@@ -71,15 +71,9 @@ def de_casteljau_levels(control: Control, u: Number) -> list[Control]:
         The control points, then the points on the arcs between them, and so on down to the point
         of the curve.
 
-    Notes
-    -----
-    The paper's pseudocode computes each level from itself instead of from the level before it
-    (erratum E4). It also gives the sine of an angle beyond 90 degrees a minus sign (E4b), and it
-    never computes the angle (E4c).
-
     References
     ----------
-    Cheng et al. (2023), Section 5, pseudocode: Q[j][k]
+    Cheng et al. (2023), Section 5, pseudocode: Q[j][k], with errata E4, E4b and E4c mended
 
     Examples
     --------

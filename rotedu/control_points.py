@@ -1,8 +1,7 @@
 """Section 5, page 5 II: Double, Bisect and the control points, (5-4) to (5-15).
 
 Each step has two forms: a sum of vectors in any dimension, and a rotation in three dimensions.
-Antipodal points, to half of the digits, have no midpoint and are refused with a `DegenerateError`;
-bad arguments, as everywhere in `rotedu`, with a `ValueError`.
+Antipodal points, to half of the digits, have no midpoint and are refused with a `DegenerateError`.
 """
 
 import numpy as np
@@ -29,15 +28,9 @@ def double(p: Unit, q: Unit) -> Vector:
     ndarray, shape (..., d)
         Unit vectors, 2 cos(theta) q - p. Every pair of points has an answer.
 
-    Notes
-    -----
-    In (5-13) the paper exchanges the operands, which leads back to the midpoint of the second step
-    (erratum E3). Along the great circle, p and its reflection are 2 theta apart, but if theta is
-    more than 90 degrees, this is not the angle between them (erratum E11).
-
     References
     ----------
-    Cheng et al. (2023), Eqs. (5-4), (5-13)
+    Cheng et al. (2023), Eqs. (5-4), (5-13) with its operands exchanged (erratum E3)
 
     Examples
     --------
@@ -88,11 +81,6 @@ def bisect(p: Unit, q: Unit) -> Vector:
     ndarray, shape (..., d)
         Unit vectors, (p + q) / abs(p + q).
 
-    Raises
-    ------
-    rotedu.errors.DegenerateError
-        If p and q are antipodal.
-
     Notes
     -----
     The paper's factor, sin(theta / 2) / sin(theta), equals 1 / abs(p + q). It is 0/0 where p = q,
@@ -124,11 +112,6 @@ def bisect_by_rotation(p: Unit3, q: Unit3) -> Vector:
     -------
     ndarray, shape (..., 3)
         Unit vectors. Where p = q there is no axis (5-9), and the result is p.
-
-    Raises
-    ------
-    rotedu.errors.DegenerateError
-        If p and q are antipodal.
 
     References
     ----------

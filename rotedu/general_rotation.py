@@ -1,8 +1,7 @@
 """Section 4: principal rotations, the one rotation that replaces three, and other transforms.
 
 All matrices are 4x4 and act on homogeneous coordinates: a point is the column (r_u, r_v, r_w, 1).
-`compose` multiplies matrices into one, and `rotedu.ordinary_rotation.transform` applies it. Bad
-arguments are refused, as everywhere in `rotedu`, with a `ValueError`.
+`compose` multiplies matrices into one, and `rotedu.ordinary_rotation.transform` applies it.
 """
 
 from __future__ import annotations
@@ -170,12 +169,6 @@ def matrix_from_euler_angles(
     [[0. 0. 1.]
      [1. 0. 0.]
      [0. 1. 0.]]
-
-    At gimbal lock different angles give the same matrix:
-
-    >>> a, b = matrix_from_euler_angles(0.3, turn, 0.1), matrix_from_euler_angles(0.7, turn, 0.5)
-    >>> np.allclose(a, b, rtol=0, atol=1e-15)
-    True
     """
     cu, cv, cw = np.cos(u), np.cos(v), np.cos(w)
     su, sv, sw = np.sin(u), np.sin(v), np.sin(w)
@@ -202,12 +195,8 @@ def quaternion_from_euler_angles(
     Returns
     -------
     Quaternion, shape (...)
-        The unit quaternion [delta, (alpha, beta, gamma)].
-
-    Notes
-    -----
-    The paper introduces these four numbers without the word quaternion, but they are the product
-    q_w q_v q_u of the quaternions of the principal rotations.
+        The unit quaternion [delta, (alpha, beta, gamma)], the product of the quaternions of the
+        principal rotations about W, V and U.
 
     References
     ----------
@@ -259,12 +248,6 @@ def axis_angle_from_euler_angles(u: Number, v: Number, w: Number) -> tuple[Vecto
     >>> axis, angle = axis_angle_from_euler_angles(np.pi / 2, 0, np.pi / 2)
     >>> print(axis.round(3), np.degrees(angle).round(3))
     [0.577 0.577 0.577] 120.0
-
-    Three half turns leave everything in place:
-
-    >>> axis, angle = axis_angle_from_euler_angles(np.pi, np.pi, np.pi)
-    >>> print(axis, angle)
-    [1. 0. 0.] 0.0
     """
     ((delta, vector),) = parts(quaternion_from_euler_angles(u, v, w))
     # A turn smaller than the rounding of the given angles counts as none. Objects are not rounded.
@@ -303,12 +286,6 @@ def euler_angles(matrix: RotationOrPose) -> tuple[Number, Number, Number]:
     >>> u, v, w = euler_angles(matrix_from_euler_angles(0.1, 0.2, 0.3))
     >>> print(u.round(12), v.round(12), w.round(12))
     0.1 0.2 0.3
-
-    At gimbal lock the angles 0.3 and 0.1 about U and W give the same rotation as 0.2 and 0:
-
-    >>> u, v, w = euler_angles(matrix_from_euler_angles(0.3, np.pi / 2, 0.1))
-    >>> print(u.round(12), v.round(12), w.round(12))
-    0.2 1.570796326795 0.0
     """
     (m11, m12, m13), (m21, m22, m23), (m31, _, _) = matrix
     cv = length(np.stack([m11, m21]))
@@ -332,15 +309,9 @@ def homogeneous(matrix: Matrix3) -> HomogeneousMatrix:
     -------
     ndarray, shape (..., 4, 4)
 
-    Notes
-    -----
-    A point has the fourth coordinate 1, while a direction has 0, so that no translation moves it.
-    The paper gives the axis of (4-7) the fourth coordinate 1; as a direction it should be (a_u,
-    a_v, a_w, 0) (erratum E8).
-
     References
     ----------
-    Cheng et al. (2023), Eq. (4-7)
+    Cheng et al. (2023), Eq. (4-7), whose axis is a direction (erratum E8)
 
     Examples
     --------
@@ -475,9 +446,9 @@ def perspective(distance: NotZero) -> HomogeneousMatrix:
 
     Notes
     -----
-    Of the transforms in this module, only this one gives a fourth coordinate other than 1. It can
-    be multiplied into one matrix with the others; the division remains as a separate step, which
-    `rotedu.ordinary_rotation.transform` does. It refuses points at the depth of the eye.
+    Of the transforms in this module, only this one gives a fourth coordinate other than 1. The
+    division is left to `rotedu.ordinary_rotation.transform`, which refuses points at the depth of
+    the eye.
 
     Examples
     --------

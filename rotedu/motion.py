@@ -4,8 +4,6 @@ A rotation vector is an axis times an angle, and an angular velocity is one for 
 frames matter: omega has its components in the fixed frame, Omega = R^T omega has those of the same
 vector in the body's frame, which the columns of R span. So R' = [omega] R = R [Omega], where
 [omega] is the matrix of the cross product with omega.
-
-Bad arguments are refused, as everywhere in `rotedu`, with a `ValueError`.
 """
 
 import numpy as np
@@ -56,11 +54,6 @@ def matrix_from_rotation_vector(v: Vector3) -> Rotation:
     ndarray, shape (..., 3, 3)
         Rotation matrices, the matrix exponentials of [v], where [v] r = v x r. The inverse is
         `rotation_vector`, for vectors no longer than pi.
-
-    Notes
-    -----
-    Because [n]^3 = -[n] for a unit vector n, the power series of exp(theta [n]) collapses to
-    Rodrigues' formula, I + sin(theta) [n] + (1 - cos(theta)) [n]^2.
 
     References
     ----------
@@ -133,10 +126,8 @@ def angular_velocity(rotations: Motion, dt: Step) -> Vector3:
 
     Notes
     -----
-    Each turn is taken to be the shorter one, so a body that turns by more than pi between two
-    samples seems to turn backwards, as the wheels of a coach do in a film. If the velocity changes
-    during an interval, the result differs from the velocity in its middle by an error of order
-    dt^2.
+    Each turn is taken to be the shorter one. If the velocity changes during an interval, the result
+    differs from the velocity in its middle by an error of order dt^2.
 
     References
     ----------
@@ -307,8 +298,7 @@ def look_at(direction: Unit3, up: Unit3) -> Rotation:
     Notes
     -----
     The matrix takes the camera's coordinates to those of the scene; what is often called the view
-    matrix is its transpose. Many programs let a camera look along its third axis backwards, so that
-    the first axis points to the right.
+    matrix is its transpose.
 
     Examples
     --------

@@ -1,7 +1,6 @@
 """Section 3: rotation about an axis, as a formula and as a matrix.
 
-The notation follows the equations: r is the vector, n the unit axis, theta the angle. Bad arguments
-are refused, as everywhere in `rotedu`, with a `ValueError`.
+The notation follows the equations: r is the vector, n the unit axis, theta the angle.
 """
 
 from __future__ import annotations
@@ -44,13 +43,6 @@ def rotate(points: Vector3, axis: Unit3, angle: Number) -> Vector3:
 
     >>> rotate([1, 0, 0], axis=[0, 0, 1], angle=np.pi / 2).round(15)
     array([0., 1., 0.])
-
-    One point, three angles:
-
-    >>> rotate([1, 0, 0], axis=[0, 0, 1], angle=[0, np.pi / 6, np.pi / 2]).round(3)
-    array([[1.   , 0.   , 0.   ],
-           [0.866, 0.5  , 0.   ],
-           [0.   , 1.   , 0.   ]])
     """
     r, n, cos, sin = points, axis, np.cos(angle), np.sin(angle)
     return cos * r + (1 - cos) * dot(r, n) * n + sin * cross(n, r)
@@ -90,11 +82,6 @@ def rotation_matrix(axis: Unit3, angle: Number) -> Rotation:
     array([[0., 0., 1.],
            [1., 0., 0.],
            [0., 1., 0.]])
-
-    Degrees in place of radians raise no error, but they give another rotation:
-
-    >>> rotation_matrix([0, 0, 1], 90)[:, 0].round(3)
-    array([-0.448,  0.894,  0.   ])
     """
     nu, nv, nw = axis
     cos, sin = np.cos(angle), np.sin(angle)
@@ -234,8 +221,7 @@ def axis_angle(matrix: Rotation) -> tuple[Vector3, Number]:
 
     References
     ----------
-    Shepperd (1978), "Quaternion from rotation matrix", J. Guidance and Control 1(3), 223-224.
-    Cheng et al. (2023) give no such formula; their (4-3) to (4-6) start from three angles.
+    Shepperd (1978), as for `sixteen_products`
 
     Examples
     --------

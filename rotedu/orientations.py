@@ -3,7 +3,6 @@
 A point of the sphere says where a camera looks, but not how it is turned about its line of sight.
 While the curve of Section 5 consists of points, here the same construction runs on the turns
 between rotation matrices. Two other curves through orientations stand beside it for comparison.
-All refuse bad arguments, as everywhere in `rotedu`, with a `ValueError`.
 """
 
 from itertools import pairwise
@@ -62,10 +61,8 @@ def slerp_rotations(r1: Rotation, r2: Rotation, t: Number) -> Rotation:
 
     Notes
     -----
-    R1^T R2 is the turn from R1 to R2, and its axis and angle are its logarithm. The exponential
-    (3-3) of the same axis and a fraction of the angle is part of that turn. The result is slerp of
-    quaternions without the choice of sign: the turn is always the shorter one. The paper claims
-    that ordinary rotation interpolates orientations, too, but gives no formula.
+    R1^T R2 is the turn from R1 to R2, and its axis and angle are its logarithm. The result is slerp
+    of quaternions without the choice of sign: the turn is always the shorter one.
 
     References
     ----------
@@ -232,9 +229,7 @@ def periodic_spline(values: ClosedValues, samples: Count = 100) -> Vector:
     -----
     The rates of change r_i at the given values follow from the requirement that the second
     derivatives agree there: ``r_{i-1} + 4 r_i + r_{i+1} = 3 (v_{i+1} - v_{i-1})``, cyclically. So
-    each value moves the whole curve, not only the four segments around it, although its influence
-    falls to about a quarter with each segment. If two sets of unit quaternions differ by a
-    rotation, so do their normalised curves.
+    each value moves the whole curve, not only the four segments around it.
 
     References
     ----------

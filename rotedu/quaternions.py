@@ -5,7 +5,7 @@ v. The quaternions form a space of four dimensions, and those of norm 1 form its
 The paper calls the space S^3 and the sphere S^2, one dimension too few in each case (erratum E1).
 
 Where a quaternion stands for a rotation, one whose norm is not 1 is normalised first, and zero is
-refused, like other bad arguments in `rotedu`, with a `ValueError`.
+refused.
 """
 
 from __future__ import annotations
@@ -392,14 +392,9 @@ def rotate_about_u(points: Vector3, angle: Number) -> Vector:
     -------
     ndarray, shape (..., 3)
 
-    Notes
-    -----
-    In our text of the paper, the last line lacks a comma and has the angle about V in one place,
-    so the code follows the line before it, with one angle and three components.
-
     References
     ----------
-    Cheng et al. (2023), Eq. (2-6)
+    Cheng et al. (2023), Eq. (2-6), its last line with the commas and the angle of the line before
 
     Examples
     --------

@@ -84,8 +84,6 @@ LENGTHS_AND_DTYPES = [
     *((length, np.float64) for length in [*LENGTHS, np.pi - 1e-4, np.pi - 1e-7]),
     *((length, np.float32) for length in LENGTHS),
 ]
-# Gaps between three points of a circle.
-UNEQUAL_GAPS = [(*gaps, 2 * np.pi - sum(gaps)) for gaps in [(1, 2.5), (2.6, 2.6), (2.4, 3)]]
 
 
 def segments(points: Array, fraction: float) -> list[Array]:
@@ -102,16 +100,6 @@ def bezier(points: Array, fraction: float, u: Array) -> Array:
     control = points, points + handle, after - np.roll(handle, -1, axis=0), after
     weights = (1 - u) ** 3, 3 * u * (1 - u) ** 2, 3 * u**2 * (1 - u), u**3
     return np.asarray(sum(np.multiply.outer(w, c) for w, c in zip(weights, control, strict=True)))
-
-
-def turning(gaps: tuple[float, ...], fraction: float, u: Array) -> Array:
-    """Angles along the curve through three points of a circle, given the gaps between them."""
-    at = np.cumsum([0.0, *gaps])
-    # The last point is the first one again.
-    handle = fraction * (np.roll(gaps, 1) + gaps)[[0, 1, 2, 0]] / 2
-    control = np.array([at[:-1], (at + handle)[:-1], (at - handle)[1:], at[1:]])
-    weights = np.array([(1 - u) ** 3, 3 * u * (1 - u) ** 2, 3 * u**2 * (1 - u), u**3])
-    return (control.T @ weights).ravel()
 
 
 class TwoPoints:

@@ -11,7 +11,6 @@ from spheres import (
     E3,
     HERE,
     PAIRS,
-    RNG,
     TwoPoints,
     close,
     on_the_sphere,
@@ -23,7 +22,6 @@ from symbolic import symbolic, vanishes
 from rotedu.arcs import angle_between, arc_axis, nlerp, slerp, slerp_by_rotation
 from rotedu.control_points import bisect, bisect_by_rotation
 from rotedu.ordinary_rotation import rotate
-from rotedu.quaternions import Quaternion
 
 DIMENSIONS = pytest.mark.parametrize("d", [2, 3, 4, 7])
 
@@ -72,14 +70,10 @@ class TestArc:
     def test_against_scipy(self, d: int) -> None:
         t = np.linspace(0, 1, 11)
         for p, q in random_units(50, 2, d):
-            close(slerp(p, q, t), geometric_slerp(p, q, t))
-
-    @DIMENSIONS
-    def test_on_the_sphere_from_end_to_end(self, d: int) -> None:
-        p, q = random_units(2, 2000, d)
-        on_the_sphere(slerp(p, q, RNG.uniform(0, 1, 2000)))
-        close(slerp(p, q, 0), p, 1e-15)
-        close(slerp(p, q, 1), q, 1e-15)
+            found = slerp(p, q, t)
+            close(found, geometric_slerp(p, q, t))
+            on_the_sphere(found)
+            close(found[[0, -1]], [p, q], 1e-15)
 
     def test_both_forms_agree(self) -> None:
         p, q = PAIRS
@@ -119,27 +113,16 @@ class TestArc:
 
     @pytest.mark.parametrize(
         ("form", "t"),
-        [(slerp, [0.5]), (slerp_by_rotation, [0.5]), (nlerp, [0.5])]
+        [(form, [0.5]) for form in (slerp, slerp_by_rotation, nlerp)]
         + [(form, []) for form in (bisect, bisect_by_rotation, arc_axis)],
     )
     def test_antipodal(self, form: Any, t: list[float]) -> None:
-        for rest in [0, 1e-16, 1e-12, 1e-9]:
+        for rest in [0, 1e-12, 1e-9]:
             q = [-np.cos(rest), np.sin(rest), 0]
             refuses("p and q are antipodal: no unique arc joins them", form, E1, q, *t)
             refuses("p and q at index (1,) are antipodal", form, E1, [E2, q, q], *t)
         for p in PAIRS[0]:
             refuses("p and q are antipodal", form, p, -3 * p, *t)
-
-    def test_the_sign_of_a_quaternion_decides_which_way_round(self) -> None:
-        p, q = random_units(2, 500, 4)
-        negative = np.sum(p * q, axis=-1) < 0
-        assert 100 < negative.sum() < 400
-        step = Quaternion(q[:, 0], q[:, 1:]) * Quaternion(p[:, 0], p[:, 1:]).conjugate()
-        _, angle = step.axis_angle()
-        close(angle, 2 * angle_between(p, q))
-        assert np.array_equal(angle > np.pi, negative)
-        shorter = 2 * angle_between(p, np.where(negative[:, None], -q, q))
-        close(shorter, np.minimum(angle, 2 * np.pi - angle))
 
     def test_nlerp_is_ahead_or_behind_by_the_angle_of_its_chord(self) -> None:
         # Seen from the centre, the point t of the chord has this angle to the midpoint of the arc.

@@ -17,7 +17,6 @@ from spheres import (
     FRACTIONS,
     HERE,
     RNG,
-    UNEQUAL_GAPS,
     UNEVEN,
     Array,
     bezier,
@@ -27,8 +26,6 @@ from spheres import (
     random_units,
     refuses,
     segments,
-    turning,
-    where,
 )
 from splines.quaternion import DeCasteljau, UnitQuaternion
 
@@ -58,10 +55,7 @@ class TestDeCasteljau:
             close(following, slerp(level[:-1], level[1:], 0.3))
         close(de_casteljau(control, 0.3), levels[-1][0], 0)
 
-    def test_ends_and_degrees_0_and_1(self) -> None:
-        control = random_units(200, 4, 3)
-        for u, end in [(0, 0), (1, -1)]:
-            close(de_casteljau(control, u), control[:, end], 2e-15)
+    def test_degrees_0_and_1(self) -> None:
         close(de_casteljau([HERE], [0.1, 0.9]), [HERE, HERE], 1e-15)
         close(de_casteljau([E1, HERE], 0.3), slerp(E1, HERE, 0.3), 0)
 
@@ -70,18 +64,9 @@ class TestDeCasteljau:
         points = de_casteljau(control[:, None], u)
         assert points.shape == (6, 9, 3)
         close(points[2, 3], de_casteljau(control[2], u[3]), 1e-15)
-        close(points[:, 3], de_casteljau(control, u[3]), 1e-15)
-        close(points[2], de_casteljau(control[2], u), 1e-15)
         levels = de_casteljau_levels(control[:, None], u)
         assert [level.shape for level in levels] == [(6, 9, m, 3) for m in (4, 3, 2, 1)]
         assert de_casteljau(control, np.empty((0, 1))).shape == (0, 6, 3)
-
-    @pytest.mark.parametrize("at", [(0, 20, 100, 70), (0, 45, 45, 90), (30, 30, 30, 30)])
-    def test_on_a_great_circle_it_is_the_polynomial(self, at: tuple[float, ...]) -> None:
-        u = np.linspace(0, 1, 21)
-        bernstein = [(1 - u) ** 3, 3 * u * (1 - u) ** 2, 3 * u**2 * (1 - u), u**3]
-        found = de_casteljau(great_circle(np.array(at)), u)
-        close(where(found), np.array(at) @ bernstein, 1e-12)
 
     def test_arcs_between_points_of_arcs_are_no_longer(self) -> None:
         p, q, r = random_units(3, 20000, 3)
@@ -134,13 +119,6 @@ class TestClosedCurve:
         curve = closed_curve(points, 10, fraction).reshape(7, 10, 3)
         close(curve[..., :2] / size, bezier(flat, fraction, u).swapaxes(0, 1), rounding)
 
-    @pytest.mark.parametrize("gaps", UNEQUAL_GAPS)
-    @pytest.mark.parametrize("fraction", [0, 0.2, 1 / 2, 1])
-    def test_on_a_great_circle(self, gaps: tuple[float, ...], fraction: float) -> None:
-        points = great_circle(np.degrees(np.cumsum([0, *gaps[:2]])))
-        turn = np.degrees(turning(gaps, fraction, np.arange(20) / 20))
-        close(closed_curve(points, 20, fraction), great_circle(turn))
-
     @pytest.mark.parametrize(("points", "fraction"), CURVES)
     def test_is_c1_at_the_points(self, points: Array, fraction: float) -> None:
         h = 1e-3
@@ -177,12 +155,11 @@ class TestClosedCurve:
         on_the_sphere(curve, 3e-15)
         close(curve[::10], points, 3e-15)
 
-    @pytest.mark.parametrize("samples", [1, 2, 7, 10000])
+    @pytest.mark.parametrize("samples", [1, 2, 10000, np.int64(7)])
     def test_samples(self, samples: int) -> None:
         curve = closed_curve(UNEVEN, samples)
         assert curve.shape == (5 * samples, 3)
         close(curve[::samples], UNEVEN, 1e-15)
-        close(closed_curve(UNEVEN, np.int64(samples)), curve, 0)
 
     def test_blocks_make_no_difference(self, monkeypatch: pytest.MonkeyPatch) -> None:
         points = random_units(50, 3)
@@ -190,14 +167,6 @@ class TestClosedCurve:
         for block in [1, 70, 130, 10**6]:
             monkeypatch.setattr("rotedu.closed_curve.BLOCK", block)
             close(closed_curve(points, 10), whole, 1e-15)
-
-    def test_stacks_with_a_hundred_samples_a_segment(self) -> None:
-        points = random_units(2, 3, 5, 4)
-        curves = closed_curve(points)
-        assert curves.shape == (2, 3, 500, 4)
-        for i in np.ndindex(2, 3):
-            close(curves[i], closed_curve(points[i]), 1e-15)
-        assert closed_curve(np.ones((0, 5, 3)), 6).shape == (0, 30, 3)
 
     def test_the_points_are_left_alone(self) -> None:
         points = UNEVEN.copy()

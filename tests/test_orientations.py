@@ -173,12 +173,6 @@ class TestClosedCurve:
         message = "Double(points[4], points[0]) and points[1] are antipodal"
         refuses(message, closed_curve, q.components)
 
-    def test_a_point_carried_along_is_not_the_curve_of_the_points(self) -> None:
-        # On the sphere, the twist about the pointing vector is lost.
-        twisted = rotation_matrix(E3, [0, 0.5, 1.0])
-        close(closed_curve(twisted[:, :, 2], 10), [E3] * 30, 1e-15)
-        assert np.abs(closed_rotation_curve(twisted, 10) - ONE).max() > 0.8
-
     def test_degenerate(self) -> None:
         message = "rotations[0] and rotations[1] are half a turn apart"
         refuses(message, closed_rotation_curve, [ONE, HALF_TURN, ONE])
@@ -302,6 +296,7 @@ class TestPeriodicSpline:
 @pytest.mark.parametrize(
     ("curve", "given"),
     [
+        (closed_curve, random_units(2, 3, 5, 4)),
         (squad, random_units(2, 3, 5, 4)),
         (periodic_spline, RNG.normal(size=(2, 3, 5, 4))),
         (closed_rotation_curve, R1[:30].reshape(2, 3, 5, 3, 3)),

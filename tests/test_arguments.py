@@ -348,7 +348,7 @@ BAD: dict[str, list[tuple[dict[str, Any], str]]] = {
         ({"rotations": np.empty((0, 3, 3))}, "rotations must number at least 1; got 0"),
         ({"weights": [1, 2]}, "weights must have shape (..., 3); got shape (2,)"),
         ({"weights": 1}, "weights must have shape (..., 3); got shape ()"),
-        ({"weights": [1, -2, 3]}, "weights must not be negative; got -2.0 at index (1,)"),
+        ({"weights": [1, -0.5, -2]}, "weights must not be negative; got -0.5 at index (1,)"),
         ({"weights": [0, 0, 0]}, "weights must not all be zero; got zeros"),
         (
             {"weights": [[1, 0, 0], [0, 0, 0]]},

@@ -113,10 +113,6 @@ def slerp(p: Unit, q: Unit, t: Number) -> Vector:
     If p and q are unit quaternions, the arc is the shorter turn as long as p . q is positive; if it
     is negative, use -q, which is the same rotation.
 
-    References
-    ----------
-    Cheng et al. (2023), Eq. (5-2)
-
     Examples
     --------
     >>> slerp([1, 0, 0], [0, 1, 0], [0, 1 / 3, 1]).round(3)

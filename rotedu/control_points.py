@@ -86,10 +86,6 @@ def bisect(p: Unit, q: Unit) -> Vector:
     The paper's factor, sin(theta / 2) / sin(theta), equals 1 / abs(p + q). It is 0/0 where p = q,
     which always happens for equally spaced points of a great circle.
 
-    References
-    ----------
-    Cheng et al. (2023), Eqs. (5-7), (5-10)
-
     Examples
     --------
     >>> bisect([1, 0, 0], [0, 1, 0]).round(3)

@@ -158,10 +158,6 @@ def matrix_from_euler_angles(
     Another order gives another rotation. Where cos(v) = 0, only the sum or the difference of the
     other two angles matters, and one degree of freedom is lost (gimbal lock).
 
-    References
-    ----------
-    Cheng et al. (2023), Eqs. (4-1) and (4-2)
-
     Examples
     --------
     >>> turn = np.pi / 2
@@ -197,10 +193,6 @@ def quaternion_from_euler_angles(
     Quaternion, shape (...)
         The unit quaternion [delta, (alpha, beta, gamma)], the product of the quaternions of the
         principal rotations about W, V and U.
-
-    References
-    ----------
-    Cheng et al. (2023), Eqs. (4-4) and (4-6)
 
     Examples
     --------
@@ -238,10 +230,6 @@ def axis_angle_from_euler_angles(u: Number, v: Number, w: Number) -> tuple[Vecto
     (4-5) gives the sine of half the angle and (4-6) its cosine. Both are needed, since the sine
     alone does not distinguish an angle from the rest of a full turn. (4-3) is 0/0 where nothing
     turns; a rotation smaller than the rounding of the three angles counts as none.
-
-    References
-    ----------
-    Cheng et al. (2023), Eqs. (4-3) to (4-6)
 
     Examples
     --------

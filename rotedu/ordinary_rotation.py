@@ -16,7 +16,7 @@ __all__ = ["axis_angle", "rotate", "rotation_matrix", "sixteen_products", "trans
 
 @checked
 def rotate(points: Vector3, axis: Unit3, angle: Number) -> Vector3:
-    """Rotate points about an axis through the origin by Rodrigues' formula (3-1).
+    """Rotate points about an axis through the origin by Rodrigues' formula (3-1), second line.
 
     Parameters
     ----------
@@ -32,10 +32,6 @@ def rotate(points: Vector3, axis: Unit3, angle: Number) -> Vector3:
     ndarray, shape (..., 3)
         The rotated points. The leading axes of the three arguments broadcast. For many points and
         one rotation, `rotation_matrix` and `transform` are cheaper.
-
-    References
-    ----------
-    Cheng et al. (2023), Eq. (3-1), second line
 
     Examples
     --------
@@ -69,10 +65,6 @@ def rotation_matrix(axis: Unit3, angle: Number) -> Rotation:
     The code computes ``1 - cos(theta)`` once and shares nothing else, so it needs exactly as many
     operations as the paper states; `rotedu.cost.count` counts them. For angles below about 1e-8
     the difference rounds to 0, an error smaller than the rounding of the diagonal.
-
-    References
-    ----------
-    Cheng et al. (2023), Eq. (3-3)
 
     Examples
     --------

@@ -90,10 +90,6 @@ class Quaternion:
     ``p == q`` compares quaternion by quaternion and has shape (...). ``p / q`` divides from the
     right and raises `rotedu.errors.DegenerateError` if q is zero.
 
-    References
-    ----------
-    Cheng et al. (2023), Eqs. (2-1) to (2-6)
-
     Examples
     --------
     The products of the units do not commute, and the product of all three is -1:
@@ -271,10 +267,6 @@ class Quaternion:
         rotedu.errors.DegenerateError
             If a quaternion is zero.
 
-        References
-        ----------
-        Cheng et al. (2023), Eq. (2-4)
-
         Examples
         --------
         >>> Quaternion(0, [0, 2, 0]).inverse()
@@ -331,10 +323,6 @@ class Quaternion:
         Notes
         -----
         For a unit quaternion the product is [0, r + 2 w v x r + 2 v x (v x r)].
-
-        References
-        ----------
-        Cheng et al. (2023), Eq. (2-6)
 
         Examples
         --------

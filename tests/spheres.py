@@ -8,7 +8,7 @@ import pytest
 import sympy as sp
 from symbolic import matrix, symbolic
 
-from rotedu.control_points import control_points
+from rotedu.control_points import control_points, double
 from rotedu.errors import DegenerateError
 from rotedu.ordinary_rotation import rotation_matrix
 
@@ -100,6 +100,16 @@ def bezier(points: Array, fraction: float, u: Array) -> Array:
     control = points, points + handle, after - np.roll(handle, -1, axis=0), after
     weights = (1 - u) ** 3, 3 * u * (1 - u) ** 2, 3 * u**2 * (1 - u), u**3
     return np.asarray(sum(np.multiply.outer(w, c) for w, c in zip(weights, control, strict=True)))
+
+
+def with_inner_control_points(rest: float) -> Array:
+    """Points for which a_0 and b_1 are this short of antipodal: half a turn exchanges them."""
+    half_turn = np.array([-1, -1, 1])
+    a0 = np.array([np.cos(rest / 2), 0, np.sin(rest / 2)])
+    p0 = np.array([0.4, 0.8, 0.2**0.5])
+    p1 = half_turn * p0
+    p3 = double(double(p1, double(p0, a0)), p0)
+    return np.array([p0, p1, half_turn * p3, p3])
 
 
 class TwoPoints:

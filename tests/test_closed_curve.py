@@ -26,12 +26,13 @@ from spheres import (
     random_units,
     refuses,
     segments,
+    with_inner_control_points,
 )
 from splines.quaternion import DeCasteljau, UnitQuaternion
 
 from rotedu.arcs import angle_between, slerp
 from rotedu.closed_curve import closed_curve, de_casteljau, de_casteljau_levels
-from rotedu.control_points import control_points, double
+from rotedu.control_points import control_points
 from rotedu.errors import DegenerateError
 
 # The warnings about unstable curves have tests of their own.
@@ -173,16 +174,6 @@ class TestClosedCurve:
         for result in closed_curve(points), control_points(points)[0], slerp(points, points, 0):
             result[:] = 0
         close(points, UNEVEN, 0)
-
-
-def with_inner_control_points(rest: float) -> Array:
-    """Points for which a_0 and b_1 are this short of antipodal: half a turn exchanges them."""
-    half_turn = np.array([-1, -1, 1])
-    a0 = np.array([np.cos(rest / 2), 0, np.sin(rest / 2)])
-    p0 = np.array([0.4, 0.8, 0.2**0.5])
-    p1 = half_turn * p0
-    p3 = double(double(p1, double(p0, a0)), p0)
-    return np.array([p0, p1, half_turn * p3, p3])
 
 
 class TestInnerControlPoints:

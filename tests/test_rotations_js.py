@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 from node import run_cases
 from oracles.averages import singular_values
-from spheres import random_units
+from spheres import Array, random_units, with_inner_control_points
 
 from rotedu.arcs import angle_between, arc_axis, nlerp, slerp
 from rotedu.closed_curve import closed_curve, de_casteljau, de_casteljau_levels
@@ -30,8 +30,6 @@ from rotedu.orientations import (
     squad,
 )
 from rotedu.quaternions import Quaternion
-
-Array = np.ndarray[Any, Any]
 
 SEED = int(os.environ.get("ROTATIONS_SEED") or secrets.randbits(32))
 DIMENSIONS = (2, 3, 4, 7)
@@ -224,15 +222,6 @@ def in_three_dimensions(rng: np.random.Generator) -> Iterator[Case]:
     yield Case("rotateByQuaternion", [q, v * axis])
 
 
-def opposite_handles() -> Array:
-    """Points for which a_0 and b_1 are opposite: half a turn exchanges them."""
-    half_turn = np.array([-1, -1, 1])
-    p0 = np.array([0.4, 0.8, 0.2**0.5])
-    p1 = half_turn * p0
-    p3 = double(double(p1, double(p0, np.array([1, 0, 0]))), p0)
-    return np.array([p0, p1, half_turn * p3, p3])
-
-
 def without_answer(rng: np.random.Generator) -> Iterator[Case]:
     """Calls that both sides refuse, because of their geometry."""
     p, r = random_units(2, 3, rng=rng)
@@ -247,7 +236,7 @@ def without_answer(rng: np.random.Generator) -> Iterator[Case]:
     back = [p, q, -double(p, q), r], [p, partner(rng, p, rng.uniform(1.7, 3)), p, r]
     yield from calls("controlPoints", *([points] for points in back))
     for start in range(4):
-        for points in (*back, opposite_handles() @ m.T):
+        for points in (*back, with_inner_control_points(0) @ m.T):
             yield Case("closedCurve", [np.roll(points, start, axis=0), 2])
         yield Case("squad", [np.roll([q, p, -p, r], start, axis=0)])
         for degrees in ([0, 120, 130, 10], [0, 170, 0, 170]):

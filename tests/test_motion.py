@@ -79,9 +79,6 @@ class TestLogarithm:
     def test_undoes_the_exponential(self, size: float) -> None:
         close(rotation_vector(matrix_from_rotation_vector(size * AXES)), size * AXES, 1e-14)
 
-    def test_against_scipy(self) -> None:
-        close(rotation_vector(ALL), Rotation.from_matrix(ALL).as_rotvec(), 1e-13)
-
     def test_half_turns(self) -> None:
         for axis in AXES:
             v = rotation_vector(rotation_matrix(axis, np.pi))
@@ -186,38 +183,21 @@ class TestIntegrators:
         whole, half = (angle - n * np.angle(np.polyval(series, 1j * angle / n)) for n in (1, 2))
         close(whole / half, 16, 0.2)
 
-    def test_the_body_s_frame(self) -> None:
-        """Velocities in the body's frame act from the right, or backwards on the transpose."""
-        body, dt = spinning(25)
-        r = START
-        for turn in matrix_from_rotation_vector(dt * body):
-            r = r @ turn
-        close(integrate(START.T, -body, dt)[-1].T, r, 1e-13)
-
     def test_back_and_forth(self) -> None:
         velocities, dt = spinning(25)
         there = integrate(START, velocities, dt)
         close(integrate(there[-1], velocities[::-1], -dt)[::-1], there, 1e-13)
 
-    def test_stacks_single_precision_and_no_steps(self) -> None:
-        velocities = RNG.normal(size=(2, 4, 5, 3))
-        start = ALL[:4]
+    def test_stacks_and_no_steps(self) -> None:
+        velocities, start = RNG.normal(size=(2, 4, 5, 3)), ALL[:4]
         found = integrate(start, velocities, 0.1)
         assert found.shape == matrix_steps(start, velocities, 0.1).shape == (2, 4, 6, 3, 3)
         close(found[1, 2], integrate(start[2], velocities[1, 2], 0.1), 1e-15)
         q = Quaternion.from_matrix(start).components
         assert quaternion_steps(q, velocities, 0.1).shape == (2, 4, 6, 4)
         assert integrate(np.eye(3), np.empty((0, 3)), 1).shape == (1, 3, 3)
-        v = (2 * AXES.reshape(2, -1, 3)).astype(np.float32)
-        m = matrix_from_rotation_vector(v)
-        assert m.shape == (2, 154, 3, 3)
-        close(rotation_vector(m), v, 2e-6)
-        singles = m, rotation_vector(m), integrate(m[0, 0], [E1], 0.1), look_at(v[0, 0], [0, 0, 1])
-        assert {result.dtype for result in singles} == {np.dtype(np.float32)}
         turns = ALL[:24].reshape(2, 3, 4, 3, 3)
-        found = angular_velocity(turns, 0.5)
-        assert found.shape == (2, 3, 3, 3)
-        close(found[1, 2], angular_velocity(turns[1, 2], 0.5), 1e-14)
+        close(angular_velocity(turns, 0.5)[1, 2], angular_velocity(turns[1, 2], 0.5), 1e-14)
 
 
 class TestLookAt:

@@ -181,27 +181,12 @@ class TestArray:
         twins = copy.copy(two), copy.deepcopy(two), pickle.loads(pickle.dumps(two)), eval(repr(two))
         assert all((twin == two).all() for twin in twins)
 
-    def test_methods_keep_their_names(self) -> None:
-        assert Quaternion.__mul__.__name__ == "__mul__"
-        assert not hasattr(I, "__dict__")
-
     def test_single_precision(self) -> None:
         q = Quaternion(np.float32(1), np.ones(3, np.float32))
-        n = AXES.astype(np.float32)
-        found = [
-            q.components,
-            (q * q).components,
-            (2 * q + 1.5).components,
-            (1 / q / 2).components,
-            q.norm(),
-            q.rotate([1, 2, 3]),
-            q.rotate(n),
-            q.matrix(),
-            *q.axis_angle(),
-            *(q * 0 + 1).axis_angle(),
-        ]
+        numbers = q, q * q, 2 * q + 1.5, 1 / q / 2, q * 0 + 1
+        found = *(x.components for x in numbers), q.norm(), q.matrix(), *q.axis_angle()
         assert {np.asarray(x).dtype for x in found} == {np.dtype(np.float32)}
-        found = [(q * np.float64(2)).components, (q * ONE).components, q.rotate(AXES)]
+        found = (q * np.float64(2)).components, (q * ONE).components, q.rotate(AXES)
         assert {x.dtype for x in found} == {np.dtype(np.float64)}
 
 
@@ -212,7 +197,6 @@ class TestArray:
         (lambda q: quaternion(q) + quaternion(q), OperationCount(0, 4)),
         (lambda q: quaternion(q).rotate(q[1:]), OperationCount(18, 12)),
         (lambda q: quaternion(q).matrix(), OperationCount(9, 15)),
-        (lambda q: quaternion(q).norm(), OperationCount(4, 3, square_roots=1)),
         (lambda q: quaternion(q).inverse(), OperationCount(4, 3, divisions=8, square_roots=1)),
         (lambda q: rotate_about_u(q[1:], q[0]), OperationCount(4, 2, trigonometric=2)),
     ],
@@ -226,13 +210,11 @@ class TestRefusals:
     zero, one_zero = Quaternion(0, [0, 0, 0]), Quaternion([1, 0], [[0, 0, 0], [0, 0, 0]])
 
     @pytest.mark.parametrize("name", ["add", "sub", "mul", "truediv"])
-    def test_operands_that_are_not_numbers(self, name: str) -> None:
-        operation = getattr(operator, name)
-        for other in ["text", None, [1, 2], (1,), {}]:
+    @pytest.mark.parametrize("other", ["text", None, [1, 2], {}])
+    def test_operands_that_are_not_numbers(self, name: str, other: Any) -> None:
+        for operands in (self.q, other), (other, self.q):
             with pytest.raises(TypeError):
-                operation(self.q, other)
-            with pytest.raises(TypeError):
-                operation(other, self.q)
+                getattr(operator, name)(*operands)
 
     def test_numpy_does_not_take_them_apart(self) -> None:
         with pytest.raises(TypeError):
@@ -243,10 +225,6 @@ class TestRefusals:
         [
             (lambda q, pair: q * np.nan, "scalar must be finite in float64; got nan$"),
             (
-                lambda q, pair: Quaternion(1, np.ones(4)),
-                r"v must have shape \(..., 3\); got .*\(4,\)$",
-            ),
-            (
                 lambda q, pair: Quaternion([1, 2], np.ones((3, 3))),
                 "w and v must broadcast over their leading axes",
             ),
@@ -254,7 +232,6 @@ class TestRefusals:
                 lambda q, pair: pair * Quaternion([1, 2, 3], E1),
                 r"left and right must broadcast .* \(2, 4\) and \(3",
             ),
-            (lambda q, pair: q.rotate([1, 2]), r"points must have shape \(..., 3\)"),
             (lambda q, pair: pair.rotate(np.ones((3, 3))), "quaternion and points must broadcast"),
         ],
     )

@@ -15,11 +15,12 @@ import logging
 import os
 from collections.abc import Iterable
 from concurrent.futures import ThreadPoolExecutor
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 from jupyter_cache import get_cache
-from jupyter_cache.executors import load_executor
+from jupyter_cache.executors import load_executor, utils
 from myst_nb.core.read import create_nb_reader
 from sphinx.application import Sphinx
 from sphinx.config import Config
@@ -41,6 +42,8 @@ FRAME = (
 )
 SILENT = logging.getLogger("jupyter_cache.silent")
 SILENT.disabled = True
+# What a busy machine prints in pieces is one text again, without empty lines between them.
+utils.executenb = partial(utils.executenb, coalesce_streams=True)
 # Set by tools/watch.py, which copies styles and scripts itself and keeps the pages around them.
 WATCHED = "ROTEDU_WATCHED"
 

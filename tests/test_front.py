@@ -103,6 +103,11 @@ def test_the_figure_plays_until_it_is_grabbed(browser: Any, site: str) -> None:
         if re.search(r"(viewer|explorables)-\w+\.js|/scene-\w+\.(glb|json)", name)
     ]
 
+    heights = [
+        page.locator(f".explorable [data-action={name}]").bounding_box()["y"]
+        for name in ("reset", "play")
+    ]
+    assert heights[0] == pytest.approx(heights[1], abs=10)
     start = page.evaluate(VALUES)
     page.wait_for_function(f"start => {VALUES}.along !== start", arg=start["along"])
     box = page.locator(".scene").bounding_box()

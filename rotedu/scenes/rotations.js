@@ -11,7 +11,8 @@
  */
 
 const ANTIPODAL = Math.sqrt(Number.EPSILON);
-// What is taken for a rotation: no entry of M^T M differs from the identity's by more.
+// What is taken for a rotation: no entry of M^T M differs from the identity's by more. So says
+// rotedu/_arguments.py.
 const ASKEW = 1e-3;
 const ROUNDING = 4 * Number.EPSILON;
 

@@ -63,11 +63,6 @@ class TestDouble:
             q = [-np.cos(rest), np.sin(rest), 0]
             close(double_by_rotation(E1, q), double(E1, q), 1e-15)
 
-    def test_120_degrees_double_to_240_which_are_120_apart(self) -> None:
-        p, q = great_circle(np.array([0, 120]))
-        close(where(double(p, q)), -120, 1e-12)
-        close(np.degrees(angle_between(p, double(p, q))), 120, 1e-12)
-
 
 class TestBisect:
     @pytest.mark.parametrize("d", [2, 3, 4, 7])

@@ -15,7 +15,7 @@ LISTEN = """document.addEventListener("securitypolicyviolation", (event) => {
     violated(`${event.effectiveDirective} ${event.blockedURI}`);
 }, { once: true });"""
 LOAD = "document.querySelectorAll('img').forEach((img) => { img.loading = 'eager' })"
-LOADED = "[...document.images].every((img) => img.naturalWidth)"
+LOADED = "() => [...document.images].every((img) => img.naturalWidth)"
 Use = Callable[[Any], None]
 PAGES = ("book/index.html", "book/05-control-points.html", "book/06-conclusions.html")
 

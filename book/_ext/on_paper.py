@@ -137,7 +137,8 @@ def chapter_of_solutions(parts: Iterator[tuple[str, Sections]]) -> nodes.section
 def title_page(config: Config) -> nodes.raw:
     """Return the page that says what the book is, who made it and what may be done with it."""
     page = Template((PAPER / "title-page.html").read_text(encoding="utf-8"))
-    text = page.substitute(title=config.html_title, version=rotedu.__version__)
+    told = {"title": config.html_title, "version": rotedu.__version__}
+    text = page.substitute(told, figures=config.myst_substitutions["figures"])
     return nodes.raw("", text, format="html")
 
 
@@ -381,13 +382,10 @@ def note_editions(app: Sphinx, config: Config) -> None:
 def link_editions(app: Sphinx, _page: str, _template: str, context: Any, _tree: Any) -> None:
     """Link what there is, with its size, where a page of the website marks the place."""
     if app.builder.name == "html" and PLACE in context.get("body", ""):
-        files = {name: EDITIONS[name] for name in app.config.editions}
-        links = ", ".join(
-            LINKED.format(file.name, name, file.stat().st_size / 1e6)
-            for name, file in files.items()
-        )
-        said = f"<p>To print, or to read away from the web: {links}.</p>" if files else ""
-        context["body"] = context["body"].replace(PLACE, said)
+        sizes = {name: EDITIONS[name].stat().st_size / 1e6 for name in app.config.editions}
+        links = [LINKED.format(EDITIONS[name].name, name, size) for name, size in sizes.items()]
+        said = f"<p>To print, or to read away from the web: {', '.join(links)}.</p>"
+        context["body"] = context["body"].replace(PLACE, said if links else "")
 
 
 def copy_editions(app: Sphinx, exception: Exception | None) -> None:

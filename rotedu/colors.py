@@ -4,7 +4,7 @@ Blue, orange and green are those of the colour-blind-safe set of Okabe and Ito, 
 darker shade of theirs, and the red stands apart from them in lightness, too. Violet and ochre stand
 apart from all of these, also for the colour-blind, and far from each other: they tell the two
 contenders of the book apart. All of them are visible on white and on black, so a scene needs no
-background of its own. Charts in notebooks, `book.css` and `_config.yml` repeat the codes.
+background of its own. Charts in notebooks, ``book.css`` and ``_config.yml`` repeat the codes.
 """
 
 __all__ = ["AXIS", "CROSS", "MATRIX", "NEUTRAL", "QUATERNION", "RESULT", "VECTOR", "WRONG"]

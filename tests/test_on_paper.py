@@ -22,7 +22,7 @@ CAPTIONS = [caption.title for page in pages().values() for caption in page.all("
 STARTERS = "section:not([id*='solution-']) > .cell pre"
 ANSWERS = ":is([id^='answer-'], [id^='solutions-answer-'])"
 MARKED = re.compile(r'<span class="on-screen">(.*?)</span>', re.DOTALL)
-HAND = re.compile(r"\b(drag|press|click|grab|pull)", re.IGNORECASE)
+HAND = re.compile(r"\b(drag|press|click|grab|pull)\b", re.IGNORECASE)
 EPUBCHECK = Path("/usr/bin/epubcheck")
 
 pytestmark = pytest.mark.slow

@@ -174,8 +174,8 @@ class PointHandle extends Handle {
   }
 
   isFar() {
-    const eye = this.view.aim.eye();
-    return this.point().reduce((sum, x, k) => sum + x * (eye[k] - x), 0) < RIM;
+    const point = this.point();
+    return dot(point, this.view.aim.eye()) - dot(point, point) < RIM;
   }
 
   cover() {

@@ -49,14 +49,19 @@ export class Rows {
     return this.stack && !this.isWhole ? rowOf(this.stack, project(this.aim.lensAtRest, point)) : 0;
   }
 
+  /** The row that shows what is near a point, as it is now. */
+  near(point) {
+    return this.now[this.at(point)];
+  }
+
   /** Where a point is in the box, in the row that shows what is near another one. */
-  project(point, near = point) {
-    return toBox(this.now[this.at(near)], project(lens(this.aim.camera), point));
+  project(point, other = point) {
+    return toBox(this.near(other), project(lens(this.aim.camera), point));
   }
 
   /** The line of sight through a place of the box, where it shows what is near a point. */
-  sight(left, top, near) {
-    const [x, y] = toPicture(this.now[this.at(near)], left, top);
+  sight(left, top, other) {
+    const [x, y] = toPicture(this.near(other), left, top);
     return { eye: this.aim.eye(), direction: this.aim.through(x, y) };
   }
 }

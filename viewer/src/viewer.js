@@ -114,7 +114,7 @@ export class View {
     sortSeeThrough(objects, aim.camera);
     const elsewhere = (row) => objects.filter((object) => rows.at(firstPoint(object)) !== row);
     draw(scene, aim.camera, canvas, rows.now, rows.isWhole ? undefined : elsewhere);
-    labels.place(aim.camera, surfaces, (point) => rows.now[rows.at(point)]);
+    labels.place(aim.camera, surfaces, (point) => rows.near(point));
     for (const watch of this.watchers) watch();
   }
 

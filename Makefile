@@ -35,8 +35,8 @@ test: $(READY) $(VIEWER) $(LIVE) .venv/browser ## check code, notebooks and the 
 	$(BIN)/ruff format --check
 	$(BIN)/mypy
 	$(BIN)/lint-imports
-	$(BIN)/npx biome check --error-on-warnings
-	$(BIN)/npx tsc --project viewer
+	$(BIN)/node node_modules/.bin/biome check --error-on-warnings
+	$(BIN)/node node_modules/.bin/tsc --project viewer
 	$(MAKE) --no-print-directory --keep-going --jobs=2 test-book test-rest
 
 # Two halves, each with its own core: the second needs no built book.

@@ -14,7 +14,7 @@ const SERVE =
   " the book and open http://localhost:8000.";
 const KEYS = "Shift+Enter runs the cell. To leave it with Tab, press Escape first.";
 const LIMITS = { href: "conventions.html#python-in-the-page" };
-const DESK = "Runs at a desk, in the notebook: it draws, or needs SciPy or SymPy.";
+const DESK = "Runs at a desk, in the notebook: it needs SciPy or SymPy.";
 const ALONE = /^(start|solution|try)-/;
 const PICTURE = ":is(figure, img, .scene, .explorable)";
 
@@ -86,6 +86,7 @@ export function reset(cell) {
   const inside = cell.box.contains(document.activeElement);
   cell.ran = false;
   cell.output.remove();
+  erase(cell);
   for (const each of cell.stored) each.hidden = false;
   tell(cell, "");
   if (isChanged(cell)) cell.doubt?.();
@@ -177,10 +178,11 @@ export function stop() {
   runtime.stop();
 }
 
-/** The cells above one that must run first: none of other exercises, none that sets a figure. */
+/** The cells above one that must run first: none of other exercises, sets a figure or draws. */
 function above(cell) {
   const own = cell.id.replace(/^solution-/, "start-");
-  const needed = ({ id, ran }) => !ran && (id === own || !ALONE.test(id));
+  const alone = ({ id, box }) => ALONE.test(id) || box.querySelector(".chart");
+  const needed = (each) => !each.ran && (each.id === own || !alone(each));
   return cells.slice(0, cells.indexOf(cell)).filter(needed);
 }
 
@@ -229,18 +231,19 @@ async function runOne(cell, asked, code, far) {
   if (cell.judge && done.verdict) done.value = "";
   if (visible || (listing && done.error)) print(cell, done);
   const links = figures.set(done.changed);
-  const silent = !(done.verdict || done.error || done.out || done.value || links.length);
+  const shown = done.verdict || done.error || done.out || done.value || done.charts.length;
+  const silent = !(shown || links.length);
   tell(asked, ...(silent ? [SILENT] : links));
   return done;
 }
 
-/** Say how far Python is, to the eye at every step, aloud once. */
-function load(cell, fetched, total) {
+/** Say how far Python or Matplotlib is, to the eye at every step, aloud once. */
+function load(cell, fetched, total, what) {
   const size = `${(total / 1e6).toFixed(1)} MB`;
-  if (bar.hidden) say(`Python is being fetched: ${size}, once.`);
+  if (bar.hidden && fetched < total) say(`${what} is being fetched: ${size}, once.`);
   Object.assign(bar, { hidden: fetched === total, max: total, value: fetched });
-  const far = `Python is being fetched, once: ${(fetched / 1e6).toFixed(1)} of ${size}`;
-  tell(cell, fetched < total ? far : "Python starts");
+  const far = fetched ? `${(fetched / 1e6).toFixed(1)} of ${size}` : size;
+  tell(cell, fetched < total ? `${what} is being fetched, once: ${far}` : `${what} starts`);
 }
 
 /** Put what a cell prints in the place of what is stored. */
@@ -248,12 +251,47 @@ function print(cell, done) {
   for (const each of cell.stored) each.hidden = true;
   cell.output.replaceChildren(...output(done));
   cell.output.removeAttribute("data-old");
+  if (done.charts) draw(cell, done.charts);
   // Outside the fold of a listing, where the stored output is.
   const below = cell.box.querySelector(".cell_output");
   if (below) below.before(cell.output);
   else cell.tools.after(cell.output);
   const scrolls = (box) => box.scrollWidth > box.clientWidth || box.scrollHeight > box.clientHeight;
   for (const box of cell.output.children) if (scrolls(box)) box.tabIndex = 0;
+}
+
+/** Put charts in the place of those that are stored, with the caption, else below what is printed. */
+function draw(cell, charts) {
+  erase(cell);
+  const [stored] = findAll(".chart", cell.box);
+  // What the book's code has drawn is not what this code has drawn, or has failed to draw.
+  if (stored) stored.hidden = true;
+  if (!charts.length) return;
+  const drawings = charts.map((svg) => new DOMParser().parseFromString(svg, "image/svg+xml"));
+  const drawn = make("div", {
+    className: "chart",
+    role: "img",
+    ariaLabel: described(cell, stored),
+  });
+  drawn.append(...drawings.map(({ documentElement }) => documentElement));
+  drawn.style.setProperty("--least", `${drawn.firstElementChild.getAttribute("width")}px`);
+  if (stored) stored.after(drawn);
+  else cell.output.append(drawn);
+  cell.drawn = drawn;
+}
+
+/** The alternative text of a chart: that of the book, marked if a change may show in it. */
+function described(cell, stored) {
+  if (!stored) return `Chart of ${cell.name.toLowerCase()}`;
+  const mark = listed.some(isChanged) ? "Drawn with your changes. In the book: " : "";
+  return mark + stored.ariaLabel;
+}
+
+/** Take away charts, and show those that are stored. */
+function erase(cell) {
+  cell.drawn?.remove();
+  cell.drawn = null;
+  for (const each of findAll(".chart", cell.box)) each.hidden = false;
 }
 
 /** Say which cell above has failed. */

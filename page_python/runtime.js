@@ -9,15 +9,15 @@ const SPARES = 2;
 const root = document.documentElement;
 let worker;
 let spares = [];
-let kept = {};
+const kept = {};
 let serial = 0;
 let waiting;
 root.dataset.python = "absent";
 
 /**
  * Run code, one piece at a time; promise what the worker says then, or words for the reader.
- * `loading` is told how many bytes are fetched, and of how many, and nothing when Python is ready;
- * `printing` all that has been printed so far.
+ * `loading` is told how many bytes are fetched, of how many, and of what, and nothing when Python is
+ * ready; `printing` all that has been printed so far.
  */
 export function run(cell, loading, printing) {
   worker ??= start();
@@ -51,14 +51,15 @@ function addSpares() {
 }
 
 function hear({ data }) {
-  if (data.total) waiting?.loading?.(data.fetched, data.total);
+  if (data.total) waiting?.loading?.(data.fetched, data.total, data.what);
   if (data.failed) fail(data.failed);
   if (data.ready) {
     root.dataset.python = "ready";
     waiting?.loading?.();
-    kept = { compiled: data.compiled, files: data.files };
+    kept.compiled = data.compiled;
     addSpares();
   }
+  if (data.files) kept.files = { ...kept.files, ...data.files };
   if (data.id !== waiting?.id) return;
   if (data.text) waiting.printing?.(data.text);
   if (data.dead) end("absent", `Python has ended: ${data.dead}. The next Run starts it anew.`);

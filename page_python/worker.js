@@ -3,8 +3,9 @@
  *
  * From the page:  {compiled, files}                  first, if an earlier worker has sent them
  *                 {id, code, name, figures}          run a cell; figures: name -> values, {} if not live
- * To the page:    {fetched, total}                   bytes, while loading
- *                 {ready, compiled, files} keep both for the next worker
+ * To the page:    {fetched, total, what}             bytes, while loading Python, or Matplotlib
+ *                 {ready, compiled, files}           keep both for the next worker
+ *                 {files}                            keep these for it, too
  *                 {failed}                           why Python did not load
  *                 {id, text}                         all that the cell has printed so far
  *                 {id, done}                         done: see `run` in python/page.py
@@ -15,10 +16,11 @@
 const scope = /** @type {any} */ (self);
 const wasm = /** @type {any} */ (WebAssembly);
 const HERE = new URL(".", location.href);
-// Before Python takes the word from it. FILES are all that is fetched later.
+// Before Python takes the word from it. FILES are fetched later, CHARTS when a
+// cell first draws.
 scope.importScripts(`files.js${location.search}`, "pyodide.js", "pyodide.asm.js");
 // Pyodide asks for a list of packages that it could load: none.
-const NO_PACKAGES = JSON.stringify({ info: { version: "0.24.1" }, packages: {} });
+const NO_PACKAGES = JSON.stringify({ info: { version: "0.27.7" }, packages: {} });
 const WASM = "pyodide.asm.wasm.gz";
 const MOST_MEMORY = 2 ** 14; // pages of 64 KiB
 
@@ -31,7 +33,7 @@ async function fetchAll() {
     if (!ok) throw new Error(`${name}: ${status}`);
     const tell = new TransformStream({
       transform(bytes, next) {
-        postMessage({ fetched: (fetched += bytes.length), total });
+        postMessage({ fetched: (fetched += bytes.length), total, what: "Python" });
         next.enqueue(bytes);
       },
     });
@@ -63,6 +65,34 @@ function prepare(compiled, files) {
   scope.fetch = async (address) => new Response(local[String(address).replace(/.*\//, "")]);
 }
 
+/**
+ * Return what unpacks Matplotlib for Python, and fetches it first if it is not kept; it returns why it
+ * could not. Python waits meanwhile, since a cell may come to its first chart anywhere.
+ */
+function charts(kept, unpack) {
+  const { name, size, version } = scope.CHARTS;
+  const request = new XMLHttpRequest();
+  const far = (fetched) => postMessage({ fetched, total: size, what: "Matplotlib" });
+  return () => {
+    if (!kept) {
+      far(0);
+      request.open("GET", new URL(`${name}?v=${version}`, HERE), false);
+      request.responseType = "arraybuffer";
+      try {
+        request.send();
+      } catch {
+        return navigator.onLine ? "the server does not answer" : "you seem to be offline";
+      }
+      if (request.status !== 200) return `${name}: ${request.status}`;
+      kept = new Uint8Array(request.response);
+      postMessage({ files: { [name]: kept } });
+    }
+    far(size);
+    unpack(kept);
+    return "";
+  };
+}
+
 async function load({ compiled, files }) {
   files ??= await fetchAll();
   compiled ??= await compile(files[WASM]);
@@ -72,8 +102,9 @@ async function load({ compiled, files }) {
   // Python then looks up from its loops; WebKit ends a worker only there.
   python.setInterruptBuffer(new Int32Array(1));
   const extractDir = python.runPython("import site; site.getsitepackages()[0]");
-  const unpack = (name) => python.unpackArchive(files[name], "zip", { extractDir });
-  ["numpy.zip", "rotedu.zip"].forEach(unpack);
+  const unpack = (bytes) => python.unpackArchive(bytes, "zip", { extractDir });
+  [files["numpy.zip"], files["rotedu.zip"]].forEach(unpack);
+  python.registerJsModule("shelf", { unpack_charts: charts(files[scope.CHARTS.name], unpack) });
   const page = python.pyimport("page");
   for (const name of ["fetch", "XMLHttpRequest", "WebSocket", "EventSource", "importScripts"]) {
     scope[name] = () => {

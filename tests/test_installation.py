@@ -140,7 +140,7 @@ def test_the_mathematics_needs_numpy_alone_and_has_types(
 
 
 def test_the_mathematics_needs_no_newer_numpy(install: Callable[..., Path]) -> None:
-    """Blender and Python in the page have the oldest NumPy that pyproject.toml allows."""
+    """Blender and others have the oldest NumPy that pyproject.toml allows."""
     (numpy,) = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]["dependencies"]
     oldest = numpy.replace(">=", "==") + ".*"
     used = ("hypothesis", "pytest", "scipy", "splines", "sympy")
@@ -151,7 +151,6 @@ def test_the_mathematics_needs_no_newer_numpy(install: Callable[..., Path]) -> N
     tests = [file for file in named_alike if file.exists() and file.stem != "test_colors"]
     assert len(tests) > 8
     options = ["-o", "addopts=", "--noconftest", "--hypothesis-profile=ci", "--doctest-modules"]
-    # tests/test_page_python.py gives right and wrong answers to the same NumPy, in a page's Python.
     command = [python, "-m", "pytest", *options, *modules, *tests, ROOT / "rotedu" / "edition"]
     subprocess.run(command, cwd=ROOT, check=True)
 

@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 import test_exercises
 import test_right_answers
-from bs4 import BeautifulSoup
+from bs4 import BeautifulSoup, Tag
 from html_pages import build_one_page, parse
 from nbformat import NotebookNode
 from node import run_node
@@ -32,7 +32,9 @@ sys.modules["pytest"].mark.parametrize = lambda *_, **__: lambda test: test
 FACTS = """\
 import platform
 import numpy as np
-print(platform.python_version(), np.__version__, np.arange(1, 14).prod())
+import matplotlib.pyplot as plt
+versions = np.__version__, plt.matplotlib.__version__
+print(platform.python_version(), *versions, np.arange(1, 14).prod())
 with np.errstate(all="raise"):
     np.ones(1) / 0
 """
@@ -48,7 +50,7 @@ for number in EXERCISES:
 
 
 LACKS = (
-    "NotInPage: {} is not in this page, which has NumPy and rotedu alone."
+    "NotInPage: {} is not in this page, which has NumPy, Matplotlib and rotedu alone."
     " It works in the notebook of the page, at a desk.\n"
 )
 IN_CELL = 'Traceback (most recent call last):\n  File "Cell 1", line {}, in <module>\n    {}\n'
@@ -87,7 +89,7 @@ SAYS: dict[str, dict[str, Any]] = {
     "from scipy.linalg import expm\nexpm(0)": {
         "error": IN_CELL.format(2, "expm(0)") + LACKS.format("scipy.linalg.expm")
     },
-    "import matplotlib.pyplot as plt\nplt.style.use('rotedu.book')": {"error": ""},
+    "import matplotlib.pyplot as plt\nplt.style.use('rotedu.book')": {"error": "", "charts": []},
     "import pyvista\npyvista.Plotter().add_mesh(1)": {"kind": "NotInPage"},
     "try:\n    import pandas\nexcept ImportError:\n    print(1)": {"out": "1\n"},
     "input('name')": {"error": IN_CELL.format(1, "input('name')") + LACKS.format("input()")},
@@ -113,6 +115,20 @@ FIGURES: dict[str, tuple[str, dict[str, Any]]] = {
     ),
     EXPLORE + "explore(scenes.slerp_by_hand)": ("", {}),
 }
+PLOT = "import matplotlib.pyplot as plt\n"
+# Charts of a reader, and what their elements are, among others.
+CHARTS = {
+    PLOT + "plt.hist([1, 1, 2])": "path",
+    PLOT + "plt.imshow([[0, 1], [1, 0]])": "image",
+    PLOT + "plt.title('$\\\\theta^2$')\nplt.show()": "tspan",
+    PLOT + "plt.title('<script>1</script>')": "text",
+    PLOT + "plt.title('x').set_url('javascript:alert(1)')": "text",
+    "from matplotlib import pyplot\nclass Own(pyplot.Figure):\n    pass\n\n"
+    "pyplot.figure(FigureClass=Own)": "svg",
+    # None that nobody shows, or that comes before an error.
+    "from matplotlib.figure import Figure\nFigure().subplots()": "",
+    PLOT + "plt.plot([1])\n1 / 0": "",
+}
 Done = dict[str, list[dict[str, Any]]]
 
 
@@ -123,15 +139,20 @@ def stored(cell: NotebookNode) -> tuple[str, str]:
     return out, data.get("text/markdown", data.get("text/plain", ""))
 
 
-def in_order(page: Page) -> list[NotebookNode]:
-    """Return the cells of a page: text, exercises, and at the end what needs a desk.
+def words(*elements: Tag) -> list[str]:
+    """The texts of drawings, in any order."""
+    return sorted(text.get_text() for element in elements for text in element.select("text"))
 
-    When it runs the cells above one, a page leaves out exercises, cells to try and what needs a
-    desk.
+
+def in_order(page: Page) -> list[NotebookNode]:
+    """Return the cells of a page: text, charts, exercises, and at the end what needs a desk.
+
+    When it runs the cells above one, a page leaves out all but text.
     """
 
     def later(cell: NotebookNode) -> int:
-        return 2 if "desk" in tags(cell) else bool(part_of(cell.id)[0] or "try" in tags(cell))
+        alone = part_of(cell.id)[0] or "try" in tags(cell)
+        return 3 if "desk" in tags(cell) else 2 if alone else "plt.subplots" in cell.source
 
     return sorted(page.code, key=later)
 
@@ -149,7 +170,7 @@ def done(tmp_path_factory: pytest.TempPathFactory) -> Done:
         page.name: {"figures": figures(page), "cells": [c.source for c in in_order(page)]}
         for page in notebooks()
     }
-    cells |= {code: {"figures": SHOWN, "cells": [code]} for code in (*SAYS, *FIGURES)}
+    cells |= {code: {"figures": SHOWN, "cells": [code]} for code in (*SAYS, *CHARTS, *FIGURES)}
     tests = [inspect.getsource(module) for module in (test_exercises, test_right_answers)]
     cells["facts"] = {"figures": {}, "cells": [FACTS]}
     cells["answers"] = {"figures": {}, "cells": [STAND_INS, *tests, JUDGE]}
@@ -177,6 +198,7 @@ def test_a_cell_prints_what_the_notebook_stores_or_needs_a_desk(page: Page, done
         assert ran["error"] == "", cell.id
         if "nbval-ignore-output" not in tags(cell):
             assert (ran["out"], ran["value"]) == stored(cell), cell.id
+        assert bool(ran["charts"]) == ("plt.subplots" in cell.source), cell.id
 
 
 def test_a_page_has_the_package_but_for_what_draws() -> None:
@@ -196,6 +218,15 @@ def test_what_a_reader_may_try_gets_an_answer(code: str, done: Done) -> None:
     [result] = done[code]
     for key, expected in SAYS[code].items():
         assert result[key] == expected
+
+
+@pytest.mark.parametrize("code", CHARTS)
+def test_a_reader_draws_charts_without_scripts_and_links(code: str, done: Done) -> None:
+    [result] = done[code]
+    drawn = BeautifulSoup("".join(result["charts"]), "html.parser")
+    assert {element.name for element in drawn.find_all()} >= {*CHARTS[code].split()}
+    assert bool(drawn.svg) == bool(CHARTS[code]), result["error"]
+    assert not drawn.select("script, a")
 
 
 @pytest.mark.parametrize("code", FIGURES)
@@ -224,6 +255,17 @@ def test_pages_mark_the_cells_that_run_and_the_exercises(pages: dict[str, Beauti
             assert bool(each.select("details.sd-dropdown")) == bool(exercise.why)
         assert len(soup.select(f"script[src*='{SCRIPT}']")) == 1
     assert not pages["glossary.html"].select(f"script[src*='{SCRIPT}']")
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("page", notebooks(), ids=repr)
+def test_a_chart_has_the_words_that_the_book_has(
+    page: Page, done: Done, pages: dict[str, BeautifulSoup]
+) -> None:
+    ran = zip(in_order(page), done[page.name], strict=True)
+    for cell, drawn in ((cell, "".join(each["charts"])) for cell, each in ran):
+        stored = pages[f"{page.file.stem}.html"].select(f'[data-cell="{cell.id}"] .chart')
+        assert words(BeautifulSoup(drawn, "html.parser")) == words(*stored), cell.id
 
 
 @pytest.mark.slow

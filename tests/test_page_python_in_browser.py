@@ -149,6 +149,11 @@ def at_desk(busy: Reader) -> Iterator[Reader]:
             busy.button(button).click()
 
 
+def fold(reader: Reader, name: str) -> None:
+    """Open or close the folds of a cell."""
+    reader.cell(name).locator("summary").evaluate_all("all => all.forEach((s) => s.click())")
+
+
 def stored_output(name: str, page: str = CURVE) -> str:
     """What a cell of the book prints."""
     cell = next(cell for cell in pages()[f"{page}.ipynb"].cells if cell.id == name)
@@ -281,6 +286,42 @@ def test_the_hand_and_python_meet(read: Callable[..., Reader]) -> None:
     reader.page.wait_for_function("document.querySelector('[name=t]').value === '0.75'")
 
 
+SHOWN = "all => all.map((chart) => [chart.checkVisibility(), chart.ariaLabel])"
+
+
+def test_a_chart_is_drawn_where_the_book_has_it(read: Callable[..., Reader]) -> None:
+    reader = read("05-orientations", quiet=False)
+    charts = reader.cell("code-33").locator("figure .chart")
+    [[_, alt]] = charts.evaluate_all(SHOWN)
+    fold(reader, "code-33")
+    reader.page.route("**/matplotlib.zip*", lambda route: route.abort())
+    assert "Matplotlib could not be fetched (the server does not" in reader.run("code-33")
+    reader.page.unroute("**/matplotlib.zip*")
+    assert reader.run("code-33") == ""
+    assert charts.evaluate_all(SHOWN) == [[False, alt], [True, alt]]
+    before = charts.last.inner_html()
+    reader.run("code-33", f"swing = 1\n{reader.code('code-33')}")
+    changed = f"Drawn with your changes. In the book: {alt}"
+    assert charts.evaluate_all(SHOWN) == [[False, alt], [True, changed]]
+    assert charts.last.inner_html() == before
+    # What was fetched is kept for the next worker.
+    reader.button("reset-all").click()
+    assert charts.evaluate_all(SHOWN) == [[True, alt]]
+    reader.page.context.set_offline(True)
+    assert reader.run("code-33") == ""
+    assert charts.last.inner_html() == before
+    reader.run("code-33", "1 / 0")
+    assert charts.evaluate_all(SHOWN) == [[False, alt]]
+    reader.press("code-33", "reset")
+    reader.run(
+        "code-8", "plt.imshow([[0, 1]])\nplt.show()\nplt.title('own').set_url('javascript:1')"
+    )
+    own = reader.cell("code-8").locator(".live-output .chart")
+    assert (own.get_attribute("aria-label"), own.locator("svg").count()) == ("Chart of cell 4", 2)
+    assert own.locator("image").count() == 1
+    assert own.locator("a").count() == 0
+
+
 def test_an_answer_is_judged_kept_and_handed_in(
     read: Callable[..., Reader], tmp_path: Path
 ) -> None:
@@ -393,9 +434,7 @@ def test_every_cell_runs_where_it_stands(read: Callable[..., Reader]) -> None:
     for page in notebooks():
         reader = read(page.file.stem)
         for name in reader.page.evaluate(RUNNABLE):
-            reader.cell(name).locator("summary").evaluate_all(
-                "all => all.forEach((s) => s.click())"
-            )
+            fold(reader, name)
             reader.run(name)
             assert reader.state(name) == "done", (page, name, reader.output(name))
         counted = reader.page.locator(".cell.tag_desk .live-tools").count()

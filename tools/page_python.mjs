@@ -1,8 +1,9 @@
 /*
  * The Python of the pages in Node.
  *
- * node page_python.mjs RUNTIME ANSWERS compiles the modules that a page loads when it starts. ANSWERS
- * gets, as JSON, the file of each with its bytes in base64.
+ * node page_python.mjs RUNTIME ANSWERS compiles the modules that a page loads when it starts, and those
+ * that it has loaded when it has drawn a chart. ANSWERS gets, as JSON, both as `core` and `charts`: the
+ * file of each module with its bytes in base64.
  *
  * node page_python.mjs RUNTIME ANSWERS CASES runs cells. CASES is JSON: a list of pages, each with
  * what its `figures` show, by name, and its `cells`, which run in order in one namespace. ANSWERS
@@ -29,6 +30,8 @@ for module in list(sys.modules.values()):
 json.dumps(compiled)
 `;
 
+const CHART = "import matplotlib.pyplot as plt\nplt.plot([1], label='$x$')\nplt.legend()";
+
 // Node would print the whole source of Pyodide with an error that nobody catches.
 process.on("uncaughtException", (error) => {
   console.error(String(error.message).slice(-2000));
@@ -41,10 +44,12 @@ const python = await loadPyodide({
   stdLibURL: join(runtime, "python_stdlib.zip"),
 });
 const site = python.runPython("import site; site.getsitepackages()[0]");
-for (const name of ["numpy.zip", "rotedu.zip"]) {
+function unpack(name) {
   const bytes = new Uint8Array(readFileSync(join(runtime, name)));
   python.unpackArchive(bytes, "zip", { extractDir: site });
 }
+["numpy.zip", "rotedu.zip"].forEach(unpack);
+python.registerJsModule("shelf", { unpack_charts: () => unpack("matplotlib.zip") ?? "" });
 const page = python.pyimport("page");
 
 function run({ figures, cells }) {
@@ -53,7 +58,13 @@ function run({ figures, cells }) {
   return cells.map((code, i) => JSON.parse(page.run(code, `Cell ${i + 1}`, shown, () => {})));
 }
 
-const results = cases
-  ? JSON.stringify(JSON.parse(readFileSync(cases, "utf-8")).map(run))
-  : python.runPython(COMPILE);
-writeFileSync(answers, results);
+function compile() {
+  const loaded = () => JSON.parse(python.runPython(COMPILE));
+  const core = loaded();
+  const [{ error }] = run({ figures: {}, cells: [CHART] });
+  if (error) throw new Error(error);
+  return { core, charts: loaded() };
+}
+
+const results = cases ? JSON.parse(readFileSync(cases, "utf-8")).map(run) : compile();
+writeFileSync(answers, JSON.stringify(results));

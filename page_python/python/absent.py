@@ -1,15 +1,20 @@
-"""What a page does not have: libraries that draw or need a compiler, and the words that say so."""
+"""What a page does not have, or not yet: other libraries, and the words that say so."""
 
 import importlib.machinery
+import os
 import sys
 from typing import Any, NoReturn
 
+import shelf
+
 # A page imports these in its first cell, for cells that run at a desk.
-KNOWN = ("IPython", "matplotlib", "pyvista", "scipy", "sympy")
-# Settings for pictures, which nobody draws here.
-SETTINGS = ("matplotlib.pyplot.rcParams.update", "matplotlib.pyplot.style.use")
+KNOWN = {"IPython", "pyvista", "scipy", "sympy"}
+# What is fetched when a cell first uses it; nothing when it is here.
+LATER = {"matplotlib"}
+# The styles that cells choose for charts before that.
+STYLES: list[Any] = []
 WORDS = (
-    "{} is not in this page, which has NumPy and rotedu alone."
+    "{} is not in this page, which has NumPy, Matplotlib and rotedu alone."
     " It works in the notebook of the page, at a desk."
 )
 
@@ -35,14 +40,37 @@ class Absent:
             raise AttributeError(name)
         return Absent(f"{self._name}.{name}")
 
-    def __call__(self, *_: Any, **__: Any) -> None:  # noqa: D102
-        if self._name not in SETTINGS:
-            self._refuse()
-
-    def _refuse(self, *_: Any) -> NoReturn:
+    def _refuse(self, *_: Any, **__: Any) -> NoReturn:
         raise NotInPage(self._name)
 
-    __iter__ = __getitem__ = __setattr__ = __setitem__ = _refuse
+    __call__ = __iter__ = __getitem__ = __setattr__ = __setitem__ = _refuse
+
+
+class Later(Absent):
+    """A module that is not here yet: what is asked of it is asked of the real one, once it is."""
+
+    def __getattr__(self, name: str) -> Any:
+        if LATER and not name.startswith("__"):
+            if f"{self._name}.{name}" == "matplotlib.pyplot.style":
+                return Later("matplotlib.style")
+            if f"{self._name}.{name}" == "matplotlib.style.use":
+                return STYLES.append
+            provide()
+        return getattr(importlib.import_module(self._name), name)
+
+
+def provide() -> None:
+    """Fetch Matplotlib, and set it up for the page."""
+    if why := shelf.unpack_charts():
+        raise ConnectionError(f"Matplotlib could not be fetched ({why}). Run tries again.")
+    for name in [name for name in sys.modules if name.partition(".")[0] in LATER]:
+        del sys.modules[name]
+    LATER.clear()
+    importlib.invalidate_caches()
+    os.environ["MPLBACKEND"] = "module://charts"
+    pyplot = importlib.import_module("matplotlib.pyplot")
+    for style in STYLES:
+        pyplot.style.use(style)
 
 
 class Finder:
@@ -51,7 +79,7 @@ class Finder:
     @staticmethod
     def find_spec(name: str, path: Any = None, target: Any = None) -> Any:
         """Find one of the absent libraries."""
-        if name.partition(".")[0] in KNOWN:
+        if name.partition(".")[0] in KNOWN | LATER:
             return importlib.machinery.ModuleSpec(name, Finder, is_package=True)
         if path is None and name != "__main__" and not name.startswith("_"):
             raise NotInPage(name)
@@ -64,7 +92,8 @@ class Finder:
     @staticmethod
     def exec_module(module: Any) -> None:
         """Give a module names that are absent."""
-        module.__getattr__ = Absent(module.__name__).__getattr__
+        stand_in = Later if module.__name__.partition(".")[0] in LATER else Absent
+        module.__getattr__ = stand_in(module.__name__).__getattr__
 
 
 def announce() -> None:

@@ -4,11 +4,13 @@
 """
 
 import builtins
+import ctypes
 import functools
 import importlib
 import io
 import json
 import linecache
+import logging
 import re
 import sys
 import time
@@ -23,6 +25,11 @@ from absent import Absent, NotInPage
 from pyodide.code import eval_code
 
 absent.announce()
+# Python 3.12 counts calls within C by themselves, up to 10,000: more than a browser's stack holds.
+# This is c_recursion_remaining of its thread.
+ctypes.c_int.from_address(ctypes.pythonapi.PyThreadState_Get() + 24).value = 1000
+# Matplotlib would say that it lists its letters.
+logging.getLogger("matplotlib").setLevel(logging.ERROR)
 # What draws; the figures of the page are there already.
 for name, functions in {
     "announce": ["announce_backend"],
@@ -146,9 +153,15 @@ def told(error: BaseException) -> str:
     return cut("".join(report.format()))
 
 
+def charts_of(name: str) -> list[str]:
+    """Return the charts that a cell has drawn, as SVG; none stays for the next one."""
+    charts = sys.modules.get("charts")
+    return charts.taken(name.replace(" ", "-")) if charts else []
+
+
 def run_cell(code: str, name: str) -> dict[str, Any]:
     """Run a cell; return its value as text, what this is, and an error if there is one."""
-    done = {"value": "", "kind": "", "error": ""}
+    done = {"value": "", "kind": "", "error": "", "charts": []}
     try:
         linecache.cache[name] = (len(code), None, code.splitlines(keepends=True), name)
         code = IDLE.sub("", code)
@@ -156,7 +169,9 @@ def run_cell(code: str, name: str) -> dict[str, Any]:
             raise NotInPage(command[0])
         value = eval_code(code, NAMESPACE, filename=name)
         done["value"], done["kind"] = shown(value)
+        done["charts"] = charts_of(name)
     except BaseException as error:
+        charts_of(name)
         done["kind"], done["error"] = type(error).__name__, told(error)
     return done
 
@@ -176,8 +191,8 @@ def run(code: str, name: str, figures: str, tell: Callable[[str], Any]) -> str:
     Returns
     -------
     str
-        JSON: ``out``, ``value``, ``kind`` and ``error`` as text, ``changed`` with the inputs of
-        figures that the cell has set, and ``verdict``, the last of its checks.
+        JSON: ``out``, ``value``, ``kind`` and ``error`` as text, ``charts`` as SVG, ``changed``
+        with the inputs of figures that the cell has set, and ``verdict``, the last of its checks.
     """
     for figure, values in json.loads(figures).items():
         FIGURES.setdefault(figure, {}).update(values)
@@ -192,7 +207,8 @@ def run(code: str, name: str, figures: str, tell: Callable[[str], Any]) -> str:
 
 
 def start() -> None:
-    """Forget all names and figures."""
+    """Forget all names, styles and figures."""
+    absent.STYLES.clear()
     FIGURES.clear()
     NAMESPACE.clear()
     NAMESPACE["__name__"] = "__main__"

@@ -1,0 +1,31 @@
+"""Draws the charts of a cell as the notebook does, for a page: the backend of its Matplotlib."""
+
+import io
+from typing import Any
+
+from matplotlib import pyplot
+from matplotlib.backends.backend_svg import FigureCanvas, FigureManager
+
+from rotedu.edition.drawing import inlined
+
+__all__ = ["FigureCanvas", "FigureManager", "show", "taken"]
+DRAWN: list[str] = []
+
+
+def show(*_: Any, **__: Any) -> None:
+    """Draw what is to be shown, and close it."""
+    for number in pyplot.get_fignums():
+        file = io.StringIO()
+        pyplot.figure(number).savefig(file, format="svg", bbox_inches="tight")
+        DRAWN.append(file.getvalue())
+    pyplot.close("all")
+
+
+def taken(name: str) -> list[str]:
+    """Return what has been drawn, as elements of a page whose ids begin with a name."""
+    try:
+        show()
+        return [inlined(drawing, f"{name}-{i}") for i, drawing in enumerate(DRAWN)]
+    finally:
+        pyplot.close("all")
+        DRAWN.clear()

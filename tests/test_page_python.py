@@ -96,6 +96,7 @@ SAYS: dict[str, dict[str, Any]] = {
     "%timeit 1 + 1": {"error": LACKS.format("%timeit")},
     "!ls": {"error": LACKS.format("!ls")},
     "%config InlineBackend.figure_format = 'svg'\n1": {"value": "1"},
+    "from numpy import *\nlinalg.norm([3, 4])": {"value": "np.float64(5.0)"},
     # Integers have 32 bits, and an overflow passes without a word.
     "import numpy as np\nnp.array([2**31 - 1]) + 1": {"value": "array([-2147483648])"},
     "import numpy as np\nnp.zeros(10**9)": {"kind": "ValueError"},
@@ -125,6 +126,8 @@ CHARTS = {
     PLOT + "plt.title('x').set_url('javascript:alert(1)')": "text",
     "from matplotlib import pyplot\nclass Own(pyplot.Figure):\n    pass\n\n"
     "pyplot.figure(FigureClass=Own)": "svg",
+    "from pylab import *\nplot([1])": "svg",
+    "import matplotlib\nassert matplotlib.__version__\nmatplotlib.pyplot.gcf()": "svg",
     # None that nobody shows, or that comes before an error.
     "from matplotlib.figure import Figure\nFigure().subplots()": "",
     PLOT + "plt.plot([1])\n1 / 0": "",

@@ -10,7 +10,7 @@ import shelf
 # A page imports these in its first cell, for cells that run at a desk.
 KNOWN = {"IPython", "pyvista", "scipy", "sympy"}
 # What is fetched when a cell first uses it; nothing when it is here.
-LATER = {"matplotlib"}
+LATER = {"matplotlib", "mpl_toolkits", "pylab"}
 # The styles that cells choose for charts before that.
 STYLES: list[Any] = []
 WORDS = (
@@ -50,13 +50,20 @@ class Later(Absent):
     """A module that is not here yet: what is asked of it is asked of the real one, once it is."""
 
     def __getattr__(self, name: str) -> Any:
-        if LATER and not name.startswith("__"):
-            if f"{self._name}.{name}" == "matplotlib.pyplot.style":
+        if LATER:
+            full = f"{self._name}.{name}"
+            if full == "matplotlib.pyplot.style":
                 return Later("matplotlib.style")
-            if f"{self._name}.{name}" == "matplotlib.style.use":
+            if full == "matplotlib.style.use":
                 return STYLES.append
+            # Python itself asks modules for such names.
+            if name.startswith("__") and name not in ("__all__", "__version__"):
+                raise AttributeError(name)
             provide()
-        return getattr(importlib.import_module(self._name), name)
+        module = importlib.import_module(self._name)
+        if name == "__all__":
+            return [each for each in dir(module) if not each.startswith("_")]
+        return getattr(module, name)
 
 
 def provide() -> None:

@@ -21,6 +21,7 @@ from contextlib import redirect_stderr, redirect_stdout
 from typing import Any
 
 import absent
+import numpy as np
 from absent import Absent, NotInPage
 from pyodide.code import eval_code
 
@@ -30,6 +31,8 @@ absent.announce()
 ctypes.c_int.from_address(ctypes.pythonapi.PyThreadState_Get() + 24).value = 1000
 # Matplotlib would say that it lists its letters.
 logging.getLogger("matplotlib").setLevel(logging.ERROR)
+# Nobody compiles Fortran here, but ``from numpy import *`` asks for it.
+np.f2py = None
 # What draws; the figures of the page are there already.
 for name, functions in {
     "announce": ["announce_backend"],

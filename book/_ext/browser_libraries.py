@@ -23,7 +23,7 @@ from lock import hold_checkout
 
 KATEX = LIBRARIES / "katex"
 LICENCES = LIBRARIES.parent / "LICENSES" / "VIEWER.txt"
-FONT = LIBRARIES / "@fontsource-variable" / "source-serif-4"
+FONTS = [LIBRARIES / "@fontsource-variable" / name for name in ("source-serif-4", "source-sans-3")]
 
 
 def serve(app: Sphinx, config: Config) -> None:
@@ -38,11 +38,13 @@ def serve(app: Sphinx, config: Config) -> None:
     shutil.copytree(KATEX / "dist" / "fonts", static / "katex" / "fonts")
     shutil.copy(KATEX / "dist" / "katex.min.css", static / "katex")
     (static / "fonts").mkdir()
-    for style in ("normal", "italic"):
-        shutil.copy(FONT / "files" / f"source-serif-4-latin-wght-{style}.woff2", static / "fonts")
+    for font in FONTS:
+        for style in ("normal", "italic"):
+            shutil.copy(font / "files" / f"{font.name}-latin-wght-{style}.woff2", static / "fonts")
     bundle(static)
-    files = (LICENCES, FONT / "LICENSE")
-    licences = "\n\n\n".join(file.read_text(encoding="utf-8") for file in files)
+    files = (LICENCES, *(font / "LICENSE" for font in FONTS))
+    # Both fonts have the same licence.
+    licences = "\n\n\n".join(dict.fromkeys(file.read_text(encoding="utf-8") for file in files))
     (static / "licences.txt").write_text(licences, encoding="utf-8")
 
 

@@ -2,13 +2,15 @@
  * The cells of the page. Run opens one for editing and runs it, after the cells above it that have
  * not run yet. The data-run of a cell is stored, waiting, running, done or error.
  */
-import { button, findAll, home, make, output, say } from "./elements.js";
+import { button, drawing, findAll, home, make, output, say } from "./elements.js";
 import * as figures from "./figures.js";
 import * as runtime from "./runtime.js";
 import * as store from "./store.js";
 
 const TYPING = 400;
 const SILENT = "Done, nothing printed.";
+const DRAWN = "The chart above is drawn anew.";
+const UNRUN = "Your code, which has not run yet: below is what the book’s printed.";
 const SERVE =
   "To run this, the page must come from a server: run “python -m http.server” in the folder of" +
   " the book and open http://localhost:8000.";
@@ -59,6 +61,7 @@ function dress(cell) {
   const number = make("span", { className: "live-name" }, name);
   cell.tools = make("div", { className: "live-tools" }, cell.run, cell.reset, cell.message, number);
   listing.after(cell.tools);
+  pre.title = "Click to change the code";
   // A click that ends a selection only selects.
   pre.addEventListener("click", (event) => getSelection()?.isCollapsed && edit(cell, event));
   restore(cell);
@@ -78,6 +81,7 @@ export function restore(cell) {
   cell.pre.parentNode.hidden = false;
   cell.pre.replaceChildren(...(isChanged(cell) ? [cell.code] : cell.asPrinted));
   cell.reset.hidden = !isChanged(cell);
+  tell(cell, isChanged(cell) ? UNRUN : "");
 }
 
 /** Put a cell back to what the book has. */
@@ -88,7 +92,6 @@ export function reset(cell) {
   cell.output.remove();
   erase(cell);
   for (const each of cell.stored) each.hidden = false;
-  tell(cell, "");
   if (isChanged(cell)) cell.doubt?.();
   outdate(cell);
   store.write(cell.id, { code: undefined });
@@ -197,12 +200,14 @@ async function work(cell) {
     if (begun !== stops) throw new Error(runtime.STOPPED);
     const first = above(cell);
     for (const [index, each] of first.entries()) {
-      const far = `The cells above run first: ${index + 1} of ${first.length}`;
+      const place = `${index + 1} of ${first.length}, ${each.name.toLowerCase()}`;
+      const far = `The cells above run first: ${place}`;
       const { error } = await runOne(each, cell, each.code ?? sources.get(each.id), far);
       if (error) return blame(cell, each, error);
     }
     const done = await runOne(cell, cell, cell.code, "Running");
-    if (!done.verdict) say(`${cell.name}: ${done.error || done.out + done.value || SILENT}`);
+    const words = done.error || done.out + done.value || cell.message.textContent;
+    if (!done.verdict) say(`${cell.name}: ${words}`);
     await cell.judge?.(done);
   } finally {
     if (document.activeElement === stopButton) cell.run.focus();
@@ -231,9 +236,9 @@ async function runOne(cell, asked, code, far) {
   if (cell.judge && done.verdict) done.value = "";
   if (visible || (listing && done.error)) print(cell, done);
   const links = figures.set(done.changed);
-  const shown = done.verdict || done.error || done.out || done.value || done.charts.length;
-  const silent = !(shown || links.length);
-  tell(asked, ...(silent ? [SILENT] : links));
+  const shown = done.verdict || done.error || done.out || done.value || links.length;
+  const drawn = done.charts.length ? [DRAWN] : [SILENT];
+  tell(asked, ...(shown ? links : drawn));
   return done;
 }
 
@@ -243,7 +248,8 @@ function load(cell, fetched, total, what) {
   if (bar.hidden && fetched < total) say(`${what} is being fetched: ${size}, once.`);
   Object.assign(bar, { hidden: fetched === total, max: total, value: fetched });
   const far = fetched ? `${(fetched / 1e6).toFixed(1)} of ${size}` : size;
-  tell(cell, fetched < total ? `${what} is being fetched, once: ${far}` : `${what} starts`);
+  const then = what === "Python" ? "Python starts" : "Running";
+  tell(cell, fetched < total ? `${what} is being fetched, once: ${far}` : then);
 }
 
 /** Put what a cell prints in the place of what is stored. */
@@ -267,13 +273,12 @@ function draw(cell, charts) {
   // What the book's code has drawn is not what this code has drawn, or has failed to draw.
   if (stored) stored.hidden = true;
   if (!charts.length) return;
-  const drawings = charts.map((svg) => new DOMParser().parseFromString(svg, "image/svg+xml"));
   const drawn = make("div", {
     className: "chart",
     role: "img",
     ariaLabel: described(cell, stored),
   });
-  drawn.append(...drawings.map(({ documentElement }) => documentElement));
+  drawn.append(...charts.map(drawing));
   drawn.style.setProperty("--least", `${drawn.firstElementChild.getAttribute("width")}px`);
   if (stored) stored.after(drawn);
   else cell.output.append(drawn);

@@ -44,6 +44,26 @@ export function output({ out = "", value = "", kind = "", error = "" }) {
   return shown;
 }
 
+const SVG = "http://www.w3.org/2000/svg";
+const SHAPES =
+  /^(svg|g|defs|clipPath|use|path|rect|circle|line|polyline|polygon|image|text|tspan)$/;
+const ELSEWHERE = /url\((?!["']?#)/i;
+
+/** Make a drawing of its text, without what could run, load or lead anywhere. */
+export function drawing(svg) {
+  const root = new DOMParser().parseFromString(svg, "image/svg+xml").documentElement;
+  if (root.localName !== "svg") return make("span");
+  for (const element of [root, ...root.querySelectorAll("*")]) {
+    const known = element.namespaceURI === SVG && SHAPES.test(element.localName);
+    if (!known) element.remove();
+    for (const { name, value } of [...element.attributes]) {
+      const leads = /href$/.test(name) && !/^(#|data:image\/png;)/.test(value);
+      if (leads || /^on/i.test(name) || ELSEWHERE.test(value)) element.removeAttribute(name);
+    }
+  }
+  return root;
+}
+
 /** Make a table of lines with bars; anything else stays text. */
 function table(markdown) {
   const lines = markdown.trim().split("\n");

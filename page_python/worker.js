@@ -84,11 +84,17 @@ function charts(kept, unpack) {
         return navigator.onLine ? "the server does not answer" : "you seem to be offline";
       }
       if (request.status !== 200) return `${name}: ${request.status}`;
-      kept = new Uint8Array(request.response);
+      if (request.response.byteLength !== size) return `${name} came incomplete`;
+      const bytes = new Uint8Array(request.response);
+      try {
+        unpack(bytes);
+      } catch {
+        return `${name} came damaged`;
+      }
+      kept = bytes;
       postMessage({ files: { [name]: kept } });
-    }
+    } else unpack(kept);
     far(size);
-    unpack(kept);
     return "";
   };
 }

@@ -88,7 +88,9 @@ class Finder:
         """Find one of the absent libraries."""
         if name.partition(".")[0] in KNOWN | LATER:
             return importlib.machinery.ModuleSpec(name, Finder, is_package=True)
-        if path is None and name != "__main__" and not name.startswith("_"):
+        # Matplotlib here draws for the page alone.
+        elsewhere = path is None or name.startswith("matplotlib.backends.backend_")
+        if elsewhere and name != "__main__" and not name.startswith("_"):
             raise NotInPage(name)
         return None
 

@@ -10,13 +10,16 @@ from rotedu.edition.drawing import inlined
 
 __all__ = ["FigureCanvas", "FigureManager", "show", "taken"]
 DRAWN: list[str] = []
+# How many signs all charts of a cell may have: a page with more stands still.
+MOST = 4_000_000
 
 
 def show(*_: Any, **__: Any) -> None:
     """Draw what is to be shown, and close it."""
     for number in pyplot.get_fignums():
         file = io.StringIO()
-        pyplot.figure(number).savefig(file, format="svg", bbox_inches="tight")
+        with pyplot.rc_context({"svg.fonttype": "none"}):
+            pyplot.figure(number).savefig(file, format="svg", bbox_inches="tight")
         DRAWN.append(file.getvalue())
     pyplot.close("all")
 
@@ -25,6 +28,11 @@ def taken(name: str) -> list[str]:
     """Return what has been drawn, as elements of a page whose ids begin with a name."""
     try:
         show()
+        if (size := sum(map(len, DRAWN))) > MOST:
+            raise ValueError(
+                f"charts of {size / 1e6:.1f} MB would stop the page, which takes {MOST / 1e6:.0f};"
+                " draw fewer points, or pass rasterized=True"
+            )
         return [inlined(drawing, f"{name}-{i}") for i, drawing in enumerate(DRAWN)]
     finally:
         pyplot.close("all")

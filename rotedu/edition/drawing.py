@@ -14,9 +14,14 @@ SVG, XLINK = "http://www.w3.org/2000/svg", "http://www.w3.org/1999/xlink"
 GROUP, LINK, TSPAN, HREF = f"{{{SVG}}}g", f"{{{SVG}}}a", f"{{{SVG}}}tspan", f"{{{XLINK}}}href"
 # Metadata are Matplotlib's own, and its style would hold for the whole page.
 LEFT_OUT = (f"{{{SVG}}}metadata", f"{{{SVG}}}style")
-PAPER, INK = "#ffffff", "#3b434b"
+# The paper below a figure, and what is drawn in ink.
+PAPER, INKS = "patch_1", ("#3b434b", "#000000")
+# The size of letters in the style of the book; the page has its own for it.
+LETTERS = 11
 # The least width on a screen, in pixels for each unit of a drawing, unless the screen has less.
 SCALE = 1.1
+
+NUMBER = re.compile(r"\d+\.\d{3,}")
 
 ElementTree.register_namespace("", SVG)
 ElementTree.register_namespace("xlink", XLINK)
@@ -32,13 +37,13 @@ def inlined(drawing: str, name: str) -> str:
     name : str
         What ids begin with, so that no other drawing of the page has them.
     """
-    # Hundredths of a unit are finer than any screen.
-    drawing = re.sub(r"\d+\.\d{3,}", lambda number: f"{float(number[0]):.2f}", drawing)
+    # Signs that XML does not allow
+    drawing = re.sub(r"[\x00-\x08\x0b\x0c\x0e-\x1f]", "", drawing)
     root = ElementTree.fromstring(drawing)
     sizes = zip(("width", "height"), root.attrib["viewBox"].split()[2:], strict=True)
     size = {side: f"{SCALE * float(length):.0f}" for side, length in sizes}
     root.attrib = {"viewBox": root.attrib["viewBox"], **size}
-    root[:] = needed(root, set(re.findall(r"#(\w+)[\")]", drawing)), name)
+    root[:] = needed(root, set(re.findall(r"#([\w-]+)[\")]", drawing)), name)
     return re.sub(r"\s*\n\s*", " ", ElementTree.tostring(root, "unicode"))
 
 
@@ -47,10 +52,11 @@ def needed(parent: Element, targets: set[str], name: str) -> Iterator[Element]:
     for element in parent:
         own = element.attrib
         style = dict(pair.split(": ", 1) for pair in own.pop("style", "").split("; ") if pair)
-        is_paper = style.get("fill") in ("none", PAPER) and "stroke" not in style
-        if element.tag in LEFT_OUT or is_paper:
-            continue
         target = own.pop("id", None)
+        unseen = style.get("fill") == "none" and "stroke" not in style
+        if element.tag in LEFT_OUT or unseen or (target == PAPER and is_white(element)):
+            continue
+        own.update({key: NUMBER.sub(rounded, value) for key, value in own.items()})
         if target in targets:
             # Its style is that of each use.
             own["id"] = f"{name}-{target}"
@@ -70,6 +76,17 @@ def needed(parent: Element, targets: set[str], name: str) -> Iterator[Element]:
             yield element
 
 
+def is_white(group: Element) -> bool:
+    """Tell whether all in a group is white."""
+    return all("fill: #ffffff" in part.get("style", "") for part in group)
+
+
+def rounded(number: re.Match[str]) -> str:
+    """Round a length; hundredths of a unit are finer than any screen."""
+    length = float(number[0])
+    return f"{length:.2f}" if length >= 1 else f"{length:.4g}"
+
+
 def of_page(style: dict[str, str], *, in_formula: bool) -> dict[str, str]:
     """Leave the letters to the page, and say colours as those of text, which have shades there.
 
@@ -83,11 +100,17 @@ def of_page(style: dict[str, str], *, in_formula: bool) -> dict[str, str]:
             style["font-weight"] = word
         elif word.endswith("px"):
             style["font-size"] = word
-    letters = ("font", "font-family") if in_formula else ("font", "font-family", "font-size")
-    style = {key: style[key] for key in style if key not in letters}
-    for part in [key for key in style if key in ("fill", "stroke")]:
-        if style[part] not in ("none", INK):
-            style["color"] = style[part]
-        if style[part] != "none":
-            style[part] = "currentcolor"
+    style = {key: style[key] for key in style if key not in ("font", "font-family")}
+    size = style.get("font-size", "")
+    if size == f"{LETTERS}px" and not in_formula:
+        del style["font-size"]
+    elif size and not in_formula:
+        style["font-size"] = f"{float(size.removesuffix('px')) / LETTERS:.4g}em"
+    painted = {style[part] for part in ("fill", "stroke") if style.get(part, "none") != "none"}
+    # Text has one colour; what has two keeps both.
+    if len(painted) == 1:
+        [color] = painted
+        if color not in INKS:
+            style["color"] = color
+        style |= {part: "currentcolor" for part in ("fill", "stroke") if style.get(part) == color}
     return style

@@ -50,8 +50,8 @@ save.addEventListener("click", saveNotebook);
 // Another script makes the forms.
 addEventListener("DOMContentLoaded", () => {
   exercises.bind(all);
-  const head = make("p", { className: "live-head" }, solved, save, forget, resetAll, note);
-  find(".page-head").after(head);
+  const head = make("span", { className: "live-head" }, solved, save, forget, resetAll, note);
+  find(".page-head").append(head);
   // Another tab may have this page, too.
   for (const event of ["rotedu:changed", "storage"]) addEventListener(event, update);
   update();

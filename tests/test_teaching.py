@@ -299,6 +299,7 @@ def test_slides_begin_where_the_reader_is_and_say_a_formula_once(browser: Any, s
     page.locator("article section").nth(5).evaluate(
         "section => section.scrollIntoView({ behavior: 'instant' })"
     )
+    page.locator(".toc-tree").hover()
     page.get_by_role("button", name="Present from here").click()
     said = page.locator("nav[aria-label=Sections] [role=status]").inner_text()
     # KaTeX ends an index with a space of no width.

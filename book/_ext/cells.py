@@ -5,6 +5,7 @@ from pathlib import Path
 
 from docutils import nodes
 from nbformat import NotebookNode
+from sphinx_design.shared import create_component
 
 sys.path.append(str(Path(__file__).parents[2] / "tools"))
 from notebook_language import caption_title, exercise_number, pages, part_of
@@ -48,6 +49,15 @@ def exercise_of(paragraph: nodes.Element) -> str:
 def is_dropdown(node: nodes.Node) -> bool:
     """Tell whether a node is a folded text of sphinx-design."""
     return isinstance(node, nodes.container) and node.get("design_component") == "dropdown"
+
+
+def folded(name: str, title: list[nodes.Node], content: list[nodes.Node]) -> nodes.container:
+    """Make a folded text of a class, as sphinx-design makes one, which opens on paper."""
+    made = create_component("dropdown", children=[nodes.rubric("", "", *title), *content])
+    classes = {"container_classes": [name], "title_classes": [], "body_classes": []}
+    options = {"type": "dropdown", "opened": False, "has_title": True, "icon": "", "chevron": ""}
+    made.attributes |= options | classes
+    return made
 
 
 def belongs_to_solution(node: nodes.Node) -> bool:

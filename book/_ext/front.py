@@ -32,7 +32,7 @@ SAID |= {"left open": "do not follow, or are left open"}
 MARK = "verdict-mark"
 # Twice the size that a card has room for.
 PICTURE = (432, 264)
-MINUTES = re.compile(r"Time (\d+ minutes)")
+MINUTES = re.compile(r"\b\d+ min\b")
 
 
 class shown(nodes.Element):  # noqa: N801 (docutils names nodes so)

@@ -296,7 +296,11 @@ class UnfoldForPaper(SphinxPostTransform):
             title, *content = dropdown.children
             head = nodes.paragraph("", "", nodes.strong("", "", *title.children))
             head["classes"] = ["opened-title"]
-            dropdown.replace_self(nodes.container("", head, *content, classes=["opened"]))
+            dropdown.replace_self(
+                nodes.container(
+                    "", head, *content, classes=["opened", *dropdown["container_classes"]]
+                )
+            )
         for cell in code_cells(self.document):
             leave_out_code(cell)
         for drawing in list(self.document.findall(nodes.raw)):

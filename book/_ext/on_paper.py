@@ -49,7 +49,7 @@ STUB = re.compile(r"\s*(^answer = [.,()\[\] ]+\n)?^check\(.*\)$", re.MULTILINE)
 FIGURE = "figure = explore("
 PAPER = Path(__file__).parents[1] / "_paper"
 BUILD = Path(__file__).parents[2] / "_build"
-FONTS = LIBRARIES / "@fontsource" / "source-serif-4" / "files"
+FONTS = LIBRARIES / "@fontsource"
 # Where the first page links to them
 PLACE = "<!-- editions -->"
 LINKED = '<a class="reference external" href="../{}">{}</a> ({:.1f} MB)'
@@ -149,7 +149,7 @@ class PaperBuilder(SingleFileHTMLBuilder):
         """Take the styles for paper."""
         # A tagged PDF cannot hold the MathML beside each formula.
         katex.KATEX_DEFAULT_OPTIONS["output"] = "html"
-        fonts = FONTS.glob("source-serif-4-latin-[46]00-*.woff2")
+        fonts = FONTS.glob("*/files/source-*-latin-[46]00-*.woff2")
         own = [str(file) for file in (*PAPER.glob("*.css"), *fonts)]
         self.config.html_static_path = [*self.config.html_static_path, *own]
         self.config.html_js_files = []

@@ -9,7 +9,7 @@ import * as store from "./store.js";
 
 const TYPING = 400;
 const SILENT = "Done, nothing printed.";
-const DRAWN = "The chart above is drawn anew.";
+const DRAWN = "A new chart is drawn.";
 const UNRUN = "Your code, which has not run yet: below is what the book’s printed.";
 const SERVE =
   "To run this, the page must come from a server: run “python -m http.server” in the folder of" +

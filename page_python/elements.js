@@ -46,10 +46,14 @@ export function output({ out = "", value = "", kind = "", error = "" }) {
 
 const SVG = "http://www.w3.org/2000/svg";
 const SHAPES =
-  /^(svg|g|defs|clipPath|use|path|rect|circle|line|polyline|polygon|image|text|tspan)$/;
-const ELSEWHERE = /url\((?!["']?#)/i;
+  /^(svg|g|defs|clipPath|pattern|use|path|rect|circle|line|polyline|polygon|image|text|tspan)$/;
+const ATTRIBUTES =
+  /^(viewBox|width|height|d|[xy][12]?|c[xy]|r[xy]?|points|transform|style|clip-path|pattern.*)$/;
+const STYLES = /^(fill|stroke|color|opacity|font-|text-anchor|clip-path)/;
+const HARMLESS = /^(url\(#[\w-]+\)|[\w\s#.,()%+-]*)$/;
+const WITHIN = /^(#[\w-]+|data:image\/png;base64,[\w+/=\s]*)$/;
 
-/** Make a drawing of its text, without what could run, load or lead anywhere. */
+/** Make a drawing of its text: shapes and their looks alone, and nothing that runs or loads. */
 export function drawing(svg) {
   const root = new DOMParser().parseFromString(svg, "image/svg+xml").documentElement;
   if (root.localName !== "svg") return make("span");
@@ -57,12 +61,27 @@ export function drawing(svg) {
     const known = element.namespaceURI === SVG && SHAPES.test(element.localName);
     if (!known) element.remove();
     for (const { name, value } of [...element.attributes]) {
-      const leads = /href$/.test(name) && !/^(#|data:image\/png;)/.test(value);
-      if (leads || /^on/i.test(name) || ELSEWHERE.test(value)) element.removeAttribute(name);
+      if (name === "style") element.setAttribute(name, looks(value));
+      else if (!mayStay(name, value)) element.removeAttribute(name);
     }
   }
   return root;
 }
+
+function mayStay(name, value) {
+  if (name === "id") return value.startsWith("Cell-");
+  if (/^(xlink:)?href$/.test(name)) return WITHIN.test(value);
+  return /^xmlns/.test(name) || (ATTRIBUTES.test(name) && HARMLESS.test(value));
+}
+
+/** Return of a style what says how a shape looks. */
+const looks = (style) =>
+  style
+    .split(";")
+    .map((one) => one.split(":").map((part) => part.trim()))
+    .filter(([name, value, more]) => STYLES.test(name) && HARMLESS.test(value) && !more)
+    .map(([name, value]) => `${name}: ${value}`)
+    .join("; ");
 
 /** Make a table of lines with bars; anything else stays text. */
 function table(markdown) {

@@ -52,7 +52,10 @@ function addSpares() {
 
 function hear({ data }) {
   if (data.total) waiting?.loading?.(data.fetched, data.total, data.what);
-  if (data.failed) fail(data.failed);
+  if (data.failed) {
+    delete kept.files;
+    fail(data.failed);
+  }
   if (data.ready) {
     root.dataset.python = "ready";
     waiting?.loading?.();

@@ -128,6 +128,10 @@ CHARTS = {
     "pyplot.figure(FigureClass=Own)": "svg",
     "from pylab import *\nplot([1])": "svg",
     "import matplotlib\nassert matplotlib.__version__\nmatplotlib.pyplot.gcf()": "svg",
+    PLOT + "plt.bar([1], [1], hatch='x', color='gold')": "pattern",
+    PLOT
+    + "from datetime import date\nplt.plot([date(2024, 1, 1), date(2024, 3, 1)], [1, 2])": "text",
+    PLOT + "plt.title('$\\\\frac$')\n1 / 0": "",
     # None that nobody shows, or that comes before an error.
     "from matplotlib.figure import Figure\nFigure().subplots()": "",
     PLOT + "plt.plot([1])\n1 / 0": "",

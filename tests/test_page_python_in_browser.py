@@ -323,14 +323,14 @@ def test_a_chart_is_drawn_where_the_book_has_it(read: Callable[..., Reader]) -> 
     assert reader.message("code-33") == ""
     # What a hostile cell draws neither runs nor loads anything.
     forged = (
-        "<svg xmlns='http://www.w3.org/2000/svg' onload='x=1'><image href='//rotedu.invalid/x' "
+        "<svg xmlns='http://www.w3.org/2000/svg' onload='x=1'><script>x=1</script>"
+        "<image href='//rotedu.invalid/x' onerror='x=1'/>"
+        "<g class='x' style='position: fixed; fill: image-set(url(//x) 1x); color: red'/></svg>"
     )
-    forged += "onerror='x=1'/><script>x=1</script><g style='fill: url(//rotedu.invalid)'/></svg>"
-    reader.run(
-        "code-8", f'import charts\nplt.gcf()\nplt.show()\ncharts.taken = lambda _: ["""{forged}"""]'
-    )
+    forge = f"charts.taken = lambda _: [{forged!r}]"
+    reader.run("code-8", f"import charts\nplt.gcf()\nplt.show()\n{forge}")
     kept = reader.cell("code-8").locator(".live-output .chart").inner_html()
-    assert kept == '<svg xmlns="http://www.w3.org/2000/svg"><image></image><g></g></svg>'
+    assert kept.endswith('"><image></image><g style="color: red"></g></svg>')
 
 
 def test_an_answer_is_judged_kept_and_handed_in(

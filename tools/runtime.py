@@ -56,7 +56,7 @@ NEEDLESS = re.compile(
     r"|mpl-data/fonts/ttf/(cm|DejaVuSansMono|DejaVuSerif|Humor).*)"
     r"|PIL/(_imaging(cms|ft|math|morph|tk)|_webp|Image(Cms|Font|Grab|Qt|Tk)"
     r"|(?!Bmp|Gif|Jpeg(?!2K)|Ppm|Png)\w*Plugin).*"
-    r"|dateutil/(tz/win|zoneinfo/).*"
+    r"|dateutil/(tz/win.*|zoneinfo/.*\.tar\.gz)"
     # Of the standard library: processes, mail, servers, and letters of other decades.
     r"|(multiprocessing|wsgiref|xml|xmlrpc)/.*"
     r"|(cgi|ftplib|imaplib|mailbox|nntplib|pdb|smtplib|socketserver)\.py"

@@ -35,5 +35,10 @@ def taken(name: str) -> list[str]:
             )
         return [inlined(drawing, f"{name}-{i}") for i, drawing in enumerate(DRAWN)]
     finally:
-        pyplot.close("all")
-        DRAWN.clear()
+        drop()
+
+
+def drop() -> None:
+    """Forget what has been drawn, and what could be."""
+    pyplot.close("all")
+    DRAWN.clear()

@@ -174,7 +174,8 @@ def run_cell(code: str, name: str) -> dict[str, Any]:
         done["value"], done["kind"] = shown(value)
         done["charts"] = charts_of(name)
     except BaseException as error:
-        charts_of(name)
+        if charts := sys.modules.get("charts"):
+            charts.drop()
         done["kind"], done["error"] = type(error).__name__, told(error)
     return done
 

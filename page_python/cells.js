@@ -128,7 +128,7 @@ async function edit(cell, click) {
 
 function show(cell, open) {
   const place = make("div", { className: "highlight live-editor" });
-  cell.listing.append(place);
+  cell.pre.parentNode.after(place);
   cell.pre.parentNode.hidden = true;
   const label = `Code of ${cell.name.toLowerCase()}`;
   const said = { "aria-label": label, "aria-description": KEYS, tabindex: "0" };

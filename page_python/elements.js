@@ -48,7 +48,7 @@ const SVG = "http://www.w3.org/2000/svg";
 const SHAPES =
   /^(svg|g|defs|clipPath|pattern|use|path|rect|circle|line|polyline|polygon|image|text|tspan)$/;
 const ATTRIBUTES =
-  /^(viewBox|width|height|d|[xy][12]?|c[xy]|r[xy]?|points|transform|style|clip-path|pattern.*)$/;
+  /^(viewBox|width|height|d|[xy][12]?|c[xy]|r[xy]?|points|transform|fill|stroke|clip-path|pattern.*)$/;
 const STYLES = /^(fill|stroke|color|opacity|font-|text-anchor|clip-path)/;
 const HARMLESS = /^(url\(#[\w-]+\)|[\w\s#.,()%+-]*)$/;
 const WITHIN = /^(#[\w-]+|data:image\/png;base64,[\w+/=\s]*)$/;

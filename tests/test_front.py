@@ -111,7 +111,7 @@ def test_the_figure_plays_until_it_is_grabbed(browser: Any, site: str) -> None:
     start = page.evaluate(VALUES)
     page.wait_for_function(f"start => {VALUES}.along !== start", arg=start["along"])
     box = page.locator(".scene").bounding_box()
-    assert 735 <= box["width"] <= 857
+    assert 855 <= box["width"] <= 857
     for seen in ("h1", ".answer", ".ways"):
         assert page.locator(seen).bounding_box()["y"] < box["y"] < 900 - 0.8 * box["height"]
     handle = page.locator(".scene [data-handle]").first

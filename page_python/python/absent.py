@@ -74,6 +74,9 @@ def provide() -> None:
         del sys.modules[name]
     LATER.clear()
     importlib.invalidate_caches()
+    # It would say that it lists its letters. A page without charts needs no logging.
+    logging = importlib.import_module("logging")
+    logging.getLogger("matplotlib").setLevel(logging.ERROR)
     os.environ["MPLBACKEND"] = "module://charts"
     pyplot = importlib.import_module("matplotlib.pyplot")
     for style in STYLES:

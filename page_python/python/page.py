@@ -10,7 +10,6 @@ import importlib
 import io
 import json
 import linecache
-import logging
 import re
 import sys
 import time
@@ -29,8 +28,6 @@ absent.announce()
 # Python 3.12 counts calls within C by themselves, up to 10,000: more than a browser's stack holds.
 # This is c_recursion_remaining of its thread.
 ctypes.c_int.from_address(ctypes.pythonapi.PyThreadState_Get() + 24).value = 1000
-# Matplotlib would say that it lists its letters.
-logging.getLogger("matplotlib").setLevel(logging.ERROR)
 # Nobody compiles Fortran here, but ``from numpy import *`` asks for it.
 np.f2py = None
 # What draws; the figures of the page are there already.

@@ -23,7 +23,7 @@ sys.path.append(str(Path(__file__).parents[2] / "tools"))
 from class_notebooks import class_names, classroom
 from notebook_language import notebooks
 
-from cells import bold, folded, is_dropdown
+from cells import bold, caption_of, folded, is_dropdown
 
 PROJECT = Path(__file__).parents[2] / "pyproject.toml"
 NOTEBOOKS = "_static/notebooks"
@@ -41,7 +41,7 @@ class WritePageHead(SphinxTransform):
     default_priority = 410
 
     def apply(self, **_: Any) -> None:
-        """Take the description from the first paragraph that is no part of the head."""
+        """Take the description from the first paragraph that is neither head nor caption."""
         title = next(self.document.findall(nodes.title), None)
         if title is None:
             return
@@ -51,7 +51,7 @@ class WritePageHead(SphinxTransform):
             if isinstance(paragraph.parent, nodes.section)
         ]
         head = next((each for each in paragraphs if bold(each) == "Time"), None)
-        prose = next((each for each in paragraphs if each is not head), None)
+        prose = next((p for p in paragraphs if p is not head and not caption_of(p)), None)
         if prose:
             words = textwrap.shorten(prose.astext(), DESCRIPTION_LENGTH)
             self.document += nodes.meta(name="description", content=words)
@@ -90,9 +90,9 @@ def rest(head: nodes.paragraph) -> list[nodes.Element]:
     return [nodes.paragraph("", "", nodes.Text(said), *others)] if said or others else []
 
 
-def eyebrow(app: Sphinx, page: str, title: str) -> str:
+def eyebrow(app: Sphinx, page: str) -> str:
     """Return where a page belongs: to a section of the paper, or to a part of the book."""
-    if found := SECTION.match(title):
+    if found := SECTION.match(app.config.short_names.get(page, "")):
         number, piece = found.groups()
         return f"Section {number} of the paper" + (f", part {piece}" if piece else "")
     parts = app.env.get_doctree(app.config.root_doc).findall(addnodes.toctree)
@@ -114,9 +114,7 @@ def offer(
     app: Sphinx, page: str, template: str, context: dict[str, Any], doctree: nodes.document | None
 ) -> None:
     """Give a page both addresses; the form's names the page, to which book.js adds the section."""
-    if doctree is not None and (
-        words := eyebrow(app, page, doctree.next_node(nodes.title).astext())
-    ):
+    if doctree is not None and (words := eyebrow(app, page)):
         line = f'<p class="eyebrow">{words}</p>\n<h1>'
         context["body"] = context["body"].replace("<h1>", line, 1)
     context["repository"] = app.config.repository.rstrip("/")

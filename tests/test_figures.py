@@ -19,7 +19,7 @@ from rotedu import scenes
 from rotedu.figures import backend, describe, stack_on_phone
 from rotedu.figures.backend import MIME_TYPE, POSTER_SCALE, book_figure, scene_labels
 from rotedu.figures.gltf import scene_gltf
-from rotedu.figures.pages import stacked_poster
+from rotedu.figures.pages import LABEL, blanks, stacked_poster
 from rotedu.figures.state import in_stack
 from rotedu.scenes import parts
 
@@ -275,6 +275,29 @@ class TestFigure:
         np.testing.assert_allclose(color, [0x00, 0x72, 0xB2], atol=2)
         # Through both sides of the ball.
         assert abs(alpha / 255 - (1 - 0.7**2)) < 0.01
+
+
+class TestBlanks:
+    @pytest.mark.parametrize(
+        ("labels", "expected"),
+        [
+            ({}, (0.2, 0.3)),
+            ({0.5: False}, (0.2, 0.3)),
+            ({0.15: False, 0.85: False}, (0.15 - LABEL / 500, 0.15 - LABEL / 500)),
+            ({0.01: False, 0.99: False}, (0, 0)),
+            ({0.01: True, 0.99: True}, (0.2, 0.3)),
+        ],
+    )
+    def test_are_measured_by_drawing_and_labels(
+        self, labels: dict[float, bool], expected: tuple[float, float]
+    ) -> None:
+        """A rectangle and labels: their places, and whether they are hidden."""
+        poster = Image.new("RGBA", (1200, 1000), (9, 9, 9, 0))
+        poster.paste((0, 0, 0, 40), (100, 200, 1100, 700))
+        file = io.BytesIO()
+        poster.save(file, "PNG")
+        named = [{"top": top, "hidden": hidden} for top, hidden in labels.items()]
+        assert blanks(file.getvalue(), 500, named) == pytest.approx(expected)
 
 
 class TestStack:

@@ -34,6 +34,8 @@ ON_PAPER = "Online, the points and sliders of this figure can be moved."
 # Chromium 156 reads its opacity as if it went from 16 to 235.
 OPACITIES = np.rint([*range(10), *np.geomspace(10, 255, 35)]).astype(int)
 NEAREST = OPACITIES[np.abs(np.arange(256)[:, np.newaxis] - OPACITIES).argmin(axis=1)]
+# How far from its place a label reaches up and down, in pixels: half the height of a formula.
+LABEL = 12
 # Width in pixels of a stacked poster, which is seen on phones only.
 STACKED = 600
 Filled = TypeVar("Filled", bound=nodes.Element)
@@ -96,7 +98,11 @@ def explorable_node(renderer: Any, spec: str, pictures: list[nodes.Element]) -> 
 def scene_node(renderer: Any, content: dict[str, Any]) -> scene:
     """Write the files of a scene and build its node."""
     gltf = write_file(renderer, base64.b64decode(content["gltf"]), "glb")
-    return filled(renderer, scene(reftarget=gltf, stack=content["stack"]), content)
+    poster = base64.b64decode(content["poster"])
+    # Pictures side by side stay on one line.
+    blank = (0, 0) if content["views"] else blanks(poster, content["height"], content["labels"])
+    node = scene(reftarget=gltf, stack=content["stack"], blank=blank)
+    return filled(renderer, node, content)
 
 
 def view_node(renderer: Any, content: dict[str, Any]) -> scene_view:
@@ -125,6 +131,17 @@ def filled(renderer: Any, node: Filled, content: dict[str, Any]) -> Filled:
             child = nodes.Text(text)
         node += scene_label("", "", child, **label)
     return node
+
+
+def blanks(png: bytes, height: int, labels: list[dict[str, Any]]) -> tuple[float, float]:
+    """Return the shares of a picture's height that are empty above and below drawing and labels."""
+    alpha = Image.open(io.BytesIO(png)).convert("RGBA").getchannel("A")
+    _, top, _, bottom = alpha.getbbox() or (0, 0, *alpha.size)
+    places = [label["top"] for label in labels if not label["hidden"]]
+    half = LABEL / height
+    above = min([top / alpha.height, *(place - half for place in places)])
+    below = max([bottom / alpha.height, *(place + half for place in places)])
+    return max(0, above), max(0, 1 - below)
 
 
 def light_poster(png: bytes) -> bytes:
@@ -178,6 +195,9 @@ def visit_box(writer: Any, node: scene | scene_view) -> None:
         if node["stack"]:
             attributes["style"] += f"; --stacked: {node['stack']['aspect']:.4f}"
             attributes["data-stack"] = json.dumps(node["stack"])
+        for side, share in zip(("top", "bottom"), node["blank"], strict=True):
+            if round(share, 3):
+                attributes["style"] += f"; --blank-{side}: {share:.3f}"
     name = "scene-view" if isinstance(node, scene_view) else "scene"
     writer.body.append(writer.starttag(node, "div", CLASS=name, **attributes))
 

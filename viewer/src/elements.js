@@ -1,4 +1,4 @@
-/* The elements that a live scene adds to the page: a canvas, two buttons and a hint. */
+/* The elements that a live scene adds to the page: a canvas, buttons and a hint. */
 
 const KEYS = "scene-keys";
 const KEYS_TEXT =
@@ -77,10 +77,10 @@ export function createPicture(alt) {
   return element("canvas", { class: "scene-canvas", role: "img", "aria-label": alt });
 }
 
-/** Make the buttons and the hint. */
-export function createTools({ reset, full }) {
+/** Make the buttons and the hint; a panel has a Reset of its own, which also resets the view. */
+export function createTools(scene, { reset, full }) {
   const tools = element("div", { class: "scene-tools" });
-  tools.append(button("Reset the view", ICONS.reset, reset));
+  if (!scene.closest(".explorable")) tools.append(button("Reset the view", ICONS.reset, reset));
   if (document.fullscreenEnabled) tools.append(button("Full screen", ICONS.full, full));
   const kind = matchMedia("(pointer: coarse)").matches ? "fingers" : "mouse";
   const hint = element("p", { class: "scene-hint", "aria-hidden": "true" }, HINTS[kind]);

@@ -201,6 +201,7 @@ class Exploration {
     this.store();
   }
 
+  /** Put inputs and view back. */
   reset() {
     this.jump({}, () => "Reset");
     this.view.reset();

@@ -72,7 +72,7 @@ export class View {
     const poster = element.querySelector(".scene-poster");
     if (poster) poster.after(canvas);
     else element.prepend(canvas);
-    const { tools, hint } = createTools({ reset: this.reset, full });
+    const { tools, hint } = createTools(element, { reset: this.reset, full });
     element.append(tools, hint);
     controls.addEventListener("change", () => {
       this.turn();

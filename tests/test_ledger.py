@@ -1,10 +1,15 @@
 """The ledger: its formulas are right and counted, and each notation breaks where it says."""
 
+import sys
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
+from bs4 import BeautifulSoup
+from docutils import nodes
+from docutils.core import publish_doctree, publish_from_doctree
 from scipy.spatial.transform import Rotation, RotationSpline, Slerp
 from spheres import close
 
@@ -15,6 +20,9 @@ from rotedu.general_rotation import euler_angles
 from rotedu.motion import rotation_vector
 from rotedu.ordinary_rotation import axis_angle, rotation_matrix
 from rotedu.quaternions import Quaternion
+
+sys.path.append(str(Path(__file__).parents[1] / "book" / "_ext"))
+from listings_and_tables import MarkLedger
 
 ROWS = {row.written_as: row for row in LEDGER}
 RNG = np.random.default_rng(20261)
@@ -235,3 +243,18 @@ class TestTables:
     def test_no_such_page(self) -> None:
         with pytest.raises(ValueError, match=r"^page must be one of 01-introduction, .*; got '7'$"):
             ledger("7")
+
+    def test_the_rows_that_a_page_adds_have_a_class(self) -> None:
+        document = publish_doctree("")
+        for tag in ("ledger", "nbval-ignore-output"):
+            table = publish_doctree(str(ledger("02-quaternions")), parser_name="myst").children
+            document += nodes.container(
+                "", *table, nb_element="cell_code", classes=["cell", f"tag_{tag}"]
+            )
+        MarkLedger(document).apply()
+        written = publish_from_doctree(document, writer_name="html5").decode()
+        page = BeautifulSoup(written, "html.parser")
+        here = [row.td.get_text() for row in page.select(".tag_ledger .ledger tr.here")]
+        assert here == [name.get_text() for name in page.select(".ledger strong")] == ["quaternion"]
+        assert len(page.select(".ledger tbody tr")) > len(here) == len(page.select(".here"))
+        assert len(page("table")) == 2 * len(page.select(".ledger"))

@@ -2,7 +2,8 @@
 
 What no style colours in a listing needs no element: each costs a phone time, and commas, brackets
 and spaces are half of a listing's. On paper, only a long listing may go over the page. A cell of a
-table says in which column it stands: on a phone, rows are cards (book.css).
+table says in which column it stands: on a phone, rows are cards (book.css). Of the ledger, which a
+cell with the tag ``ledger`` shows, the rows that a page adds can be told from the others.
 """
 
 from collections.abc import Iterable
@@ -14,7 +15,10 @@ from pygments.formatters import HtmlFormatter
 from pygments.token import Punctuation, Text, Whitespace
 from sphinx.application import Sphinx
 from sphinx.highlighting import PygmentsBridge
+from sphinx.transforms import SphinxTransform
 from sphinx.writers.html5 import HTML5Translator
+
+from cells import code_cells
 
 # Lines of code from which on it may go over the page
 LONG = 12
@@ -36,6 +40,22 @@ class PlainPunctuation(HtmlFormatter):
         super().format_unencoded(plain, outfile)
 
 
+class MarkLedger(SphinxTransform):
+    """Give the ledger a class, and another one to the rows whose first cell is bold."""
+
+    default_priority = 400
+
+    def apply(self, **_: Any) -> None:
+        """Find the cells that show it."""
+        for cell in code_cells(self.document):
+            if "tag_ledger" in cell["classes"]:
+                for table in cell.findall(nodes.table):
+                    table["classes"].append("ledger")
+                    for row in table.findall(nodes.row):
+                        if row[0].next_node(nodes.strong):
+                            row["classes"].append("here")
+
+
 def visit_entry(writer: HTML5Translator, cell: nodes.entry) -> None:
     """Open a cell."""
     at = len(writer.body)
@@ -50,8 +70,9 @@ def visit_entry(writer: HTML5Translator, cell: nodes.entry) -> None:
 
 
 def setup(app: Sphinx) -> dict[str, Any]:
-    """Let both be written so."""
+    """Register the step, and let listings and tables be written so."""
     PygmentsBridge.html_formatter = PlainPunctuation
     writers = (visit_entry, HTML5Translator.depart_entry)
+    app.add_transform(MarkLedger)
     app.add_node(nodes.entry, override=True, html=writers)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -112,8 +112,9 @@ def test_the_figure_plays_until_it_is_grabbed(browser: Any, site: str) -> None:
     page.wait_for_function(f"start => {VALUES}.along !== start", arg=start["along"])
     box = page.locator(".scene").bounding_box()
     assert 855 <= box["width"] <= 857
-    for seen in ("h1", ".answer", ".ways"):
-        assert page.locator(seen).bounding_box()["y"] < box["y"] < 900 - 0.8 * box["height"]
+    places = [page.locator(seen).bounding_box() for seen in ("h1", ".opening", ".scene", ".ways")]
+    assert [place["y"] for place in places] == sorted(place["y"] for place in places)
+    assert places[-1]["y"] + page.locator(".ways a").first.bounding_box()["height"] < 900
     handle = page.locator(".scene [data-handle]").first
     spot = handle.bounding_box()
     page.mouse.move(spot["x"] + spot["width"] / 2, spot["y"] + spot["height"] / 2)
@@ -129,11 +130,11 @@ def test_the_figure_plays_until_it_is_grabbed(browser: Any, site: str) -> None:
 
 
 @pytest.mark.slow
-def test_the_first_screen_of_a_phone_has_title_answer_and_spoon(browser: Any, site: str) -> None:
+def test_the_first_screen_of_a_phone_has_title_puzzle_and_spoon(browser: Any, site: str) -> None:
     page = visit(
         browser, site, viewport={"width": 390, "height": 844}, is_mobile=True, has_touch=True
     )
-    parts = ("h1", ".answer", ".ways", ".scene [data-handle]")
+    parts = ("h1", ".opening", ".ways", ".scene [data-handle]")
     boxes = [page.locator(part).first.bounding_box() for part in parts]
     assert [box["y"] for box in boxes] == sorted(box["y"] for box in boxes)
     assert boxes[-1]["y"] + boxes[-1]["height"] < 844

@@ -68,6 +68,11 @@ class ShowPages(SphinxPostTransform):
 
         for cell in self.document.findall(nodes.entry):
             self.colour(cell)
+        for box in list(self.document.findall(nodes.container)):
+            if "ways" in box["classes"] and self.app.builder.name == "html":
+                box.parent.remove(box)
+                # Below the first picture and its controls, before the caption.
+                self.document.next_node(nodes.figure).insert(1, box)
 
     def colour(self, cell: nodes.entry) -> None:
         """Put the sign before a verdict into a square, as among the claims of the front page."""
@@ -108,9 +113,9 @@ class ShowPages(SphinxPostTransform):
         yield nodes.paragraph("", "", *legend, classes=["legend"])
 
     def card(self, docname: str, words: str) -> nodes.container:
-        """Show the first picture of a page, its title and minutes, and a line on it."""
+        """Show the first picture of a page, its name and minutes, and a line on it."""
         page = self.env.get_doctree(docname)
-        title = nodes.strong("", self.env.titles[docname].astext())
+        title = nodes.strong("", self.config.short_names[docname])
         link = nodes.reference("", "", title, refuri=self.address(docname), internal=True)
         minutes = nodes.inline("", MINUTES.findall(page.astext())[0], classes=["minutes"])
         return nodes.container(

@@ -1,0 +1,65 @@
+"""The margin of a page: notes, captions and the contents, which never stand on each other."""
+
+from itertools import combinations
+from typing import Any
+
+import pytest
+from html_pages import ROOT
+
+NAMES = sorted(file.stem for file in ROOT.glob("book/*.ipynb"))
+# What stands in the margin, by its words, and where.
+MARGIN = """() => [...document.querySelectorAll("article :is(.misprint, .in-margin, figcaption)")]
+    .map((note) => [note.innerText.slice(0, 30), note.getBoundingClientRect().toJSON()])
+    .filter(([, { left, width }]) => width && left > 900)"""
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        pytest.param(name, marks=[] if name == "05-control-points" else pytest.mark.slow)
+        for name in NAMES
+    ],
+)
+def test_open_notes_push_what_stands_below(name: str, browser: Any, site: str) -> None:
+    page = browser.new_page(viewport={"width": 1440, "height": 900})
+    page.goto(f"{site}/book/{name}.html")
+    page.evaluate("document.querySelectorAll('.misprint').forEach((note) => { note.open = true; })")
+    notes = page.evaluate(MARGIN)
+    assert notes or name != "05-control-points"
+    on_each_other = [
+        (words, others)
+        for (words, box), (others, other) in combinations(notes, 2)
+        if min(box["bottom"], other["bottom"]) - max(box["top"], other["top"]) > 1
+    ]
+    assert not on_each_other
+    page.close()
+
+
+@pytest.mark.parametrize("width", [1320, 1440])
+def test_the_open_rail_covers_nothing(width: int, browser: Any, site: str) -> None:
+    page = browser.new_page(viewport={"width": width, "height": 900})
+    page.goto(f"{site}/book/02-quaternions.html")
+    rail = page.locator(".toc-drawer")
+    closed = rail.locator(".toc-sticky").bounding_box()["width"]
+    rail.locator(".toc-sticky").hover()
+    opened = rail.locator(".toc-sticky").bounding_box()
+    assert opened["width"] > 2 * closed
+    margin = max(box["right"] for _, box in page.evaluate(MARGIN))
+    assert margin <= opened["x"]
+    assert opened["x"] + opened["width"] <= width
+    assert all(link.bounding_box()["width"] > 40 for link in rail.locator("li li a").all())
+    page.close()
+
+
+def test_a_finger_opens_the_rail_before_it_leads_anywhere(browser: Any, site: str) -> None:
+    page = browser.new_page(viewport={"width": 1366, "height": 1024}, has_touch=True)
+    page.goto(f"{site}/book/02-quaternions.html")
+    rail = page.locator(".toc-drawer .toc-sticky")
+    tick = rail.locator("li li a").nth(3).bounding_box()
+    at = tick["x"] + tick["width"] / 2, tick["y"] + tick["height"] / 2
+    page.touchscreen.tap(*at)
+    assert "#" not in page.url
+    assert rail.bounding_box()["width"] > 150
+    rail.locator("li li a").nth(3).tap()
+    assert "#" in page.url
+    page.close()

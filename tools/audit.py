@@ -2,7 +2,7 @@
 
 Of each page: what it weighs, packed as hosts do, on a first visit and for readers who come from the
 front page; how far its content jumps while it loads; what its console says; what axe finds and what
-is cut off, at four widths in both themes. Then what figures (`measure_drag`) and a first run
+is cut off, at five widths in both themes. Then what figures (`measure_drag`) and a first run
 (`measure_run`) cost. A page that misses a budget ends the audit with 1.
 """
 
@@ -26,7 +26,7 @@ FRONT = "book/index.html"
 # With fonts and the posters that load before a scroll, before a scene is live.
 FIRST_KILOBYTES, NEXT_KILOBYTES = 400, 200
 LAYOUT_SHIFT = 0.02
-WIDTHS = (360, 820, 1024, 1440)
+WIDTHS = (360, 820, 1024, 1440, 1920)
 THEMES: tuple[Literal["light", "dark"], ...] = ("light", "dark")
 
 # A reader who saves data gets posters, but no live scene.

@@ -258,9 +258,10 @@ function print(cell, done) {
   cell.output.replaceChildren(...output(done));
   cell.output.removeAttribute("data-old");
   if (done.charts) draw(cell, done.charts);
-  // Outside the fold of a listing, where the stored output is.
+  // Outside the fold of a listing, where the stored output is; a figure stands above its listing.
   const below = cell.box.querySelector(".cell_output");
-  if (below) below.before(cell.output);
+  if (below?.querySelector("figure")) cell.box.append(cell.output);
+  else if (below) below.before(cell.output);
   else cell.tools.after(cell.output);
   const scrolls = (box) => box.scrollWidth > box.clientWidth || box.scrollHeight > box.clientHeight;
   for (const box of cell.output.children) if (scrolls(box)) box.tabIndex = 0;

@@ -40,14 +40,17 @@ def test_the_open_rail_covers_nothing(width: int, browser: Any, site: str) -> No
     page = browser.new_page(viewport={"width": width, "height": 900})
     page.goto(f"{site}/book/02-quaternions.html")
     rail = page.locator(".toc-drawer")
+    titles = rail.locator("li li a")
     closed = rail.locator(".toc-sticky").bounding_box()["width"]
+    ticks = [title.bounding_box()["y"] for title in titles.all()]
     rail.locator(".toc-sticky").hover()
     opened = rail.locator(".toc-sticky").bounding_box()
     assert opened["width"] > 2 * closed
+    assert [title.bounding_box()["y"] for title in titles.all()] == pytest.approx(ticks, abs=1)
     margin = max(box["right"] for _, box in page.evaluate(MARGIN))
     assert margin <= opened["x"]
     assert opened["x"] + opened["width"] <= width
-    assert all(link.bounding_box()["width"] > 40 for link in rail.locator("li li a").all())
+    assert all(title.bounding_box()["width"] > 40 for title in titles.all())
     page.close()
 
 

@@ -7,12 +7,13 @@ real figure, which links can name: ``[Figure 1](#figure-1)``.
 from typing import Any
 
 from docutils import nodes
+from myst_nb.sphinx_ import HideCodeCellNode
 from sphinx.application import Sphinx
 from sphinx.transforms import SphinxTransform
 from sphinx.transforms.post_transforms import SphinxPostTransform
 from sphinx.util.nodes import NodeMatcher
 
-from cells import caption_of
+from cells import caption_of, code_cells
 from charts import chart
 from rotedu.figures.pages import explorable, scene
 
@@ -55,10 +56,25 @@ class BuildFigures(SphinxPostTransform):
             caption.parent.remove(caption)
 
 
+class PutCodeBelow(SphinxPostTransform):
+    """Put the folded code that has drawn a figure below it, where it is reached after it."""
+
+    # After MyST-NB has folded it.
+    default_priority = 200
+
+    def run(self, **_: Any) -> None:
+        """Move the fold to the end of its cell."""
+        for cell in code_cells(self.document):
+            folded = len(cell) > 1 and isinstance(cell[0], HideCodeCellNode)
+            if folded and cell[-1].next_node(nodes.figure):
+                cell.append(cell.pop(0))
+
+
 def setup(app: Sphinx) -> dict[str, Any]:
-    """Register both steps."""
+    """Register the steps."""
     # Its step has the same priority and comes first.
     app.setup_extension("charts")
     app.add_transform(NameCaptions)
     app.add_post_transform(BuildFigures)
+    app.add_post_transform(PutCodeBelow)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

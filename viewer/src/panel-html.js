@@ -48,7 +48,7 @@ export function panelHtml({ name, inputs, start, outputs, charts, tries }, state
     box("charts", drawn.join("")) +
     box("outputs", numbers("panel")) +
     (folded && `${MORE}${folded}</details>`) +
-    box("tries", links.length ? `<span>Try: </span>${links.join(" · ")}` : "") +
+    box("tries", links.length ? `<span>Try: </span>${links.join("\u00a0· ")}` : "") +
     "</fieldset></form>"
   );
 }

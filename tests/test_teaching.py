@@ -264,7 +264,7 @@ def test_a_figure_fits_a_slide_and_its_code_is_not_shown(
     page = browser.new_page(viewport=dict(zip(("width", "height"), screen, strict=True)))
     page.goto(f"{site}/book/{name}.html")
     page.get_by_role("button", name="Slides").click()
-    code = page.locator(".cell:has(.explorable) > :is(details, .live-tools)")
+    code = page.locator(".cell:has(.explorable) > :is(details, .cell_input, .live-tools)")
     for _ in range(page.locator("article section").count()):
         assert page.evaluate(CUT) == []
         assert not code.locator("visible=true").count()

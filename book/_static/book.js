@@ -62,7 +62,7 @@ const sphinxSearch = typeof Search === "undefined" ? null : Search;
 if (sphinxSearch) {
   const { htmlToText } = sphinxSearch;
   const unsaid =
-    ".scene, .explorable, .chart, .cell:has(figure) > details, .page-head, form, noscript, .katex-mathml";
+    ".scene, .explorable, .chart, .cell:has(figure) > :not(.cell_output), .page-head, form, noscript, .katex-mathml";
   sphinxSearch.htmlToText = (html, anchor) => {
     const page = new DOMParser().parseFromString(html, "text/html");
     for (const part of every(unsaid, page)) part.remove();

@@ -65,6 +65,7 @@ def test_a_finger_opens_the_rail_before_it_leads_anywhere(browser: Any, site: st
     tick = rail.locator("li li a").nth(3).bounding_box()
     at = tick["x"] + tick["width"] / 2, tick["y"] + tick["height"] / 2
     page.touchscreen.tap(*at)
+    page.wait_for_function("document.activeElement.closest('.toc-drawer')")
     assert "#" not in page.url
     assert rail.bounding_box()["width"] > 150
     rail.locator("li li a").nth(3).tap()

@@ -5,8 +5,9 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import * as models from "../rotedu/scenes/models.js";
 import { explore } from "../viewer/src/explore.js";
+import { fromText } from "../viewer/src/link.js";
 import { panelHtml } from "../viewer/src/panel-html.js";
-import { figure, liveScene, tell } from "../viewer/test/dom.js";
+import { figure, liveScene, tell, tick } from "../viewer/test/dom.js";
 import { answer, read } from "./cases.mjs";
 
 const { seed, figures } = await read("models");
@@ -66,6 +67,25 @@ for (const { spec, cases } of figures) {
       for (const name of Object.keys(spec.inputs).filter((name) => !(name in corrected))) {
         assert.deepEqual(after[name], name === slider.name ? wanted : before[name], name);
       }
+    }
+  });
+
+  test(`each chip of ${spec.name} moves where it leads, and Reset back`, () => {
+    history.replaceState(null, "", "/");
+    const element = figure(written(spec.start));
+    const view = liveScene(element.firstElementChild);
+    const { set } = explore(element, view, spec, models);
+    const values = () => JSON.parse(element.dataset.values);
+    const find = (selector) => [...element.querySelectorAll(selector)];
+    for (const chip of [...find("a.try"), ...find("[data-action=reset]")]) {
+      const drawn = view.applied.length;
+      chip.click();
+      for (let time = 0; time <= 1000; time += 20) tick(time);
+      const arrived = values();
+      assert.ok(view.applied.length - drawn > 20, `${chip.textContent} moves`);
+      assert.equal(arrived.refused, undefined);
+      set({ ...spec.start, ...fromText(chip.hash ?? "", spec) });
+      assert.deepEqual(arrived, values(), chip.textContent);
     }
   });
 }

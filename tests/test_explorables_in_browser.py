@@ -180,7 +180,7 @@ def test_a_figure_looks_as_python_draws_it(
     name: str, open_figure: Open, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(pyvista, "OFF_SCREEN", True)
-    figure = open_figure(name, device_scale_factor=2)
+    figure = open_figure(name, device_scale_factor=2, reduced_motion="reduce")
     figure.page.add_style_tag(content=LIKE_A_POSTER)
     live(figure)
     rng = np.random.default_rng(SEED)
@@ -218,8 +218,7 @@ def test_each_handle_by_mouse_and_keys(name: str, open_figure: Open) -> None:
             assert np.degrees(np.arccos(np.clip(cosines.min(), -1, 1))) <= degrees + 1e-6
             assert cosines.min() < 1, (which, keys)
     figure.get_by_role("button", name="Reset", exact=True).click()
-    page.wait_for_timeout(700)
-    spoken = figure.locator(".explorable-status .explorable-spoken")
+    spoken = figure.locator(".explorable-status .explorable-spoken", has_text="Reset")
     assert spoken.text_content() == "Reset"
     # Only for those who listen: nothing appears, so nothing moves.
     box = spoken.bounding_box()

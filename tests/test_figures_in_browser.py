@@ -289,6 +289,7 @@ def test_keys(one: Open) -> None:
         assert difference(*seen[-2:]) > 0.1, key
         if key in ("ArrowRight", "ArrowDown", "-"):
             assert difference(first, seen[-1]) < 0.05, key
+    page.emulate_media(reduced_motion="reduce")
     turn(scene, "canvas", "ArrowUp", "Home")
     settle(page)
     assert difference(first, live_picture(scene)) < 0.01

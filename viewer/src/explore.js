@@ -9,11 +9,14 @@ import { address, found, fromText, keep } from "./link.js";
 import { Panel } from "./panel.js";
 import { changedSince, statement } from "./speak.js";
 import { trails } from "./trails.js";
+import { beginning, between, duration, glide, isCalm } from "./travel.js";
 
 /** @import { Inputs, Model, Models, Spec, State } from "./types.js" */
 
 // How long a hand rests when it has come to an end, in milliseconds.
 const QUIET = 500;
+// What the hand takes hold of.
+const HELD = "[data-handle], .scene-path, input";
 
 /**
  * @param {HTMLElement} element the figure: a scene and a panel
@@ -51,6 +54,8 @@ class Exploration {
     this.held = false;
     this.moved = false;
     this.refused = false;
+    /** @type {{target: Inputs, stop: () => void, arrive: () => void} | null} where it is going */
+    this.journey = null;
     /** @type {(() => string) | null} what to say when the hand rests */
     this.spoken = null;
     /** @type {ReturnType<typeof setTimeout> | undefined} */
@@ -68,9 +73,14 @@ class Exploration {
     this.set({}, JSON.stringify(inputs) === JSON.stringify(data.start));
     // In a page, Python runs beside the figure.
     element.addEventListener("rotedu:set", ({ detail }) => this.set(detail));
+    for (const kind of ["pointerdown", "keydown", "wheel"]) {
+      element.addEventListener(kind, ({ target }) => this.interrupt(target), { capture: true });
+    }
     if (!python) {
-      this.arrive();
-      for (const kind of ["hashchange", "popstate"]) addEventListener(kind, () => this.arrive());
+      const wanted = this.wanted();
+      if (!this.isAt(wanted)) this.set(wanted);
+      this.store();
+      for (const kind of ["hashchange", "popstate"]) addEventListener(kind, () => this.heed());
     }
     // A cell with this tag shows what its figure does, unless the reader has come to a state of it.
     if (element.closest(".tag_plays") && this.isAt(data.start)) {
@@ -82,16 +92,22 @@ class Exploration {
     return address(this.data, this.inputs) === address(this.data, inputs);
   }
 
-  /** Show what the address or the history speaks of. */
-  arrive() {
-    const wanted = { ...this.data.start, ...(found(this.data) ?? this.inputs) };
-    if (!this.isAt(wanted)) this.set(wanted);
-    this.store();
+  /** The state that the address or the history speaks of; if of none, where the figure is or goes. */
+  wanted() {
+    const now = this.journey?.target ?? this.inputs;
+    return { ...this.data.start, ...(found(this.data) ?? now) };
+  }
+
+  /** Follow the address or the history. */
+  heed() {
+    const wanted = this.wanted();
+    if (this.journey || !this.isAt(wanted)) this.go(wanted);
+    else this.store();
   }
 
   /** Keep the state with the page; a notebook keeps it itself. */
-  store() {
-    if (!this.python) keep(this.data, this.inputs);
+  store(inputs = this.inputs) {
+    if (!this.python) keep(this.data, inputs);
   }
 
   /**
@@ -100,15 +116,26 @@ class Exploration {
    * @param {boolean} [drawn] whether the scene shows this state already
    */
   set(changes, drawn = false) {
+    this.stop();
     this.inputs = { ...this.inputs, ...changes };
-    let state;
+    const { state, why = "" } = this.computed(this.inputs, Object.keys(changes));
+    if (state) this.show(state, drawn);
+    else this.refuse(why);
+  }
+
+  /**
+   * The state of some inputs, or why there is none.
+   * @param {Inputs} inputs
+   * @param {string[]} changed
+   * @returns {{state?: State, why?: string}}
+   */
+  computed(inputs, changed) {
     try {
-      state = this.model(this.inputs, this.data.constants, Object.keys(changes));
+      return { state: this.model(inputs, this.data.constants, changed) };
     } catch (error) {
       if (!(error instanceof Error) || error.name !== "DegenerateError") throw error;
-      return this.refuse(error.message);
+      return { why: error.message };
     }
-    this.show(state, drawn);
   }
 
   /**
@@ -160,7 +187,7 @@ class Exploration {
   /** Once the hand rests, say how things stand then: a model may have corrected an input. */
   settle() {
     const { data, inputs, moved, panel, view } = this;
-    if (this.refused) return;
+    if (this.refused || this.journey) return;
     // What showed only while the hand moved goes.
     if (moved) view.apply(this.model(inputs, data.constants, []));
     this.moved = false;
@@ -192,18 +219,73 @@ class Exploration {
     this.store();
   }
 
-  /** Go to a state as a whole, by no way. */
-  jump(values, said) {
+  /**
+   * Go to a state by a way that the eye can follow, or at once for who wants no motion.
+   * @param {Inputs} target all inputs
+   * @param {() => void} [then] what to do there
+   */
+  go(target, then) {
+    if (this.journey && address(this.data, target) === address(this.data, this.journey.target))
+      return;
+    this.stop();
+    const arrive = () => {
+      this.set(target);
+      then?.();
+      this.store();
+    };
+    if (isCalm() || this.isAt(target)) return arrive();
+    this.store(target);
+    const specs = this.data.inputs;
+    const from = beginning(specs, this.inputs, target);
+    const stop = glide(duration(specs, from, target), (t) => {
+      if (t === 1 || !this.isInSight()) arrive();
+      else this.pass(between(specs, from, target, t));
+    });
+    this.journey = { target, stop, arrive };
+  }
+
+  /** Show a state on the way; where there is none, the last picture waits. */
+  pass(inputs) {
+    const { state } = this.computed(inputs, Object.keys(inputs));
+    if (!state) return;
+    this.inputs = inputs;
+    this.show(state, false);
+  }
+
+  /** Stay where the figure is. */
+  stop() {
+    this.journey?.stop();
+    this.journey = null;
+  }
+
+  /** Who takes hold of something stops the way there; who does anything else but press ends it. */
+  interrupt(target) {
+    if (target.closest(HELD)) this.stop();
+    else if (!target.closest("a, button")) this.journey?.arrive();
+  }
+
+  isInSight() {
+    const { top, bottom } = this.element.getBoundingClientRect();
+    return bottom >= 0 && top <= innerHeight;
+  }
+
+  /** Go to a state as a whole, and say so there. */
+  lead(values, said) {
     this.hint?.remove();
-    this.set({ ...this.data.start, ...values });
-    this.python?.tell(this.inputs);
-    this.spoken = said;
-    this.store();
+    this.go({ ...this.data.start, ...values }, () => {
+      this.python?.tell(this.inputs);
+      this.spoken = said;
+    });
+  }
+
+  /** Lead some inputs back, and go on from there. */
+  back(changes, then) {
+    this.go({ ...this.inputs, ...changes }, then);
   }
 
   /** Put inputs and view back. */
   reset() {
-    this.jump({}, () => "Reset");
+    this.lead({}, () => "Reset");
     this.view.reset();
   }
 
@@ -211,7 +293,7 @@ class Exploration {
   follow({ hash, textContent: words }) {
     const wanted = fromText(hash, this.data);
     if (!this.python) history.pushState(null, "", hash);
-    this.jump(wanted, () => `${words}. ${this.panel.outcome()}`);
+    this.lead(wanted, () => `${words}. ${this.panel.outcome()}`);
   }
 
   /** Copy the address of this state; where that is refused, the reader can. */

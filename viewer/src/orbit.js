@@ -1,6 +1,7 @@
 /* Lets the reader turn and zoom a scene, by mouse, fingers and keys. */
 import { TOUCH } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import { glide, isCalm, SHORT, slerp } from "./travel.js";
 
 const STEP = Math.PI / 24;
 const ZOOM = 0.9;
@@ -33,8 +34,23 @@ export function orbit({ camera, pose }, scene, canvas) {
   whole.addEventListener("fullscreenchange", grip);
   leaveTheWheel(scene, isFull);
   leaveScrolling(controls, camera, canvas);
-  bindKeys(controls, canvas, full);
-  return { controls, full };
+  const reset = () => (isCalm() ? controls.reset() : goHome(controls, camera));
+  bindKeys(controls, canvas, { full, reset });
+  return { controls, full, reset };
+}
+
+/** Lead the camera back to where it was at first, unless the reader takes it on the way. */
+function goHome(controls, camera) {
+  const from = camera.position.clone().sub(controls.target).toArray();
+  const to = controls.position0.clone().sub(controls.target0).toArray();
+  const target = controls.target.clone();
+  const stop = glide(SHORT, (t) => {
+    if (t === 1) return controls.reset();
+    controls.target.lerpVectors(target, controls.target0, t);
+    camera.position.fromArray(slerp(from, to, t)).add(controls.target);
+    controls.update();
+  });
+  controls.addEventListener("start", stop);
 }
 
 /** Let the camera turn by no more than an angle to each side; by default it turns all round. */
@@ -74,7 +90,7 @@ function leaveScrolling(controls, camera, canvas) {
   }
 }
 
-function bindKeys(controls, canvas, full) {
+function bindKeys(controls, canvas, { full, reset }) {
   const keys = {
     ArrowLeft: () => controls.rotateLeft(-STEP),
     ArrowRight: () => controls.rotateLeft(STEP),
@@ -83,8 +99,8 @@ function bindKeys(controls, canvas, full) {
     "+": () => controls.dollyIn(ZOOM),
     "=": () => controls.dollyIn(ZOOM),
     "-": () => controls.dollyOut(ZOOM),
-    0: () => controls.reset(),
-    Home: () => controls.reset(),
+    0: reset,
+    Home: reset,
     f: full,
     Escape: () => canvas.blur(),
   };

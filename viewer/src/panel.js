@@ -4,10 +4,10 @@ import { all, one } from "./elements.js";
 import { playing } from "./play.js";
 import { added } from "./points.js";
 import { numberText, outputText } from "./speak.js";
+import { isCalm } from "./travel.js";
 
 // How many numbers matter where no figure says so.
 const MAIN = 2;
-const isCalm = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
 
 export class Panel {
   /**
@@ -15,7 +15,8 @@ export class Panel {
    * @param {HTMLElement} element the figure
    * @param {import("./types.js").Specs} specs
    * @param {() => import("./types.js").Inputs} now returns the present inputs
-   * @param {{change: function, reset: function, link: function, follow: function}} actions
+   * @param {{change: function, back: function, reset: function, link: function, follow: function}}
+   *   actions
    */
   constructor(element, specs, now, actions) {
     this.specs = specs;
@@ -27,7 +28,8 @@ export class Panel {
     this.controls = Object.keys(specs).map((name) => this.controlOf(name));
     /** @type {HTMLOutputElement[]} */
     this.outputs = all(this.form, "output");
-    this.player = playing(element, specs, now, (changes) => actions.change(changes));
+    const change = (changes) => actions.change(changes);
+    this.player = playing(element, specs, now, change, (to, then) => actions.back(to, then));
     const scrub = (name, value) => {
       this.player.stop();
       actions.change({ [name]: value });
@@ -62,9 +64,8 @@ export class Panel {
     form.addEventListener("click", (event) => this.press(event, event.target));
     // What the hand takes is not moved by anything else.
     for (const kind of ["pointerdown", "keydown"]) {
-      element.addEventListener(kind, ({ target }) => {
-        if (target.closest("[data-handle]")) player.stop();
-      });
+      const stop = ({ target }) => target.closest("[data-handle], .scene-path") && player.stop();
+      element.addEventListener(kind, stop, { capture: true });
     }
   }
 

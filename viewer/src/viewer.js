@@ -66,8 +66,8 @@ export class View {
   /** Draw the first picture, put it over the poster, and listen to the reader. */
   begin() {
     const { aim, canvas, element } = this;
-    const { controls, full } = orbit(aim, element, canvas);
-    this.reset = () => controls.reset();
+    const { controls, full, reset } = orbit(aim, element, canvas);
+    this.reset = reset;
     this.fit();
     const poster = element.querySelector(".scene-poster");
     if (poster) poster.after(canvas);

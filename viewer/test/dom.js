@@ -4,7 +4,8 @@ import { X, Z } from "./near.js";
 
 const window = new Window({ url: "http://localhost/" });
 const { document, location, history } = window;
-let ticks = [];
+let ticks = new Map();
+let asked = 0;
 let listening = [];
 
 /** Whether the reader wants no motion; to be set before a panel is bound. */
@@ -21,16 +22,19 @@ Object.assign(globalThis, {
   },
   dispatchEvent: window.dispatchEvent.bind(window),
   Event: window.Event,
-  requestAnimationFrame: (callback) => ticks.push(callback),
-  cancelAnimationFrame: () => (ticks = []),
+  requestAnimationFrame(callback) {
+    ticks.set(++asked, callback);
+    return asked;
+  },
+  cancelAnimationFrame: (frame) => ticks.delete(frame),
 });
 
 /** Draw the next frame at each of some times in milliseconds. */
 export function tick(...times) {
   for (const time of times) {
     const due = ticks;
-    ticks = [];
-    for (const callback of due) callback(time);
+    ticks = new Map();
+    for (const callback of due.values()) callback(time);
   }
 }
 

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { beforeEach, test } from "node:test";
 import { explore } from "../src/explore.js";
-import { drag, figure, liveScene, tell, tick } from "./dom.js";
+import { calm, drag, figure, liveScene, tell, tick } from "./dom.js";
 import { near, points } from "./near.js";
 
 const PANEL = `<p class="explorable-status" role="status"></p>
@@ -24,7 +24,11 @@ const stateOf = (u, v) => ({
 });
 const HASH = "#explore-some-figure?";
 
-beforeEach(() => history.replaceState(null, "", "/"));
+beforeEach(() => {
+  history.replaceState(null, "", "/");
+  // Most of what follows is about where a figure arrives.
+  calm.matches = true;
+});
 
 /** A figure with a model, or with what is given instead. */
 function shown({ data = {}, model = ({ u, v }) => stateOf(u, v), python, past, around = "" } = {}) {
@@ -295,6 +299,94 @@ test("in a notebook the figure starts where Python is, and tells it what the han
   assert.deepEqual(values(), { u: 0.75, v: 0, sum: 0.75 });
 });
 
+/** A chip leads from u = 0.25 to 1, in 900 ms; u is 0.625 half way. */
+function onTheWay(given) {
+  calm.matches = false;
+  const panel = shown(given);
+  panel.find(".try").click();
+  tick(0, 450);
+  near([panel.values().u], [0.625]);
+  return panel;
+}
+
+test("chips and Reset move there; only the target is told, kept and said", ({ mock }) => {
+  mock.timers.enable({ apis: ["setTimeout"] });
+  const told = [];
+  const { values, press, status, view } = onTheWay({
+    python: { values: START, tell: (inputs) => told.push(inputs) },
+  });
+  // A slow frame is no rest.
+  mock.timers.tick(1000);
+  assert.deepEqual([status(), told], ["", []]);
+  tick(899);
+  assert.ok(values().u < 1);
+  tick(900);
+  assert.deepEqual(values(), { u: 1, v: 1, sum: 2 });
+  assert.deepEqual(told, [{ u: 1, v: 1 }]);
+  mock.timers.tick(500);
+  assert.equal(status(), "all of u. sum 2.00");
+  assert.equal(view.resets, 0);
+  press("reset");
+  tick(1000, 1450, 1900);
+  assert.deepEqual(values(), { ...START, sum: 1.25 });
+});
+
+test("the history gets the target alone, and Back on the way leads back", () => {
+  const { values } = onTheWay();
+  const kept = { "some-figure": `${HASH}u=1` };
+  assert.deepEqual(history.state, kept);
+  tick(900);
+  assert.deepEqual(history.state, kept);
+  assert.equal(values().u, 1);
+  history.replaceState(null, "", "/");
+  const again = onTheWay();
+  go("popstate", { "some-figure": HASH }, "/");
+  // The browser tells the same twice.
+  dispatchEvent(new Event("hashchange"));
+  tick(500, 600);
+  assert.ok(again.values().u > 0.25);
+  tick(1400);
+  assert.equal(again.values().u, 0.25);
+});
+
+test("who takes hold of something stops the way; who does anything else comes to its end", () => {
+  for (const [taken, kind, wanted] of [
+    ["[name=v]", "pointerdown", 0.625],
+    ["[name=v]", "keydown", 0.625],
+    [".scene", "pointerdown", 1],
+    [".scene", "wheel", 1],
+    [".try", "pointerdown", 0.625],
+  ]) {
+    history.replaceState(null, "", "/");
+    const { find, values } = onTheWay();
+    tell(find(taken), kind);
+    near([values().u], [wanted]);
+  }
+  history.replaceState(null, "", "/");
+  const { write, values } = onTheWay();
+  write("v", "2");
+  tick(900);
+  near([values().u, values().v], [0.625, 2]);
+});
+
+test("out of sight a figure is there at once; a refused state on the way does not show", () => {
+  const { view, values } = onTheWay();
+  view.canvas.closest(".explorable").getBoundingClientRect = () => ({ top: 801, bottom: 900 });
+  tick(500);
+  assert.equal(values().u, 1);
+  history.replaceState(null, "", "/");
+  const model = ({ u, v }) => {
+    if (u > 0.7 && u < 1) throw Object.assign(new Error("no"), { name: "DegenerateError" });
+    return stateOf(u, v);
+  };
+  const other = onTheWay({ model });
+  tick(700);
+  assert.equal(other.status(), "");
+  near([other.values().u], [0.625]);
+  tick(900);
+  assert.equal(other.values().u, 1);
+});
+
 test("a cell with the tag plays its figure for who comes to no state of it", () => {
   const inputs = { ...INPUTS, u: { ...INPUTS.u, plays: 1 } };
   for (const [around, hash, wanted] of [
@@ -303,6 +395,7 @@ test("a cell with the tag plays its figure for who comes to no state of it", () 
     ["tag_plays", `${HASH}u=0.5`, 0.5],
   ]) {
     history.replaceState(null, "", `/${hash}`);
+    calm.matches = false;
     const { values } = shown({ data: { inputs }, around });
     tick(0, 100);
     assert.equal(values().u, wanted);

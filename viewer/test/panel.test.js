@@ -40,12 +40,17 @@ const START = { u: 1.5, v: 0, on: false, way: "short", points: points("1,0,0 0,1
 /** A bound panel, its inputs, and what it has asked for. */
 function bound(start = {}, specs = SPECS) {
   const element = figure(PANEL);
-  const state = { inputs: { ...START, ...start }, asked: [], said: [] };
+  const state = { inputs: { ...START, ...start }, asked: [], back: [], said: [] };
   const actions = {
     change(changes, spoken) {
       state.asked.push(changes);
       Object.assign(state.inputs, changes);
       if (spoken) state.said.push(spoken());
+    },
+    back(to, then) {
+      state.back.push(to);
+      Object.assign(state.inputs, to);
+      then();
     },
     reset: () => state.asked.push("reset"),
     link: () => state.asked.push("link"),
@@ -193,8 +198,9 @@ test("a step goes on to the next stride, and from the end to the beginning", () 
   for (let i = 0; i < 7; i++) press("step");
   near(
     state.asked.map(({ u }) => u),
-    [1.75, 2, 2.25, 2.5, 2.75, 3, 1],
+    [1.75, 2, 2.25, 2.5, 2.75, 3],
   );
+  assert.deepEqual(state.back, [{ u: 1 }]);
   // It may be as wide as another input says.
   const other = bound({ u: 1, w: 0.3 }, { ...SPECS, u: { ...SPECS.u, stride: "w" } });
   for (let i = 0; i < 3; i++) other.press("step");
@@ -226,8 +232,9 @@ test("play goes on from here in its time, rests at the end, starts over, and sto
   const shown = () => state.asked.splice(0).map(({ u }) => u);
   play.click();
   assert.equal(play.textContent, "Pause");
-  tick(1000, 1500, 2500, 3000, 4100, 4200);
+  tick(1000, 1500, 2500, 3000, 4100, 4200, 4300);
   near(shown(), [2.5, 2.75, 3, 3, 1, 1.05]);
+  assert.deepEqual(state.back.splice(0), [{ u: 1 }]);
   play.click();
   assert.equal(play.textContent, "Play");
   tick(5000);
@@ -237,8 +244,9 @@ test("play goes on from here in its time, rests at the end, starts over, and sto
   // From the end it begins anew.
   const other = bound({ u: 3 });
   other.play.click();
-  tick(0);
-  assert.deepEqual(other.state.asked, [{ u: 1 }]);
+  tick(0, 500);
+  assert.deepEqual(other.state.back, [{ u: 1 }]);
+  assert.deepEqual(other.state.asked, [{ u: 1 }, { u: 1.25 }]);
 });
 
 test("only one input plays", () => {
@@ -284,10 +292,11 @@ test("a slider plays by itself, once; who wants no motion has nothing to play", 
   const { state, panel, play } = bound();
   const seen = [];
   assert.ok(!play.hidden);
-  panel.playOnce(({ u }) => seen.push(u));
+  panel.playOnce((changes) => seen.push(Object.assign(state.inputs, changes).u));
   assert.equal(play.textContent, "Pause");
   for (let time = 0; time < 9000; time += 500) tick(time);
-  assert.deepEqual(seen, [1.5, 1.75, 2, 2.25, 2.5, 2.75, 3, 1, 1.25, 1.5]);
+  assert.deepEqual(seen, [1.5, 1.75, 2, 2.25, 2.5, 2.75, 3]);
+  assert.deepEqual(state.back, [{ u: 1.5 }]);
   assert.equal(play.textContent, "Play");
   assert.deepEqual(state.asked, []);
 

@@ -88,4 +88,19 @@ for (const { spec, cases } of figures) {
       assert.deepEqual(arrived, values(), chip.textContent);
     }
   });
+
+  test(`each handle of ${spec.name} names the parts that it holds`, () => {
+    const element = figure(written(spec.start));
+    const view = liveScene(element.firstElementChild);
+    explore(element, view, spec, models);
+    const { parts } = model(spec.start, spec.constants, []);
+    for (const handle of element.querySelectorAll(".scene [data-handle]")) {
+      tell(handle, "pointerover");
+      const [names] = view.lit.pop();
+      assert.ok(names.length, handle.dataset.handle);
+      for (const name of names) assert.ok(name in parts, name);
+      tell(handle, "pointerout");
+      assert.deepEqual(view.lit.pop(), [[]]);
+    }
+  });
 }

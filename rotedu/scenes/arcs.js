@@ -63,7 +63,7 @@ export function slerpByHand({ p, q, t, flip }, { antipodal }) {
       slerp: beside(here, 0.8, 0.1),
       nlerp: beside(there, 1.15, -0.15),
     },
-    grips: { t: { path: arc } },
+    grips: { t: { path: arc, holds: ["slerp"] }, p: { holds: ["p"] }, q: { holds: ["q"] } },
     outputs: {
       angle: DEGREES * theta,
       way: 2 * DEGREES * theta,

@@ -54,7 +54,8 @@ export function meanByHand({ poses, flip }, { no_mean }) {
   });
   const { matrices, quaternions } = means;
   outputs.apart = matrices && quaternions ? between(matrices, quaternions) : no_mean;
-  return { parts, labels, grips: { poses: { at: BESIDE, size: SIZE } }, outputs };
+  const holds = ["R_1", "R_2", "R_3"];
+  return { parts, labels, grips: { poses: { at: BESIDE, size: SIZE, holds } }, outputs };
 }
 
 const tip = (turn) => turn.map(([x]) => x);

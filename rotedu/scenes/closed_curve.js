@@ -55,7 +55,7 @@ export function closedCurveByHand({ points, u, fraction }, { most }) {
       ...pointsOf(second, 2),
       C: { at: here },
     },
-    grips: { u: { path: curve } },
+    grips: { u: { path: curve, holds: ["C"] }, points: { holds: p.map((_, i) => `P_${i}`) } },
   };
   const polygon = p.flatMap((point, i) => [b[i], point, a[i]]);
   return joined(construction, corners(polygon, most), motionOf(control, segment, within));
@@ -135,7 +135,10 @@ export function arcsOfArcs({ control, u }) {
   return {
     parts,
     labels: namesOfLevels(levels),
-    grips: { u: { path: curve } },
+    grips: {
+      u: { path: curve, holds: ["Q 3 3"] },
+      control: { holds: control.map((_, k) => `Q 0 ${k}`) },
+    },
     outputs: { way_1: way(1), way_2: way(2), way_3: way(3) },
   };
 }
@@ -192,7 +195,10 @@ export function cameraByHand({ u, targets, path, roll }, { seen }) {
       ...named((point) => combine(1, point, 0.08, away(point, middle)), " seen"),
       up: combine(1, top, 0.36, up),
     },
-    grips: { u: { path: [...ways[path], ways[path][0]] } },
+    grips: {
+      u: { path: [...ways[path], ways[path][0]], holds: ["camera"] },
+      targets: { holds: seen },
+    },
     views: { ride: { eye: ORIGIN, target: ahead, up, angle: ANGLE } },
     outputs: {
       rolled: DEGREES * Math.atan2(dot(cross(vertical, up), ahead), dot(vertical, up)),

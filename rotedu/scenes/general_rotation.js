@@ -72,7 +72,7 @@ export function threeTurnsByHand({ u, v, w, order, axes }, { factors, carried })
         labels[letter] = at(1.4);
         // The dial or the spoon, from end to end.
         const spoon = [-1, 1].map((end) => combine(1, place(k), end, column(soFar, 0)));
-        grips[letter.toLowerCase()] = { path, body: [...path, ...spoon] };
+        grips[letter.toLowerCase()] = { path, body: [...path, ...spoon], holds: [`upper ${k}`] };
       } else {
         // Of the names of an axis, one for each number of turns that carried it, one shows.
         for (const primes of [0, 1, 2]) {
@@ -221,14 +221,15 @@ function gimbals([u, v, w]) {
   const moved = (turn, point) => combine(1, PLACE, 1, transform(turn, point));
   const poses = [pose([u, v, w]), pose([0, v, w]), pose([0, 0, w])];
   const parts = { held: { matrix: placing(poses[0], PLACE, SPOON) } };
-  const grips = { spoon: { at: PLACE, size: SPOON } };
+  const grips = { spoon: { at: PLACE, size: SPOON, holds: ["held"] } };
   const labels = {};
   Object.entries(RINGS).forEach(([name, radius], k) => {
     const body = ROUND.map((place) => moved(poses[k], scaled(radius, FLAT[k](...place))));
     const corner = scaled(radius / Math.SQRT2, GRABBED[k]);
     const at = (angle) => [u, v, w].map((x, i) => (i < k ? 0 : i === k ? angle : x));
     parts[`ring ${name}`] = { paths: [body] };
-    grips[name] = { path: WHOLE.map((angle) => moved(pose(at(angle)), corner)), body };
+    const path = WHOLE.map((angle) => moved(pose(at(angle)), corner));
+    grips[name] = { path, body, holds: [`ring ${name}`] };
   });
   const [V, U] = [column(poses[2], 1), column(poses[1], 0)];
   const seen = combine(1, U, -dot(U, BACK), BACK);

@@ -72,7 +72,8 @@ export function spinningByHand(
     charts.off[name] = drawn.map((matrix, k) => off(matrix, exact(times[k])));
     outputs[name] = `${edges}${longest(now).toFixed(2)}, ${off(now, right).toFixed(0)}${aside}`;
   });
-  return { parts, labels, grips: { body: { turn } }, outputs, charts };
+  const grips = { space: { holds: ["space"] }, body: { turn, holds: ["body"] } };
+  return { parts, labels, grips, outputs, charts };
 }
 
 /** Where the name of an arrow is, clear of the ring around its tip. */

@@ -29,8 +29,10 @@ export function figure1ByHand({ vector: r, axis, theta, around }, _, changed) {
       halo: halo(unchanged(changed, center, here, there)),
     },
     grips: {
-      theta: { path: circle, body: [ORIGIN, turned] },
-      around: { path: circle, body: [ORIGIN, other] },
+      vector: { holds: ["r"] },
+      axis: { holds: ["n"] },
+      theta: { path: circle, body: [ORIGIN, turned], holds: ["turned"] },
+      around: { path: circle, body: [ORIGIN, other], holds: ["other", "other start"] },
     },
     labels: {
       "\\vec r": beside(r, -0.12),

@@ -73,7 +73,10 @@ export function carriedAroundByHand({ corners, t }, { just_inside }) {
     parts,
     labels,
     // The arrow is grabbed by its tip, away from the rings of the corners.
-    grips: { t: { path: roundOnce.map((x) => head(carried(x))) } },
+    grips: {
+      t: { path: roundOnce.map((x) => head(carried(x))), holds: ["arrow"] },
+      corners: { holds: ["A", "B", "C"] },
+    },
     outputs: { twist: DEGREES * twist, area: DEGREES * area, difference: DEGREES * (area - twist) },
   };
 }
@@ -156,7 +159,10 @@ export function routesByHand({ poses, u }, { signs }) {
   return {
     parts,
     labels,
-    grips: { u: { path: parts.route.paths[0] }, poses: { at: PLACES, size: 0.5 } },
+    grips: {
+      u: { path: parts.route.paths[0], holds: ["route now", "shortest now"] },
+      poses: { at: PLACES, size: 0.5, holds: given.map((_, k) => `R_${k}`) },
+    },
     outputs: {
       turn: DEGREES * Math.max(...turnsFromDouble(q)),
       apart: Math.max(...apart),
@@ -226,7 +232,7 @@ export function animate({ poses, t, fraction }, { most, jumpy, middles, radius }
   return {
     parts,
     labels,
-    grips,
+    grips: { ...grips, t: { ...grips.t, holds: Object.keys(films) } },
     charts: { speeds, accelerations },
     outputs: {
       fastest: Object.values(steps).map((pieces) => Math.max(...pieces.flat().map(length))),
@@ -261,7 +267,11 @@ function timeline(q, most) {
     parts[`R_${k}`] = { matrix: placing(given[i], stop(i, ROW), size), hidden: !used };
     labels[`R_${k}`] = used ? stop(k, RAIL - 4 * TICK) : null;
   }
-  const grips = { t: { path: rail }, poses: { at: given.map((_, k) => stop(k, ROW)), size } };
+  const holds = given.map((_, k) => `R_${k}`);
+  const grips = {
+    t: { path: rail },
+    poses: { at: given.map((_, k) => stop(k, ROW)), size, holds },
+  };
   return { parts, labels, grips };
 }
 

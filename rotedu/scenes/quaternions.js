@@ -92,8 +92,9 @@ export function twoMirrorsByHand({ first, second, both, letter }, { outer }) {
       letter: {
         path: round(out(-180, outer)),
         body: [-0.24, 0.24].map((far) => out(letter, outer + far)),
+        holds: ["letter"],
       },
-      both: { path: round(out(first + between / 2 + 130, INNER)) },
+      both: { path: round(out(first + between / 2 + 130, INNER)), holds: ["mirror 1", "mirror 2"] },
     },
     outputs: {
       between,
@@ -132,6 +133,7 @@ function mirror(number, angle, both) {
       [number === 1 ? "first" : "second"]: {
         path: round(halfway(out(both, size))),
         body: [ORIGIN, foot].map(halfway),
+        holds: [`mirror ${number}`],
       },
     },
   };
@@ -199,7 +201,7 @@ export function grabTheSpoon(inputs, { inks, length }, changed) {
     ...(going ? {} : { trails: { trail: point, "opposite trail": opposite } }),
     parts,
     labels,
-    grips: { spoon: { at: TABLE, size: 0.85 } },
+    grips: { spoon: { at: TABLE, size: 0.85, holds: ["spoon"] } },
     outputs: { q: gone.at(-1), angle: 360 * share, home: lamp(farther > 1 - BACK / 360) },
   };
 }
@@ -294,7 +296,10 @@ export function doubleCoverByHand({ turns, passed: wanted }, { on_its_way, reach
       "-q": hangs ? onRing(angle, -1.6) : null,
       end: beside(end),
     },
-    grips: { turns: { path: onceForEachTurn(reach) }, passed: { path: wayOfRibbon(turns) } },
+    grips: {
+      turns: { path: onceForEachTurn(reach), holds: ["spoon"] },
+      passed: { path: wayOfRibbon(turns), holds: ["one half", "other half"] },
+    },
     outputs: {
       twists: hangs ? turns - 2 * passed : on_its_way,
       spoon_back: lamp(isBack(360 * turns, 360)),

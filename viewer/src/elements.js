@@ -3,7 +3,7 @@
 const KEYS = "scene-keys";
 const KEYS_TEXT =
   "Arrow keys turn the figure, plus and minus zoom, Home resets the view," +
-  " F fills the screen, Escape leaves.";
+  " F fills the screen, C lights what the next colour of the caption means, Escape leaves.";
 const HINTS = {
   mouse: "Drag to turn, Ctrl + wheel to zoom",
   fingers: "Swipe sideways to turn, two fingers to zoom",

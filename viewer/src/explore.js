@@ -5,6 +5,7 @@
  */
 import { element as create, one } from "./elements.js";
 import { addHandles } from "./handles.js";
+import { Held } from "./held.js";
 import { address, found, fromText, keep } from "./link.js";
 import { Panel } from "./panel.js";
 import { changedSince, statement } from "./speak.js";
@@ -63,7 +64,9 @@ class Exploration {
     this.keptAt = -Infinity;
     const now = () => this.inputs;
     const change = (changes, said) => this.change(changes, said);
-    this.handles = addHandles(this.scene, view, data.inputs, now, change);
+    this.grip = new Held(view);
+    const hold = (names) => this.grip.take(names);
+    this.handles = addHandles(this.scene, view, data.inputs, now, change, hold);
     this.panel = new Panel(element, data.inputs, now, this);
   }
 
@@ -153,6 +156,7 @@ class Exploration {
       this.inputs = { ...this.inputs, ...state.inputs };
       this.view.apply({ ...state, parts: { ...state.parts, ...this.waysOf(state) } });
     }
+    if (this.held) this.grip.follow(state.parts);
     this.panel.show(this.inputs, state);
     this.note(state.outputs, state.grips);
   }

@@ -41,10 +41,11 @@ const RIM = -1e-3;
  * @param {() => Inputs} now returns the present inputs
  * @param {(changes: Inputs, said?: () => string) => void} change takes changed inputs and a function
  *   that says for those who cannot see them what has come of it
+ * @param {(names: string[]) => void} hold takes the parts that the hand holds or could hold, or none
  * @returns {{update: (grips?: Record<string, Grip>) => void}} takes the grips of a state, by input;
  *   handles go there with the picture
  */
-export function addHandles(scene, view, specs, now, change) {
+export function addHandles(scene, view, specs, now, change, hold) {
   const layer = element("div", { class: "scene-handles" });
   view.canvas.after(layer);
   const hint = scene.querySelector(".scene-hint");
@@ -75,7 +76,18 @@ export function addHandles(scene, view, specs, now, change) {
   view.onDraw(() => {
     for (const { handles } of groups) for (const handle of handles) handle.cover();
   });
+  const take = ({ target }) => hold(groups.flatMap((group) => holding(group, target)));
+  for (const kind of ["pointerover", "focusin"]) layer.addEventListener(kind, take);
+  for (const kind of ["pointerout", "focusout"]) layer.addEventListener(kind, () => hold([]));
   return { update };
+}
+
+/** The parts that one of the handles of an input holds. */
+function holding({ hand, handles }, target) {
+  const i = handles.findIndex((handle) => handle.button === target || handle.line === target);
+  const { holds = [] } = hand.grip() ?? {};
+  if (i < 0) return [];
+  return Array.isArray(hand.spec.names) ? [holds[i]] : holds;
 }
 
 /** How many handles an input has. */

@@ -18,6 +18,9 @@ const NOTHING = 0;
 const IS_BALL = 1;
 const MAY_BE_BEHIND = 2;
 
+// How much of white a part gets that stands out.
+const BRIGHTER = 0.32;
+
 // Which sides of a surface to draw.
 const BACK = -1;
 const BOTH = 0;
@@ -48,6 +51,7 @@ const FRAGMENT = () => /* glsl */ `
   varying vec3 ballPlace;
   uniform vec3 base;
   uniform float opacity;
+  uniform float stress;
   uniform float ambient;
   uniform float diffuse;
   uniform vec3 specular;
@@ -80,9 +84,12 @@ const FRAGMENT = () => /* glsl */ `
       float shine = max(0.0, dot(reflect(-toward[i], n), normalize(-place)));
       if (facing > 0.0) color += pow(shine, specularPower) * specular * light[i];
     }
+    // What is stressed is nearer to white, what steps back lets the page through.
+    color = mix(color, vec3(1.0), ${BRIGHTER} * max(0.0, stress - 1.0));
     // Only opaque parts can be behind a ball, and they do not blend.
     float clear = ballRole == ${MAY_BE_BEHIND} ? ballClear(ballEye, ballPlace) : 1.0;
-    gl_FragColor = vec4(clear * color, clear * opacity);
+    float faint = min(1.0, stress);
+    gl_FragColor = vec4((opacity < 1.0 ? 1.0 : faint) * clear * color, faint * clear * opacity);
   }
 `;
 
@@ -95,6 +102,7 @@ function shader({ material, geometry }, lights, sides) {
   const uniforms = {
     base: material.color.clone().convertLinearToSRGB(),
     opacity: material.opacity,
+    stress: 1,
     ambient: looks.ambient,
     diffuse: looks.diffuse,
     specular: new Color(...looks.specular),

@@ -11,8 +11,9 @@ const ZOOM = 0.9;
  * @param {import("./aim.js").Aim} aim
  * @param {HTMLElement} scene
  * @param {HTMLCanvasElement} canvas
+ * @param {() => void} nextColor lights what the next colour of the caption means
  */
-export function orbit({ camera, pose }, scene, canvas) {
+export function orbit({ camera, pose }, scene, canvas, nextColor) {
   const controls = new OrbitControls(camera, canvas);
   controls.target.fromArray(pose.target);
   controls.minDistance = 0.2 * controls.getDistance();
@@ -35,7 +36,7 @@ export function orbit({ camera, pose }, scene, canvas) {
   leaveTheWheel(scene, isFull);
   leaveScrolling(controls, camera, canvas);
   const reset = () => (isCalm() ? controls.reset() : goHome(controls, camera));
-  bindKeys(controls, canvas, { full, reset });
+  bindKeys(controls, canvas, { full, reset, nextColor });
   return { controls, full, reset };
 }
 
@@ -90,7 +91,7 @@ function leaveScrolling(controls, camera, canvas) {
   }
 }
 
-function bindKeys(controls, canvas, { full, reset }) {
+function bindKeys(controls, canvas, { full, reset, nextColor }) {
   const keys = {
     ArrowLeft: () => controls.rotateLeft(-STEP),
     ArrowRight: () => controls.rotateLeft(STEP),
@@ -102,6 +103,7 @@ function bindKeys(controls, canvas, { full, reset }) {
     0: reset,
     Home: reset,
     f: full,
+    c: nextColor,
     Escape: () => canvas.blur(),
   };
   canvas.addEventListener("keydown", (event) => {

@@ -37,7 +37,7 @@ export class PathHandle {
     this.line = one(this.svg, "path");
 
     const move = (held, place) => this.follow(held, place);
-    drag(this.button, layer, { grab: (place) => this.grabRing(place), move });
+    this.isHeld = drag(this.button, layer, { grab: (place) => this.grabRing(place), move });
     drag(this.line, layer, { grab: (place) => this.grab(place), move, focus: this.button });
     keys(this.button, ALONG, (way, size) =>
       this.put(now() + way * Math.max(spec.step, spec.step * size)),
@@ -103,6 +103,7 @@ export class PathHandle {
     const { path, body } = this.grip();
     this.button.hidden = !path;
     this.svg.toggleAttribute("hidden", !path);
+    this.svg.toggleAttribute("data-held", this.isHeld());
     if (!path) return;
     put2d(this.button, this.view.rows.project(pointOf(path, this.share())));
     const places = (body ?? path).map((point) => {

@@ -76,7 +76,8 @@
  * @typedef {{at?: Point, from?: Point, to?: Point, paths?: Point[][], points?: Point[],
  *   matrix?: number[], color?: Point, hidden?: boolean}} Change of one part
  * @typedef {{path?: Point[] | null, body?: Point[], at?: Point | Point[], size?: number,
- *   turn?: number[][]}} Grip
+ *   turn?: number[][], holds?: string[]}} Grip of an input, and the parts that it holds, one for each
+ *   point or body
  * @typedef {{eye: Point, target: Point, up: Point, angle: number}} Sight
  */
 

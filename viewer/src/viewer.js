@@ -11,6 +11,8 @@ import { draw, onRestored, prepare } from "./screen.js";
 import { SecondPicture } from "./second-picture.js";
 import { Rows } from "./stack.js";
 import { pixels } from "./startup.js";
+import { Stress } from "./stress.js";
+import { heedWords, ignoreWords, nextColor } from "./words.js";
 
 // How much larger a scene may become than it was at the start.
 const MOVING = 1.5;
@@ -51,6 +53,7 @@ export class View {
     this.rows = new Rows(JSON.parse(element.dataset.stack ?? "{}"), this.aim);
     const boxes = element.parentElement ? all(element.parentElement, ":scope > .scene-view") : [];
     this.views = new Map(boxes.map((box) => [box.dataset.view, new SecondPicture(box, parts)]));
+    this.stress = new Stress(parts, [element, ...boxes]);
     const pictures = [this, ...this.views.values()];
     this.named = new Map(
       pictures.flatMap(({ labels }) => labels.entries.map((entry) => [entry.name, entry])),
@@ -66,7 +69,8 @@ export class View {
   /** Draw the first picture, put it over the poster, and listen to the reader. */
   begin() {
     const { aim, canvas, element } = this;
-    const { controls, full, reset } = orbit(aim, element, canvas);
+    const { controls, full, reset } = orbit(aim, element, canvas, () => nextColor(this));
+    heedWords(this);
     this.reset = reset;
     this.fit();
     const poster = element.querySelector(".scene-poster");
@@ -146,6 +150,19 @@ export class View {
     this.look(views);
   }
 
+  /** Let parts stand out or step back, by name. */
+  light(bright, faint) {
+    this.stress.light(bright, faint);
+    this.redraw();
+  }
+
+  /** Let what has a colour stand out, or nothing. */
+  mean(color) {
+    if (color) this.stress.mean(color);
+    else this.stress.light();
+    this.redraw();
+  }
+
   /** Call back after each picture. */
   onDraw(watch) {
     this.watchers.push(watch);
@@ -170,6 +187,7 @@ export class View {
 
   remove() {
     for (const end of this.endings) end();
+    ignoreWords(this);
     this.rest();
   }
 }

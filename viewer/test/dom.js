@@ -70,6 +70,9 @@ export function liveScene(scene) {
     apply: (state) => view.applied.push(state),
     look() {},
     onDraw: (watch) => watchers.push(watch),
+    light: (...names) => view.lit.push(names),
+    lit: [],
+    stress: { helping: () => ["ground"] },
     draw: () => watchers.forEach((watch) => watch()),
     rows: {
       project: ([x, , z]) => ({ left: 0.5 + x / 4, top: 0.5 - z / 4 }),

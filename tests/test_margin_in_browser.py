@@ -39,6 +39,17 @@ def test_no_note_stands_on_another(name: str, browser: Any, site: str) -> None:
     page.close()
 
 
+@pytest.mark.parametrize("width", [1000, 1440])
+def test_two_pictures_of_a_figure_stand_apart(width: int, browser: Any, site: str) -> None:
+    page = browser.new_page(viewport={"width": width, "height": 900})
+    page.goto(f"{site}/book/05-closed-curve.html")
+    figure = page.locator(".explorable:has(> .scene-view)")
+    one, other = (figure.locator(f"> {part}").bounding_box() for part in (".scene", ".scene-view"))
+    beside = one["x"] + one["width"] <= other["x"]
+    assert beside or one["y"] + one["height"] <= other["y"]
+    page.close()
+
+
 @pytest.mark.parametrize("width", [1320, 1440])
 def test_the_open_rail_covers_nothing(width: int, browser: Any, site: str) -> None:
     page = browser.new_page(viewport={"width": width, "height": 900})

@@ -16,13 +16,16 @@ import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
 
 const here = dirname(fileURLToPath(import.meta.url));
-// Python gives VTK the same text.
-const shader = await readFile(join(here, "../rotedu/figures/ball.glsl"), "utf8");
-const BALL = JSON.stringify(shader.replace(/ *\/\/.*/g, "").replace(/\n\s*/g, "\n"));
+// Python gives VTK the same texts.
+const texts = ["light", "ball"].map((name) =>
+  readFile(join(here, `../rotedu/figures/${name}.glsl`), "utf8"),
+);
+const shaders = (await Promise.all(texts)).join("");
+const SHADERS = JSON.stringify(shaders.replace(/ *\/\/.*/g, "").replace(/\n\s*/g, "\n"));
 /** @type {import("esbuild").BuildOptions} */
 const common = {
   bundle: true,
-  define: { BALL },
+  define: { SHADERS },
   minify: true,
   target: "es2022",
   legalComments: "eof",
@@ -64,7 +67,7 @@ async function forNotebooks(folder) {
       entryPoints: [join(here, entry)],
       outfile,
       format: "esm",
-      define: { BALL, ...define },
+      define: { SHADERS, ...define },
     });
   const figure = join(folder, "figure.js");
   await module("notebook.js", figure, { STYLES: JSON.stringify(styles.outputFiles[0].text) });

@@ -22,7 +22,9 @@ from PIL import Image
 from vtkmodules.vtkCommonCore import vtkLogger
 from vtkmodules.vtkRenderingLabel import vtkPointSetToLabelHierarchy
 
+from rotedu.figures.ball import ball_looks
 from rotedu.figures.gltf import part_names, scene_gltf, surface_of
+from rotedu.figures.light import shade
 from rotedu.figures.state import record_of
 
 MIME_TYPE = "application/vnd.pyvista.scene+json"
@@ -238,10 +240,15 @@ def enlarged(plotter: pyvista.Plotter, scale: int) -> pyvista.Plotter:
     # Enlarge the window, not the picture: VTK would draw tiles and cut points at their borders.
     size = [scale * length for length in plotter.window_size]
     copy = pyvista.Plotter(off_screen=True, window_size=size, lighting="none")
-    for light in plotter.renderer.lights:
-        copy.add_light(light)
-    for name, actor in part_names(plotter):
+    # Without any light VTK would compute no normals.
+    copy.add_light(pyvista.Light(light_type="headlight"))
+    parts = part_names(plotter)
+    poses = {name: pyvista.array_from_vtkmatrix(actor.GetMatrix()) for name, actor in parts}
+    for name, actor in parts:
         twin = actor.copy(deep=False)
+        looks = ball_looks(actor)
+        lying = poses[looks["of"]][:3, :3] if "of" in looks else None
+        shade(twin, surface_of(actor), looks, lying)
         copy.add_actor(twin, name=name, reset_camera=False, render=False)
     copy.camera = plotter.camera.copy()  # type: ignore[no-untyped-call]
     copy.camera.clipping_range = plotter.camera.clipping_range

@@ -1,63 +1,43 @@
-"""A ball of glass with a graticule: one shader, `ball.glsl`, in VTK and in the viewer.
+"""A ball of glass with a graticule, what stands behind it, and the shadow of a spoon.
 
 No geometry draws the graticule. The mesh of a ball only has to contain it, and thin parts that
-stand behind it are pale.
+stand behind it are pale. Nor does one draw a shadow: the mesh is the ground on which it lies.
 """
 
-from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pyvista
 from numpy.typing import ArrayLike
 
-SHADER = Path(__file__).with_name("ball.glsl")
-"""What both renderers compile; ``viewer/build.js`` reads it, too."""
-VERTEX = """
-  vec3 eyeMC = (inverse(MCVCMatrix) * vec4(0.0, 0.0, 0.0, 1.0)).xyz;
-  ballEye = (eyeMC - {center}) / {radius};
-  ballPlace = (vertexMC.xyz - {center}) / {radius};
-"""
-COLOR = "fragOutput0 = ballColor(ballEye, ballPlace, gl_FrontFacing);"
-# The back of a pale part would show through its front.
-FADE = """
-  float clear = ballClear(ballEye, ballPlace);
-  if (clear < 1.0 && !gl_FrontFacing) discard;
-  fragOutput0.a *= clear;
-"""
+from rotedu.figures.light import shade
 
 
 def draw_as_ball(actor: pyvista.Actor, center: ArrayLike, radius: float) -> None:
     """Draw the sphere that a mesh contains as a ball of glass."""
-    _shade(actor, "ball", center, radius, COLOR)
+    _look(actor, "ball", center, radius)
 
 
 def fade_behind_ball(actor: pyvista.Actor, center: ArrayLike, radius: float) -> None:
     """Let an opaque part be pale where it stands behind a ball."""
-    _shade(actor, "behind", center, radius, FADE)
+    _look(actor, "behind", center, radius)
 
 
-def ball_looks(actor: pyvista.Actor) -> dict[str, list[float]]:
-    """Tell the viewer which ball a part is, or which it may stand behind: its center and radius."""
+def show_shadow(actor: pyvista.Actor, of: str, center: ArrayLike, length: float) -> None:
+    """Draw a level surface as the shadow of a spoon, a part with a name and a half length."""
+    _look(actor, "shadow", center, length, of=of)
+
+
+def ball_looks(actor: pyvista.Actor) -> dict[str, Any]:
+    """Tell the viewer which ball a part is, or may stand behind: its center and radius.
+
+    Or where it shows a ``shadow``, in units of which length, and ``of`` which part.
+    """
     return getattr(actor, "ball_looks", {})
 
 
-def _shade(actor: pyvista.Actor, look: str, center: ArrayLike, radius: float, code: str) -> None:
-    """Put a step into VTK's shaders, and record it for the viewer."""
-    x, y, z = np.asarray(center, float).tolist()
-    vertex = VERTEX.format(center=f"vec3({x}, {y}, {z})", radius=float(radius))
-    declared, given = "//VTK::PositionVC::Dec", "//VTK::PositionVC::Impl"
-    shader = actor.GetShaderProperty()
-    varying = "{} vec3 ballEye;\n{} vec3 ballPlace;\n"
-    shader.AddVertexShaderReplacement(
-        declared, True, f"{declared}\n{varying.format('out', 'out')}", False
-    )
-    shader.AddVertexShaderReplacement(given, True, given + vertex, False)
-    shader.AddFragmentShaderReplacement(
-        declared,
-        True,
-        f"{declared}\n{varying.format('in', 'in')}{SHADER.read_text('utf-8')}",
-        False,
-    )
-    lit = "//VTK::Light::Impl"
-    shader.AddFragmentShaderReplacement(lit, True, f"{lit}\n{code}", False)
-    pyvista.set_new_attribute(actor, "ball_looks", {look: [x, y, z, float(radius)]})
+def _look(actor: pyvista.Actor, look: str, center: ArrayLike, radius: float, **more: str) -> None:
+    """Record looks for the viewer, and let VTK have them as well."""
+    looks = {look: [*np.asarray(center, float).tolist(), float(radius)]} | more
+    pyvista.set_new_attribute(actor, "ball_looks", looks)
+    shade(actor, actor.mapper.dataset, looks)

@@ -1,9 +1,9 @@
 """A pyvista scene as binary glTF: all that a viewer needs to draw it as pyvista does.
 
 Surfaces, their colours and opacity, and the camera are stored as the glTF standard says. VTK's
-looks go beyond the standard and travel as ``extras``. The scene has the lights and the camera's
-target; each material has the shares of ambient, diffuse and specular light; each node says whether
-its part hides labels (``pickable``).
+looks go beyond the standard and travel as ``extras``. The scene has the camera's target; each
+material says whether light falls on it and how much it gleams; each node says whether its part
+hides labels (``pickable``).
 
 Positions are float32. Normals are rounded to 1/127. Colours are linear, as the standard requires.
 """
@@ -18,8 +18,15 @@ import pyvista
 from numpy.typing import ArrayLike, NDArray
 
 from rotedu.figures.ball import ball_looks
+from rotedu.figures.light import INSIDE, gleam_of
 
-COMPONENT_TYPES = {"float32": 5126, "int8": 5120, "uint16": 5123, "uint32": 5125}
+COMPONENT_TYPES = {
+    "float32": 5126,
+    "int8": 5120,
+    "uint8": 5121,
+    "uint16": 5123,
+    "uint32": 5125,
+}
 VERTEX_DATA, INDICES = 34962, 34963
 STRIP = 5
 # glTF reserves the largest index of a type.
@@ -127,6 +134,9 @@ def _primitive(actor: pyvista.Actor, binary: _Binary, material: int) -> dict[str
     if normals is not None and actor.prop.interpolation.value != 0:
         rounded = np.rint(127 * np.asarray(normals)).astype(np.int8)
         attributes["NORMAL"] = binary.add(rounded, VERTEX_DATA, normalized=True)
+    if INSIDE in surface.point_data:
+        share = np.rint(255 * np.asarray(surface.point_data[INSIDE])).astype(np.uint8)
+        attributes["_INSIDE"] = binary.add(share.reshape(-1, 1), VERTEX_DATA, normalized=True)
     index_type = np.uint16 if len(points) <= USHORT_POINTS else np.uint32
     indices = binary.add(_strip(surface).astype(index_type).reshape(-1, 1), INDICES)
     return {"attributes": attributes, "indices": indices, "mode": STRIP, "material": material}
@@ -175,10 +185,7 @@ def _material(actor: pyvista.Actor) -> dict[str, Any]:
         "doubleSided": True,
         "extras": {
             "lit": prop.lighting,
-            "ambient": prop.ambient,
-            "diffuse": prop.diffuse,
-            "specular": [prop.specular * part for part in prop.specular_color.float_rgb],
-            "specularPower": prop.specular_power,
+            "gleam": gleam_of(actor, surface_of(actor)),
         }
         | ball_looks(actor),
     }
@@ -197,7 +204,9 @@ def _node(
     if not actor.visibility:
         extras["hidden"] = True
     if place:
-        extras |= {k: np.asarray(place[k], float).tolist() for k in ("at", "radius") if k in place}
+        extras |= {
+            k: np.asarray(place[k], float).tolist() for k in ("at", "radius", "tip") if k in place
+        }
     node: dict[str, Any] = {"mesh": mesh, "name": name, "extras": extras}
     matrix = pyvista.array_from_vtkmatrix(actor.GetMatrix())
     if not np.array_equal(matrix, np.eye(4)):
@@ -225,20 +234,9 @@ def _camera(plotter: pyvista.Plotter) -> tuple[dict[str, Any], dict[str, Any]]:
 
 
 def _surroundings(plotter: pyvista.Plotter) -> dict[str, Any]:
-    """Return the camera data that an orbit needs, and the lights, which follow the camera."""
+    """Return the camera data that an orbit needs."""
     camera = plotter.camera
     recorded = getattr(plotter, "record", None)
-    lights = []
-    for light in plotter.renderer.lights:
-        if light.on:
-            # VTK moves a headlight along with the camera and stores its place in the scene.
-            toward = np.subtract(light.position, light.focal_point)
-            if light.is_headlight:
-                toward = np.array([0, 0, 1])
-            color = light.intensity * np.array(light.diffuse_color.float_rgb)
-            lights.append(
-                {"toward": (toward / np.linalg.norm(toward)).tolist(), "color": color.tolist()}
-            )
     return {
         "camera": {
             "position": list(camera.position),
@@ -248,7 +246,6 @@ def _surroundings(plotter: pyvista.Plotter) -> dict[str, Any]:
             "aspect": plotter.window_size[0] / plotter.window_size[1],
             "swing": recorded.swing if recorded else 0,
         },
-        "lights": lights,
     }
 
 

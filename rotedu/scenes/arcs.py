@@ -198,6 +198,6 @@ def slerp_by_hand(state: State) -> pyvista.Plotter:
 
 def hand(color: str, size: float = 1) -> Mesh:
     """Return the look of a spoon that points outwards like the hand of a clock."""
-    spoon = teaspoon(stations=41, around=12)
+    spoon = teaspoon(stations=61, around=20)
     spoon.points = 0.44 * size * spoon.points + np.array([0.56, 0, 0], spoon.points.dtype)
     return Mesh(spoon, color, {"smooth_shading": True})

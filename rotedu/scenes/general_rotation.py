@@ -21,6 +21,7 @@ from rotedu.general_rotation import (
 from rotedu.ordinary_rotation import transform
 from rotedu.scenes.looks import Arrow, Ball, Lines, Look, Mesh, Text, draw
 from rotedu.scenes.parts import (
+    HEAD,
     add_arrow,
     add_coordinate_axes,
     add_label,
@@ -67,14 +68,14 @@ def three_turns_by_hand(state: State) -> pyvista.Plotter:
     right = np.cross((0, 0, 1), back) / np.linalg.norm(back[:2])
     target = -0.05 * right + 0.08 * np.cross(back, right)
     plotter = new_scene(eye=28.6 * back + target, target=target, view_angle=11.2, swing=20)
-    spoon = teaspoon(41, 16)
+    spoon = teaspoon(61, 20)
     for row in ("upper", "lower"):
         for k in range(4):
             looks: dict[str, Look] = {
                 f"{row} {k}": Mesh(spoon, shade(k / 3)),
                 f"{row} axis {k}": Arrow(AXIS, 0.022),
                 f"{row} turn {k}": Lines(NEUTRAL, 0.018),
-                f"{row} turn {k}, head": Arrow(NEUTRAL, 0.02),
+                f"{row} turn {k}, head": Arrow(NEUTRAL, 0.02, HEAD),
             }
             draw(plotter, state, looks)
     for letter in "UVW":
@@ -168,7 +169,7 @@ def euler_angles_by_hand(state: State) -> pyvista.Plotter:
     plotter = new_scene(
         eye=24 * back + target, target=target, view_angle=8.05, swing=20, stack=stack
     )
-    spoon = teaspoon(41, 16)
+    spoon = teaspoon(61, 20)
     held: dict[str, Look] = {
         "held": Mesh(spoon, CROSS),
         "ring *": Lines(NEUTRAL, 0.034),
@@ -234,7 +235,7 @@ def stages(steps: Sequence[ArrayLike] | None = None) -> pyvista.Plotter:
     spots = [x * right + y * up for y in (1.75, -1.15) for x in (-3.35, -1.0)]
     spots += [2.6 * right - 0.3 * up] * 2
 
-    spoon = teaspoon(stations=41, around=16)
+    spoon = teaspoon(stations=61, around=20)
     box = np.array(spoon.bounds).reshape(3, 2)
     corners = np.stack(np.meshgrid(*box, indexing="ij"), axis=-1).reshape(-1, 3)
     names = ("start", "scale", "shear", "rotate", "translate", "perspective")

@@ -10,7 +10,7 @@ import pyvista
 from numpy.typing import ArrayLike, NDArray
 
 from rotedu.figures.state import State, place_part
-from rotedu.scenes.parts import add_arrow, add_label, add_lines, add_point, add_thin
+from rotedu.scenes.parts import TIP, add_arrow, add_label, add_lines, add_point, add_thin
 from rotedu.scenes.shapes import ORIGIN, W
 
 
@@ -28,15 +28,16 @@ class Ball:
 
 @dataclass(frozen=True)
 class Arrow:
-    """A part that a state leads ``from`` a point ``to`` another."""
+    """A part that a state leads ``from`` a point ``to`` another; its head takes a share at most."""
 
     color: str
     radius: float = 0.016
+    tip: float = TIP
 
     def add(self, plotter: pyvista.Plotter, name: str, place: State) -> pyvista.Actor:
         """Add the part to a scene, as `Ball` does."""
         ends = place.get("from", ORIGIN), place.get("to", W)
-        return add_arrow(plotter, *ends, self.color, self.radius, name)
+        return add_arrow(plotter, *ends, self.color, self.radius, name, self.tip)
 
 
 @dataclass(frozen=True)

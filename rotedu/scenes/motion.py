@@ -59,7 +59,7 @@ def spinning_by_hand(state: State) -> pyvista.Plotter:
     plotter = new_scene(
         MIDDLE + EYE, MIDDLE, view_angle=5.885, size=(720, 292), swing=20, stack=stack
     )
-    spoon = teaspoon(stations=41, around=14)
+    spoon = teaspoon(stations=61, around=20)
     spoon.points = EDGE / 2 * spoon.points
     arrows = {name: Arrow(AXIS, 0.02) for name in ("space", "body")}
     draw(plotter, state, arrows, dict.fromkeys(arrows, Text(AXIS, "{}")))

@@ -185,7 +185,7 @@ def routes_by_hand(state: State) -> pyvista.Plotter:
 def spoon(color: str, opacity: float = 1.0) -> Mesh:
     """Return what a small spoon looks like."""
     style = {"smooth_shading": True, "pickable": False, "opacity": opacity}
-    return Mesh(teaspoon(stations=27, around=10), color, style)
+    return Mesh(teaspoon(stations=61, around=20), color, style)
 
 
 def four_ways_between() -> pyvista.Plotter:
@@ -205,7 +205,7 @@ def four_ways_between() -> pyvista.Plotter:
 
     plotter = sphere_scene(eye=(1.15, 3.3, 4.3), target=(0, 0, 0.05))
     for turn, name in ((r1, "$R_1$"), (r2, "$R_2$")):
-        spoon = teaspoon(stations=41, around=12)
+        spoon = teaspoon(stations=61, around=20)
         spoon.points = transform(turn, spoon.points)
         plotter.add_mesh(spoon, color=VECTOR, smooth_shading=True)
         add_label(plotter, 1.15 * turn[:, 0], name, VECTOR)

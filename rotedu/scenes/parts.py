@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from rotedu.arcs import slerp
 from rotedu.colors import AXIS, NEUTRAL
-from rotedu.figures.ball import draw_as_ball, fade_behind_ball
+from rotedu.figures.ball import draw_as_ball, fade_behind_ball, show_shadow
 from rotedu.figures.state import limit_turning, place_label, place_part, stack_on_phone
 from rotedu.scenes.shapes import ORIGIN, fan
 
@@ -17,6 +17,12 @@ NARROW = (576, 480)
 """Size of a scene that is about as wide as high: on a phone, its parts are larger."""
 ROUND = (540, 480)
 """Size of a scene with a sphere, which then fills it, also on a phone."""
+WEIGHTS = (1.2, 2.6, 5.0)
+"""Widths of lines in pixels of the scene: of hairs, of things, and of what a picture is about."""
+BODY = 6.5
+"""What is wider, in pixels, is no line."""
+TIP, HEAD = 1 / 3, 0.8
+"""How much of a short arrow its head takes, and of one that only ends a bent line."""
 FILLED = 0.865
 """How much of the height the sphere fills; above and below, there is room for a label."""
 
@@ -53,6 +59,18 @@ def sphere_scene(eye: ArrayLike, target: ArrayLike = ORIGIN) -> pyvista.Plotter:
     return plotter
 
 
+def weight(plotter: pyvista.Plotter, radius: float) -> float:
+    """Return the radius of a line whose width is one of `WEIGHTS`; what is thicker is a body."""
+    camera = plotter.camera
+    far = np.linalg.norm(np.subtract(camera.position, camera.focal_point))
+    height = 2 * far * np.tan(np.deg2rad(camera.view_angle) / 2)
+    wide = 2 * radius * plotter.window_size[1] / height
+    if wide > BODY:
+        return radius
+    nearest = min(WEIGHTS, key=lambda width: abs(np.log(width / wide)))
+    return float(radius * nearest / wide)
+
+
 def add_line(
     plotter: pyvista.Plotter,
     points: ArrayLike,
@@ -73,6 +91,7 @@ def add_lines(
 ) -> pyvista.Actor:
     """Add round lines as one part, each through points of shape (n, 3)."""
     arrays = [np.asarray(path, float) for path in paths]
+    radius = weight(plotter, radius)
     tubes = [pyvista.MultipleLines(path).tube(radius=radius, n_sides=8) for path in arrays]
     mesh = tubes[0] if len(tubes) == 1 else pyvista.merge(tubes)
     return add_thin(plotter, mesh, color, place_part(plotter, name, paths=arrays, radius=radius))
@@ -85,21 +104,24 @@ def add_arrow(
     color: str,
     radius: float = 0.016,
     name: str = "arrow",
+    tip: float = TIP,
 ) -> pyvista.Actor:
-    """Add an arrow whose head has the same size at any length."""
+    """Add an arrow whose head has one size at any length, but takes no more than `tip` of it."""
     start, end = np.asarray(start, float), np.asarray(end, float)
+    radius = weight(plotter, radius)
     length = float(np.linalg.norm(end - start))
+    head = min(9 * radius, tip * length)
     arrow = pyvista.Arrow(
         start=tuple(start),
         direction=tuple(end - start),
         scale=length,
-        shaft_radius=radius / length,
-        tip_radius=3 * radius / length,
-        tip_length=min(9 * radius / length, 0.8),
+        shaft_radius=min(radius, head / 4) / length,
+        tip_radius=head / 3 / length,
+        tip_length=head / length,
         tip_resolution=20,
         shaft_resolution=12,
     )
-    name = place_part(plotter, name, **{"from": start, "to": end, "radius": radius})
+    name = place_part(plotter, name, **{"from": start, "to": end, "radius": radius, "tip": tip})
     return add_thin(plotter, arrow, color, name)
 
 
@@ -135,6 +157,25 @@ def add_thin(
     )
     if hasattr(plotter, "ball"):
         fade_behind_ball(actor, *plotter.ball)
+    return actor
+
+
+def add_shadow(
+    plotter: pyvista.Plotter, spoon: str, place: ArrayLike, length: float, below: float
+) -> pyvista.Actor:
+    """Lay a soft shadow below a spoon, a part of half a `length` about a `place`."""
+    x, y, z = np.asarray(place, float)
+    ground = pyvista.Plane(center=(x, y, z - below), i_size=3 * length, j_size=3 * length)
+    ground.clear_data()
+    actor = plotter.add_mesh(
+        ground,
+        color=NEUTRAL,
+        opacity=0.5,
+        lighting=False,
+        pickable=False,
+        name=place_part(plotter, f"shadow of {spoon}"),
+    )
+    show_shadow(actor, spoon, (x, y, z - below), length)
     return actor
 
 

@@ -10,7 +10,15 @@ from rotedu.figures.inputs import Choice, Poses, Slider
 from rotedu.ordinary_rotation import rotate
 from rotedu.quaternions import Quaternion
 from rotedu.scenes.looks import Arrow, Ball, Lines, Look, Mesh, Text, draw
-from rotedu.scenes.parts import add_arrow, add_label, add_point, add_sphere, new_scene
+from rotedu.scenes.parts import (
+    HEAD,
+    add_arrow,
+    add_label,
+    add_point,
+    add_shadow,
+    add_sphere,
+    new_scene,
+)
 from rotedu.scenes.shapes import ORIGIN, U, W, teaspoon, triangle_mesh
 
 __all__ = ["double_cover_by_hand", "grab_the_spoon", "letter_f", "two_mirrors_by_hand"]
@@ -22,6 +30,9 @@ EYE = 9 * np.array([4.4, 2.6, 2.4]) / np.linalg.norm([4.4, 2.6, 2.4])
 ACROSS = np.array([-2.6, 4.4, 0.0]) / np.hypot(2.6, 4.4)
 # Half the length of the spoon that is turned by hand, and of the one on the ribbon.
 LENGTH, REACH = 0.75, 0.4
+# Where the first is turned, and how far below it its shadow lies.
+TABLE = -2.2 * ACROSS
+BELOW = 0.82
 WAYS = (
     "by hand",
     "half turns *U*, *V*, *W*",
@@ -115,7 +126,7 @@ def two_mirrors_by_hand(state: State) -> pyvista.Plotter:
         mesh.points = rotate(mesh.points, W, -np.pi / 2) + OUTER * U
         draw(plotter, state, {name: Mesh(mesh, color, {"opacity": opacity, "lighting": False})})
     for name, color, text in (("half", NEUTRAL, r"$\theta/2$"), ("whole", RESULT, r"$\theta$")):
-        arc: dict[str, Look] = {name: Lines(color), f"{name}, head": Arrow(color, 0.01)}
+        arc: dict[str, Look] = {name: Lines(color), f"{name}, head": Arrow(color, 0.01, HEAD)}
         draw(plotter, state, arc, {name: Text(text=text)})
 
     read_out(plotter, "between", "from mirror 1 to mirror 2", 0, "°", where="picture")
@@ -181,6 +192,7 @@ def grab_the_spoon(state: State) -> pyvista.Plotter:
         "opposite way": Lines(CROSS, 0.009),
     }
     draw(plotter, state, looks, {"[UVW]": Text(), "axis": Text(AXIS, r"$\hat n$")})
+    add_shadow(plotter, "spoon", TABLE, LENGTH, BELOW)
     # The viewer draws the ways of what the hand moves.
     for name, look in (("trail", looks["way"]), ("opposite trail", looks["opposite way"])):
         look.add(plotter, name, {}).visibility = False
@@ -237,7 +249,7 @@ def double_cover_by_hand(state: State) -> pyvista.Plotter:
     plotter = new_scene(
         middle + EYE, middle, view_angle=16.05, size=(720, 400), swing=20, stack=stack
     )
-    spoon = teaspoon(stations=41, around=16)
+    spoon = teaspoon(stations=61, around=20)
     spoon.points = REACH * (spoon.points - [0, 0, 0.05])
     looks: dict[str, Look] = {
         "bar": Lines(NEUTRAL, 0.025),

@@ -5,6 +5,7 @@ import pyvista
 from numpy.typing import ArrayLike, NDArray
 
 from rotedu.colors import RESULT, VECTOR
+from rotedu.figures.light import INSIDE
 from rotedu.ordinary_rotation import rotate
 
 __all__ = ["teaspoon"]
@@ -58,18 +59,24 @@ def teaspoon(stations: int = 121, around: int = 40) -> pyvista.PolyData:
     Returns
     -------
     pyvista.PolyData
-        A triangle mesh about 2 units long, along the U axis, with the bowl open upwards.
+        A triangle mesh about 2 units long, along the U axis, with the bowl open upwards. Its
+        points say whether they are ``inside``.
     """
-    # Cross-sections are close together at both ends, where the outline turns.
-    s = (1 - np.cos(np.linspace(0, np.pi, stations)))[:, np.newaxis] / 2
-    bowl = np.clip((s - 0.62) / 0.38, 0, 1)
+    # Cross-sections are close together at both ends and at the neck, where the outline turns.
+    even = np.linspace(0, 1, 2001)
+    crowd = np.arccos(1 - 2 * even) / np.pi + 0.5 * np.tanh((even - 0.66) / 0.09)
+    s = np.interp(np.linspace(crowd[0], crowd[-1], stations), crowd, even)[:, np.newaxis]
+    bowl = np.clip((s - 0.55) / 0.45, 0, 1)
+    neck = np.clip((s - 0.48) / 0.30, 0, 1)
     ends = np.clip(np.minimum(s / 0.03, (1 - s) / 0.004), 0, 1)
     rounding = np.sqrt(ends * (2 - ends))
-    handle = (0.035 + 0.055 * np.exp(-((s / 0.14) ** 2))) * (1 - bowl)
-    egg = np.sqrt(bowl * (1 - bowl)) * (0.55 - 0.175 * bowl)
-    width = rounding * (handle + egg)
-    depth = 0.62 * width * np.sin(np.pi * np.sqrt(bowl))
-    lift = 0.16 * np.sin(np.pi * np.clip(s / 0.62, 0, 1)) + 0.05 * (1 - s)
+    # The handle ends within the bowl, and both outlines meet without a corner.
+    handle = (0.035 + 0.055 * np.exp(-((s / 0.14) ** 2))) * (1 - bowl**2)
+    shoulder = np.clip(2 * bowl, 0, 1)
+    egg = np.sqrt(bowl * (1 - bowl)) * (0.62 - 0.2 * bowl) * shoulder**2 * (3 - 2 * shoulder)
+    width = rounding * np.hypot(handle, egg)
+    depth = 0.6 * rounding * egg * np.sin(np.pi * bowl**0.6)
+    lift = 0.16 * np.sin(np.pi * np.clip(s / 0.62, 0, 1)) ** (1 + neck) + 0.05 * (1 - s)
 
     phi = np.linspace(0, 2 * np.pi, around, endpoint=False)
     u = np.broadcast_to(2 * s - 1, (stations, around))
@@ -84,7 +91,9 @@ def teaspoon(stations: int = 121, around: int = 40) -> pyvista.PolyData:
         (ring[:-1], after[1:], after[:-1]),
     )
     triangles = np.vstack([np.stack(three, axis=-1).reshape(-1, 3) for three in corners])
-    return triangle_mesh(points, triangles)
+    spoon = triangle_mesh(points, triangles)
+    spoon.point_data[INSIDE] = (np.clip(3 * bowl, 0, 1) * np.clip(4 * np.sin(phi), 0, 1)).ravel()
+    return spoon
 
 
 def shade(t: float) -> NDArray[np.float64]:

@@ -1,5 +1,5 @@
 /** What build.js puts in place of these names. */
-declare const BALL: string;
+declare const SHADERS: string;
 declare const DIGEST: string;
 declare const EXPLORABLES: string;
 declare const STYLES: string;

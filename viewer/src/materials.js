@@ -1,8 +1,8 @@
-/* The looks of VTK: light without gamma, on both sides of a surface. And a ball of glass. */
+/* The looks of VTK: one light, on both sides of a surface. And a ball of glass. */
 import {
-  Color,
   ColorManagement,
   DoubleSide,
+  Matrix3,
   Mesh,
   NoBlending,
   NormalBlending,
@@ -17,6 +17,7 @@ ColorManagement.enabled = false;
 const NOTHING = 0;
 const IS_BALL = 1;
 const MAY_BE_BEHIND = 2;
+const IS_SHADOW = 3;
 
 // How much of white a part gets that stands out.
 const BRIGHTER = 0.32;
@@ -27,6 +28,8 @@ const BOTH = 0;
 const FRONT = 1;
 
 const VERTEX = /* glsl */ `
+  attribute float _inside;
+  varying float isInside;
   varying vec3 place;
   varying vec3 direction;
   uniform vec4 ball;
@@ -37,30 +40,28 @@ const VERTEX = /* glsl */ `
     vec4 seen = modelViewMatrix * vec4(position, 1.0);
     place = seen.xyz;
     direction = normalMatrix * normal;
+    isInside = _inside;
     gl_Position = projectionMatrix * seen;
     ballEye = (cameraPosition - ball.xyz) / ball.w;
     ballPlace = ((modelMatrix * vec4(position, 1.0)).xyz - ball.xyz) / ball.w;
   }
 `;
 
-// BALL is the text of rotedu/figures/ball.glsl.
+// SHADERS is the text of light.glsl and ball.glsl in rotedu/figures.
 const FRAGMENT = () => /* glsl */ `
-  ${BALL}
+  ${SHADERS}
   uniform int ballRole;
+  uniform mat3 lying;
   varying vec3 ballEye;
   varying vec3 ballPlace;
+  varying float isInside;
   uniform vec3 base;
   uniform float opacity;
   uniform float stress;
-  uniform float ambient;
-  uniform float diffuse;
-  uniform vec3 specular;
-  uniform float specularPower;
+  uniform float gleam;
   uniform int sides;
   uniform bool lit;
   uniform bool smoothed;
-  uniform vec3 toward[LIGHTS];
-  uniform vec3 light[LIGHTS];
   varying vec3 place;
   varying vec3 direction;
 
@@ -76,14 +77,11 @@ const FRAGMENT = () => /* glsl */ `
       gl_FragColor = ballColor(ballEye, ballPlace, gl_FrontFacing);
       return;
     }
-    vec3 n = normalHere();
-    vec3 color = (ambient + (lit ? 0.0 : diffuse)) * base;
-    for (int i = 0; lit && i < LIGHTS; i++) {
-      float facing = max(0.0, dot(n, toward[i]));
-      color += facing * diffuse * light[i] * base;
-      float shine = max(0.0, dot(reflect(-toward[i], n), normalize(-place)));
-      if (facing > 0.0) color += pow(shine, specularPower) * specular * light[i];
+    if (ballRole == ${IS_SHADOW}) {
+      gl_FragColor = lightShadow(ballPlace.xy, lying);
+      return;
     }
+    vec3 color = lit ? lightOn(base, normalHere(), normalize(-place), isInside, gleam) : base;
     // What is stressed is nearer to white, what steps back lets the page through.
     color = mix(color, vec3(1.0), ${BRIGHTER} * max(0.0, stress - 1.0));
     // Only opaque parts can be behind a ball, and they do not blend.
@@ -93,32 +91,36 @@ const FRAGMENT = () => /* glsl */ `
   }
 `;
 
+/** What the ball has to do with a part, and the ball, or what the ground of a shadow has in its place. */
+function roleOf({ ball, behind, shadow }) {
+  if (ball) return { ballRole: IS_BALL, ball };
+  if (behind) return { ballRole: MAY_BE_BEHIND, ball: behind };
+  if (shadow) return { ballRole: IS_SHADOW, ball: shadow };
+  return { ballRole: NOTHING, ball: [0, 0, 0, 1] };
+}
+
 /**
  * One program draws everything, because compiling another takes longer than a frame. So
  * three believes that all materials blend and show both sides; only numbers differ.
  */
-function shader({ material, geometry }, lights, sides) {
+function shader({ material, geometry }, sides) {
   const { userData: looks, transparent } = material;
+  const { ballRole, ball } = roleOf(looks);
   const uniforms = {
     base: material.color.clone().convertLinearToSRGB(),
     opacity: material.opacity,
     stress: 1,
-    ambient: looks.ambient,
-    diffuse: looks.diffuse,
-    specular: new Color(...looks.specular),
-    specularPower: looks.specularPower,
+    gleam: looks.gleam,
     sides,
-    ball: new Vector4(...(looks.ball ?? looks.behind ?? [0, 0, 0, 1])),
-    ballRole: looks.ball ? IS_BALL : looks.behind ? MAY_BE_BEHIND : NOTHING,
+    ball: new Vector4(...ball),
+    ballRole,
+    lying: new Matrix3(),
     lit: looks.lit,
     smoothed: "normal" in geometry.attributes,
-    toward: lights.map(({ toward }) => new Vector3(...toward)),
-    light: lights.map(({ color }) => new Vector3(...color)),
   };
   return new ShaderMaterial({
     vertexShader: VERTEX,
     fragmentShader: FRAGMENT(),
-    defines: { LIGHTS: Math.max(1, lights.length) },
     uniforms: Object.fromEntries(Object.entries(uniforms).map(([key, value]) => [key, { value }])),
     side: DoubleSide,
     transparent,
@@ -131,11 +133,10 @@ function shader({ material, geometry }, lights, sides) {
  * Make the objects that draw one part of a glTF scene: a see-through surface in two steps, because
  * its contents come in between.
  * @param part the part as three's loader returns it
- * @param {{toward: number[], color: number[]}[]} lights in the coordinates of the camera
  */
-export function dress(part, lights) {
+export function dress(part) {
   return (part.material.transparent ? [BACK, FRONT] : [BOTH]).map((sides) => {
-    const drawn = new Mesh(part.geometry, shader(part, lights, sides));
+    const drawn = new Mesh(part.geometry, shader(part, sides));
     drawn.matrix.copy(part.matrixWorld);
     drawn.matrixAutoUpdate = false;
     return drawn;

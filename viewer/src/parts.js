@@ -11,16 +11,27 @@ import { arrow, tubes } from "./shapes.js";
  */
 export function move(part, { at, color, from, hidden, matrix, paths, points, to }) {
   const { objects, place, surface } = part;
-  const { radius = 0 } = place;
+  const { radius = 0, tip = 0 } = place;
   if (hidden !== undefined) for (const object of objects) object.visible = !hidden;
   if (color) paint(objects, color);
   if (at) shift(objects, at, place.at ?? [0, 0, 0]);
   if (paths) dress(part, (part.tubes = tubes(paths, radius, part.tubes)));
-  if (from && to) dress(part, arrow(from, to, radius));
+  if (from && to) dress(part, arrow(from, to, radius, tip));
   if (points) bend(part, points);
   if (matrix) {
     for (const object of objects) object.matrix.fromArray(matrix);
     if (surface) carry(surface, objects[0].matrix);
+    castShadow(part);
+  }
+}
+
+/**
+ * Let the shadow of a part lie as the part does.
+ * @param {Part} part
+ */
+export function castShadow({ objects, ground }) {
+  for (const { material } of ground ?? []) {
+    material.uniforms.lying.value.setFromMatrix4(objects[0].matrix);
   }
 }
 

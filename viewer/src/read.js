@@ -2,6 +2,7 @@
 import { Sphere } from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 import { dress } from "./materials.js";
+import { castShadow } from "./parts.js";
 
 /** @import { BufferGeometry, Material, Mesh } from "three" */
 
@@ -13,12 +14,13 @@ import { dress } from "./materials.js";
 export async function read(file) {
   const { scene } = await new GLTFLoader().parseAsync(file, "");
   scene.updateMatrixWorld(true);
-  const { camera, lights } = scene.userData;
+  const { camera } = scene.userData;
   const objects = [];
   /** @type {Map<string, import("./types.js").Part>} */
   const parts = new Map();
   const surfaces = [];
   const clouds = [];
+  const grounds = [];
   const around = new Sphere();
   scene.traverse((object) => {
     const part = /** @type {Mesh<BufferGeometry, Material>} */ (object);
@@ -30,14 +32,21 @@ export async function read(file) {
     if (geometry.boundingSphere)
       around.union(geometry.boundingSphere.clone().applyMatrix4(matrixWorld));
     const { userData } = part;
+    const { userData: looks } = part.material;
     const { name, pickable, hidden, ...place } = userData;
-    const drawn = dress(part, lights);
+    const drawn = dress(part);
     const hides = part.isMesh && pickable ? surface(part, positions) : undefined;
     if (hides) surfaces.push(hides);
     for (const object of drawn) object.visible = !hidden;
     parts.set(name, { objects: drawn, place, surface: hides });
+    if (looks.of) grounds.push({ of: looks.of, objects: drawn });
     objects.push(...drawn);
   });
+  for (const { of, objects } of grounds) {
+    const spoon = /** @type {import("./types.js").Part} */ (parts.get(of));
+    spoon.ground = objects;
+    castShadow(spoon);
+  }
   return { objects, parts, surfaces, around, clouds, camera };
 }
 

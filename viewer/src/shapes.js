@@ -72,19 +72,20 @@ function tube({ positions, normals }, path, radius, at) {
 const aside = (t) => (Math.abs(t[0]) < 0.6 ? [1, 0, 0] : [0, 1, 0]);
 
 /**
- * An arrow whose head has the same size at any length, but where VTK makes that of a tiny one smaller.
+ * An arrow whose head has the same size at any length, but takes no more than a share of it.
  * @param {number[]} from
  * @param {number[]} to
  * @param {number} radius of the shaft
+ * @param {number} share
  */
-export function arrow(from, to, radius) {
+export function arrow(from, to, radius, share) {
   const axis = along(to, -1, from);
   const length = Math.hypot(...axis);
   const t = unit(axis);
   const n = unit(cross(t, aside(t)));
   const b = cross(t, n);
-  const tip = Math.min(9 * radius, 0.8 * length);
-  const [shaft, head] = [Math.min(radius, 5 * length), Math.min(3 * radius, 10 * length)];
+  const tip = Math.min(9 * radius, share * length);
+  const [shaft, head] = [Math.min(radius, tip / 4), tip / 3];
   const slope = Math.hypot(tip, head);
   // Rings: distance along the arrow, radius, and the normal's share along and across.
   const rings = [

@@ -91,10 +91,11 @@
  * @typedef {{positions: Float32Array, normals: Float32Array, corners: Uint32Array, size: string}} Tubes
  * @typedef {object} Part
  * @property {Drawn[]} objects what draws it
- * @property {{at?: Point, radius?: number}} place as `rotedu.figures.state` recorded it
+ * @property {{at?: Point, radius?: number, tip?: number}} place as `rotedu.figures.state` recorded it
  * @property {Surface & {rest: ArrayLike<number>, positions: Float32Array}} [surface]
  * @property {Tubes} [tubes] its lines, if it has been drawn anew
  * @property {Uint32Array} [corners] of what it was drawn anew with
+ * @property {Drawn[]} [ground] what draws its shadow
  * @property {boolean} [own] whether its points belong to no other part
  */
 

@@ -3,8 +3,7 @@ import { test } from "node:test";
 import * as three from "three";
 import { dress, sortSeeThrough } from "../src/materials.js";
 
-globalThis.BALL = "";
-const LOOKS = { specular: [0.1, 0.2, 0.3] };
+globalThis.SHADERS = "";
 
 /** A part as three's loader returns it, and what draws it. */
 function drawn(transparent) {
@@ -13,8 +12,7 @@ function drawn(transparent) {
   geometry.setAttribute("position", new three.BufferAttribute(numbers, 3));
   geometry.setIndex([2, 0, 0, 1]);
   const part = new three.Mesh(geometry, new three.MeshBasicMaterial({ transparent }));
-  part.material.userData = LOOKS;
-  return dress(part, []);
+  return dress(part);
 }
 
 const uniform = ({ material }, name) => material.uniforms[name].value;

@@ -70,11 +70,11 @@ test("a tube with as many points is written over the old one", () => {
   assert.notEqual(made("0,0,0 1,0,0 2,0,0", old).positions, old.positions);
 });
 
-test("an arrow is closed, whichever way it goes, and all head if it is short", () => {
+test("an arrow is closed, whichever way it goes, and keeps its shape if it is short", () => {
   for (const way of WAYS) {
-    for (const [length, tip] of points("1,0.18 0.2,0.16")) {
-      const made = arrow([0, 0, 0], times(way, length), 0.02);
-      const [shaft, head] = [area(0.02, 20), area(0.06, 20)];
+    for (const [length, tip] of points("1,0.18 0.2,0.1")) {
+      const made = arrow([0, 0, 0], times(way, length), 0.02, 1 / 2);
+      const [shaft, head] = [area(Math.min(0.02, tip / 4), 20), area(tip / 3, 20)];
       near([volume(made, 0.3)], [(2 / 3) * shaft * (length - tip) + (head * tip) / 3], 1e-9);
       const normals = triples(made.normals);
       near(
@@ -88,13 +88,13 @@ test("an arrow is closed, whichever way it goes, and all head if it is short", (
   }
 });
 
-test("an arrow reaches from one point to the other with a head of one size, but if it is tiny", () => {
+test("an arrow reaches from one point to the other with a head of one size, but if it is short", () => {
   for (const [length, width] of [
     [1, 0.06],
     [2, 0.06],
-    [0.002, 0.02],
+    [0.15, 0.04],
   ]) {
-    const all = triples(arrow([1, 0, 0], [1, 0, length], 0.02).positions);
+    const all = triples(arrow([1, 0, 0], [1, 0, length], 0.02, 0.8).positions);
     const heights = all.map(([, , z]) => z);
     near([Math.min(...heights), Math.max(...heights)], [0, length], 1e-6);
     const widths = all.map(([x, y]) => Math.hypot(x - 1, y));

@@ -76,6 +76,9 @@ for (const { spec, cases } of figures) {
     const view = liveScene(element.firstElementChild);
     const { set } = explore(element, view, spec, models);
     const values = () => JSON.parse(element.dataset.values);
+    const [[only, { high }]] = Object.entries(spec.inputs);
+    // A small figure has no chips.
+    if (!spec.tries.length) set({ [only]: high });
     const find = (selector) => [...element.querySelectorAll(selector)];
     for (const chip of [...find("a.try"), ...find("[data-action=reset]")]) {
       const drawn = view.applied.length;

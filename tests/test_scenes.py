@@ -12,7 +12,8 @@ from scipy.spatial.transform import Rotation, Slerp
 from rotedu import colors, scenes
 from rotedu.arcs import angle_between
 from rotedu.control_points import bisect, control_points, double
-from rotedu.figures.backend import scene_labels, seen_from, still_picture
+from rotedu.figures.backend import scene_labels, seen_from, still_picture, take_poster
+from rotedu.figures.pages import light_poster
 from rotedu.figures.state import record_of
 from rotedu.ordinary_rotation import rotate
 from rotedu.scenes import control_points as construction
@@ -45,8 +46,9 @@ def test_a_sphere_fills_its_picture_also_on_a_phone() -> None:
     """On a screen of 360 pixels a scene has 328 of them."""
     found = 0
     rim = np.linspace(0, 2 * np.pi, 360)
-    # Five films are one row.
-    for plotter in (scene() for scene in SCENES if scene is not scenes.animate):
+    # Five films are one row, and small figures are low.
+    others = {scenes.animate} | {scene for scene in SCENES if getattr(scene, "small", False)}
+    for plotter in (scene() for scene in SCENES if scene not in others):
         if not hasattr(plotter, "ball"):
             continue
         stack = record_of(plotter).stack or {"rows": [{"from": [0, 0, 1, 1], "to": [0, 0, 1, 1]}]}
@@ -65,6 +67,17 @@ def test_a_sphere_fills_its_picture_also_on_a_phone() -> None:
         assert np.ptp(x) / row["from"][2] * row["to"][2] * 328 >= 0.7 * 360
         found += 1
     assert found > 13
+
+
+@pytest.mark.parametrize("scene", [s for s in SCENES if getattr(s, "small", False)])
+def test_a_small_figure_is_small(scene: Any) -> None:
+    assert len(scene.inputs) == 1
+    assert not scene.tries
+    for inputs in ({}, scene.answer):
+        plotter = scene(**inputs)
+        assert 150 <= plotter.window_size[1] <= 300
+        assert len(record_of(plotter).outputs) <= 1
+        assert len(light_poster(take_poster(plotter))) <= 25_000
 
 
 def in_picture(plotter: pyvista.Plotter, points: np.ndarray) -> np.ndarray:

@@ -14,7 +14,9 @@ from explorables import EXPLORABLES, outputs, panels, states
 from oracles.motion import spinning_bodies
 from scipy.spatial.transform import Rotation
 
+from rotedu import scenes
 from rotedu.arcs import angle_between
+from rotedu.control_points import control_points
 from rotedu.figures.explorable import Explorable
 from rotedu.orientations import closed_rotation_curve, squad
 from rotedu.quaternions import Quaternion
@@ -247,6 +249,24 @@ def test_a_spoon_at_the_end_does_not_tell_the_sign() -> None:
     assert np.allclose(there, -np.array(opposite))
     spoons = [parts["spoon at the end"]["matrix"] for parts in frames]
     assert np.allclose(*spoons, atol=1e-5)
+
+
+@pytest.mark.parametrize(
+    ("aim", "bends"), [(0, (35, 108)), (38, (49, 66)), (41, (52, 62)), (82, (98, 39))]
+)
+def test_bends_of_the_arrow_at_the_clock(aim: float, bends: tuple[float, float]) -> None:
+    """And where it points: from straight on to the window; 38 degrees is what the page makes."""
+    told = outputs("arrow_at_the_clock", aim=aim)["bends"]
+    parts = states("arrow_at_the_clock", [{"aim": aim}])[0]["parts"]
+    assert np.round(told).tolist() == list(bends)
+    # Straight on, and towards the window.
+    clock, window, door = (np.array(parts[name]["at"]) for name in ("clock", "window", "door"))
+    arrow = np.subtract(parts["arrow"]["to"], parts["arrow"]["from"])
+    desk = np.array(scenes.CAMERA_TARGETS[3])
+    finished = control_points([door, clock, window, desk / np.linalg.norm(desk)])[0][1]
+    straight, *others = (p - (p @ clock) * clock for p in (-door, arrow, window, finished))
+    angles = [np.degrees(angle_between(straight, other)) for other in others]
+    assert angles == pytest.approx([aim, 82, 38], abs=0.5)
 
 
 def test_no_choice_of_signs_brings_the_plain_mean_to_the_mean() -> None:

@@ -1,13 +1,15 @@
 """Turn a paragraph that begins **Figure 1.** or **Picture 3-a.** into the caption of a figure.
 
 In JupyterLab the caption is an ordinary paragraph below the picture. On the page the two become a
-real figure, which links can name: ``[Figure 1](#figure-1)``.
+real figure, which links can name: ``[Figure 1](#figure-1)``. The paragraph below a small figure is
+its caption, and has the figure's name as its target.
 """
 
 from typing import Any
 
 from docutils import nodes
 from myst_nb.sphinx_ import HideCodeCellNode
+from sphinx import addnodes
 from sphinx.application import Sphinx
 from sphinx.transforms import SphinxTransform
 from sphinx.transforms.post_transforms import SphinxPostTransform
@@ -41,19 +43,30 @@ class BuildFigures(SphinxPostTransform):
 
     def run(self, **_: Any) -> None:
         """Move the last picture of a cell and the caption below it into one figure."""
-        captions = [p for p in self.document.findall(nodes.paragraph) if caption_of(p)]
-        for caption in captions:
-            cell = caption.parent[caption.parent.index(caption) - 1]
+        paragraphs = list(self.document.findall(nodes.paragraph))
+        for caption in [p for p in paragraphs if caption_of(p) or is_below_small(p)]:
+            cell = before(caption)
             pictures = list(cell.findall(NodeMatcher(scene, chart)))
             if not pictures:
                 raise ValueError(f"{caption_of(caption)}: no picture above the caption")
             picture = pictures[-1]
-            if isinstance(picture.parent, explorable):
+            while isinstance(picture.parent, explorable | addnodes.only):
                 picture = picture.parent
-            figure = nodes.figure(ids=caption["ids"])
+            figure = nodes.figure(ids=caption["ids"] or [picture["title"]])
             picture.replace_self(figure)
             figure += [picture, nodes.caption("", "", *caption.children)]
             caption.parent.remove(caption)
+
+
+def before(paragraph: nodes.Element) -> nodes.Element:
+    """Return what stands before a paragraph."""
+    return paragraph.parent[max(paragraph.parent.index(paragraph) - 1, 0)]
+
+
+def is_below_small(paragraph: nodes.Element) -> bool:
+    """Tell whether a paragraph stands below a small figure."""
+    cell = before(paragraph)
+    return isinstance(cell, nodes.container) and any(f["small"] for f in cell.findall(explorable))
 
 
 class PutCodeBelow(SphinxPostTransform):

@@ -20,6 +20,7 @@ import pyvista
 from IPython import get_ipython
 from PIL import Image
 from vtkmodules.vtkCommonCore import vtkLogger
+from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkRenderingLabel import vtkPointSetToLabelHierarchy
 
 from rotedu.figures.ball import ball_looks
@@ -186,6 +187,7 @@ def still_picture(plotter: pyvista.Plotter, **_: object) -> Image.Image:
     """
     require_opengl()
     close_after_cell(plotter)
+    shade_parts(plotter, plotter)
 
     def taken() -> Image.Image:
         plotter.render()
@@ -242,14 +244,10 @@ def enlarged(plotter: pyvista.Plotter, scale: int) -> pyvista.Plotter:
     copy = pyvista.Plotter(off_screen=True, window_size=size, lighting="none")
     # Without any light VTK would compute no normals.
     copy.add_light(pyvista.Light(light_type="headlight"))
-    parts = part_names(plotter)
-    poses = {name: pyvista.array_from_vtkmatrix(actor.GetMatrix()) for name, actor in parts}
-    for name, actor in parts:
+    for name, actor in part_names(plotter):
         twin = actor.copy(deep=False)
-        looks = ball_looks(actor)
-        lying = poses[looks["of"]][:3, :3] if "of" in looks else None
-        shade(twin, surface_of(actor), looks, lying)
         copy.add_actor(twin, name=name, reset_camera=False, render=False)
+    shade_parts(plotter, copy)
     copy.camera = plotter.camera.copy()  # type: ignore[no-untyped-call]
     copy.camera.clipping_range = plotter.camera.clipping_range
     # Our own samples make smooth edges; those of VTK would make lines thinner.
@@ -259,6 +257,16 @@ def enlarged(plotter: pyvista.Plotter, scale: int) -> pyvista.Plotter:
     # VTK mixes the colour of the background into every edge. Black adds nothing to it.
     copy.renderer.set_background("black")
     return copy
+
+
+def shade_parts(plotter: pyvista.Plotter, drawn: pyvista.Plotter) -> None:
+    """Let VTK draw the parts of a scene, there or in its copy, as the viewer does."""
+    parts = dict(part_names(plotter))
+    for name, twin in part_names(drawn):
+        looks = ball_looks(parts[name])
+        spoon = parts[looks["of"]].GetMatrix() if "of" in looks else vtkMatrix4x4()
+        lying = pyvista.array_from_vtkmatrix(spoon)[:3, :3]
+        shade(twin, surface_of(parts[name]), looks, lying)
 
 
 def scene_labels(plotter: pyvista.Plotter, view: str = "") -> list[dict[str, Any]]:

@@ -19,7 +19,7 @@ from typing import Any
 import numpy as np
 import pyvista
 
-from rotedu.figures.backend import book_figure, still_picture
+from rotedu.figures.backend import MIME_TYPE, book_figure, still_picture
 from rotedu.figures.inputs import Input
 from rotedu.figures.model import NO_NODE, Model, RefusedError, can_ask, start_of
 from rotedu.figures.state import State, record_of
@@ -30,6 +30,8 @@ Scene = Callable[..., pyvista.Plotter]
 def explorable(
     tries: Mapping[str, Mapping[str, Any]] | None = None,
     constants: Mapping[str, Any] | None = None,
+    small: bool = False,
+    answer: Mapping[str, Any] | None = None,
     **inputs: Input,
 ) -> Callable[[Callable[[State], pyvista.Plotter]], Scene]:
     """Make a scene of a function that draws the states of a model.
@@ -41,6 +43,10 @@ def explorable(
         as at the start.
     constants : mapping, optional
         Colours and texts that the model cannot know, as JSON holds them.
+    small : bool
+        Whether it is a small figure: low, with one control and one number, and without a name.
+    answer : mapping, optional
+        The values of inputs that paper shows, where no hand can answer what the figure asks.
     **inputs
         What the hand can change.
 
@@ -69,6 +75,8 @@ def explorable(
             inputs=inputs,
             model=model,
             tries=tries or {},
+            small=small,
+            answer=answer or {},
             __signature__=inspect.Signature(
                 [inspect.Parameter(name, kind, default=i.start) for name, i in inputs.items()]
             ),
@@ -209,6 +217,7 @@ class Explorable:
                 for name, c in recorded.charts.items()
             ],
             "tries": [[words, self.checked(v)] for words, v in self.scene.tries.items()],
+            "small": self.scene.small,
         }
 
     def widget(self) -> Any:
@@ -238,6 +247,9 @@ class Explorable:
             figure = book_figure(plotter)
             # On a page it starts as it is now. Of all but a text a notebook sorts the keys.
             figure.scene["spec"] = json.dumps(self.spec(plotter) | {"start": self.values})
+            if self.scene.answer:
+                answer = book_figure(self.draw(**self.scene.answer))
+                figure.scene["answer"] = answer._repr_mimebundle_()[MIME_TYPE] | {"gltf": ""}
             return figure._repr_mimebundle_()
         picture = io.BytesIO()
         still_picture(plotter).save(picture, "PNG")

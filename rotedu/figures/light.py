@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 from vtkmodules.vtkRenderingCore import vtkPolyDataMapper
 
+IDENTITY = np.eye(3)
 SHADERS = [Path(__file__).with_name(name) for name in ("light.glsl", "ball.glsl")]
 """What both renderers compile; ``viewer/build.js`` reads them, too."""
 INSIDE = "inside"
@@ -52,7 +53,7 @@ def shade(
     actor: pyvista.Actor,
     surface: pyvista.DataSet,
     looks: Mapping[str, Any],
-    lying: ArrayLike | None = None,
+    lying: ArrayLike = IDENTITY,
 ) -> None:
     """Let VTK draw an actor as the viewer does.
 
@@ -77,7 +78,7 @@ def shade(
             *center, radius = looks[look]
             vertex += steps.format(center=f"vec3{tuple(center)}", radius=radius)
             color = drawn
-    columns = np.transpose(np.eye(3) if lying is None else lying).ravel()
+    columns = np.transpose(lying).ravel()
     color = color.replace("LYING", ", ".join(map(str, columns)))
     between = "{0} vec3 ballEye;\n{0} vec3 ballPlace;\n{0} float isInside;\n"
     functions = "".join(file.read_text("utf-8") for file in SHADERS)

@@ -48,7 +48,7 @@ class scene(addnodes.download_reference):  # noqa: N801 (docutils names nodes so
 
 
 class scene_view(nodes.Element):  # noqa: N801
-    """A second picture of a scene, from elsewhere: a poster and its labels."""
+    """A second picture of a scene, from elsewhere or in another state: a poster and its labels."""
 
 
 class scene_poster(nodes.image):  # noqa: N801
@@ -83,8 +83,12 @@ class SceneRenderer:
         node = scene_node(renderer, content)
         if "spec" not in content:
             return [node]
-        views = [view_node(renderer, view) for view in content["views"]]
-        return [explorable_node(renderer, content["spec"], [node, *views])]
+        shown = [node, *(view_node(renderer, view) for view in content["views"])]
+        if "answer" in content:
+            asks = addnodes.only("", *shown, expr="builder_html")
+            told = filled(renderer, scene_view(), content["answer"])
+            shown = [asks, addnodes.only("", told, expr="not builder_html")]
+        return [explorable_node(renderer, content["spec"], shown)]
 
 
 def explorable_node(renderer: Any, spec: str, pictures: list[nodes.Element]) -> explorable:
@@ -92,7 +96,9 @@ def explorable_node(renderer: Any, spec: str, pictures: list[nodes.Element]) -> 
     content = json.loads(spec)
     moving = {key: content[key] for key in ("name", "inputs", "start", "model", "constants")}
     target = write_file(renderer, json.dumps(moving, separators=(",", ":")).encode(), "json")
-    return explorable("", "", *pictures, reftarget=target, spec=spec, title=content["name"])
+    node = explorable("", "", *pictures, reftarget=target, spec=spec, title=content["name"])
+    node["small"] = content["small"]
+    return node
 
 
 def scene_node(renderer: Any, content: dict[str, Any]) -> scene:
@@ -218,7 +224,8 @@ def visit_explorable(writer: Any, node: explorable) -> None:
         "data-explore": posixpath.join(writer.builder.dlpath, node["filename"]),
         "ids": [f"explore-{node['title']}"],
     }
-    writer.body.append(writer.starttag(node, "div", CLASS="explorable", **attributes))
+    name = "explorable small" if node["small"] else "explorable"
+    writer.body.append(writer.starttag(node, "div", CLASS=name, **attributes))
 
 
 def depart_explorable(writer: Any, node: explorable) -> None:

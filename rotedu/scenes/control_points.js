@@ -1,6 +1,18 @@
-/* Model of page 5 II. */
-import { arcs, DEGREES, joined, lamp, ORIGIN, scaled, shown, spread, turning } from "./parts.js";
-import { angleBetween, arcAxis, combine, cross, dot, slerp, unit } from "./rotations.js";
+/* Models of page 5 II. */
+import { arcs, DEGREES, joined, lamp, ORIGIN, scaled, shown, spread, turning, W } from "./parts.js";
+import {
+  angleBetween,
+  arcAxis,
+  combine,
+  controlPoints,
+  cross,
+  deCasteljau,
+  dot,
+  double,
+  rotate,
+  slerp,
+  unit,
+} from "./rotations.js";
 
 // Lengths of vectors and angles in radians that look equal.
 const SAME = 1e-6;
@@ -10,6 +22,48 @@ const FAR = 0.36;
 // What lies behind the sphere is named within the glass.
 const INWARD = -0.2;
 const SAMPLES = spread(25);
+
+/** A curve from door to window that passes the clock in a direction to choose. */
+export function arrowAtTheClock({ aim }, { targets, corner }) {
+  const p = targets.map(unit);
+  const [door, clock, window] = p;
+  const { a, b } = controlPoints(p);
+  // From the clock straight on, as far as the finished curve's control point is, then turned.
+  const far = angleBetween(clock, a[1]);
+  const ahead = rotate(clock, arcAxis(door, clock), far);
+  const towards = (degrees) => rotate(ahead, clock, degrees / DEGREES);
+  const tip = towards(aim);
+  const curves = [
+    [door, a[0], double(tip, clock), clock],
+    [clock, tip, b[2], window],
+  ];
+  return {
+    parts: {
+      arcs: { paths: arcs([door, clock], [clock, window]) },
+      curve: { paths: curves.map((four) => spread(21).map((t) => deCasteljau(four, t))) },
+      arrow: { from: scaled(1.01, clock), to: scaled(1.01, tip) },
+      dial: { paths: [spread(13).map((t) => towards(corner * t))] },
+      door: { at: door },
+      clock: { at: clock },
+      window: { at: window },
+    },
+    labels: {
+      door: scaled(1.14, door),
+      clock: combine(1.06, clock, -0.17, W),
+      window: scaled(1.14, window),
+    },
+    grips: { aim: { path: spread(13).map((t) => towards(corner * t)), holds: ["arrow"] } },
+    outputs: { bends: curves.map((four) => DEGREES * bendOf(four)) },
+  };
+}
+
+/** How far a curve turns in all, to the left and to the right: at the corners of a polygon on it. */
+function bendOf(control) {
+  const points = spread(401).map((t) => deCasteljau(control, t));
+  const normals = points.slice(1).map((after, k) => cross(points[k], after));
+  const turns = normals.slice(1).map((after, k) => angleBetween(normals[k], after));
+  return turns.reduce((sum, turn) => sum + turn);
+}
 
 /** The four steps to the control points, with either misprint, and four tests of the result. */
 export function controlPointsByHand(

@@ -8,18 +8,22 @@ from numpy.typing import ArrayLike, NDArray
 
 from rotedu.arcs import arc_axis, slerp
 from rotedu.closed_curve import closed_curve, de_casteljau
-from rotedu.colors import CROSS, NEUTRAL, RESULT, VECTOR, WRONG
+from rotedu.colors import AXIS, CROSS, NEUTRAL, RESULT, VECTOR, WRONG
 from rotedu.control_points import bisect, double
 from rotedu.figures import State, describe, explorable, read_out
 from rotedu.figures.inputs import Handles, Slider, Switch
-from rotedu.scenes.looks import Ball, Lines, Look, Text, draw
+from rotedu.scenes.arcs import CAMERA_TARGETS
+from rotedu.scenes.looks import Arrow, Ball, Lines, Look, Text, draw
 from rotedu.scenes.parts import (
+    LITTLE,
     add_angle,
     add_arc,
     add_axis,
     add_label,
     add_line,
     add_point,
+    add_sphere,
+    new_scene,
     sphere_scene,
 )
 from rotedu.scenes.shapes import U, W, normalised
@@ -27,6 +31,7 @@ from rotedu.scenes.shapes import U, W, normalised
 __all__ = [
     "LOOP",
     "NEIGHBOURS",
+    "arrow_at_the_clock",
     "control_points_by_hand",
     "figure_3",
     "figure_4",
@@ -170,6 +175,45 @@ def figure_7() -> pyvista.Plotter:
         "A unit sphere. An arc from a_i to P_i continues by its own length to b_i. Both halves span"
         " the same angle theta_i with a tilde at the centre. An axis is perpendicular to their"
         " plane.",
+    )
+    return plotter
+
+
+CORNER = 82
+
+
+@explorable(
+    small=True,
+    answer={"aim": 38},
+    constants={"targets": CAMERA_TARGETS, "corner": CORNER},
+    aim=Slider(0, CORNER, "aims, from straight on, °", step=1, plays=5, start=0),
+)
+def arrow_at_the_clock(state: State) -> pyvista.Plotter:
+    """Draw a curve from the door to the window that passes the clock in a chosen direction.
+
+    Parameters
+    ----------
+    aim : float
+        The direction, in degrees: 0 for straight on, 82 for straight at the window.
+    """
+    plotter = new_scene((2.9, 5.2, 2.5), (0.15, 0.1, 0.12), view_angle=22.6, size=LITTLE)
+    add_sphere(plotter)
+    looks: dict[str, Look] = {
+        "arcs": Lines(VECTOR, 0.004),
+        "dial": Lines(NEUTRAL, 0.004),
+        "curve": Lines(RESULT, 0.012),
+        "arrow": Arrow(AXIS, 0.014),
+        "*": Ball(VECTOR, 0.03),
+    }
+    draw(plotter, state, looks, {"*": Text(VECTOR, "{}")})
+    before, after = state["outputs"]["bends"]
+    read_out(plotter, "bends", "bends before and after", 0, "°", where="picture")
+    describe(
+        plotter,
+        "A ball with three points, door, clock and window, and the arcs between them, which make a"
+        f" corner of {CORNER} degrees at the clock. A green curve passes the clock in the direction"
+        f" of an arrow, {state['inputs']['aim']:g} degrees from straight on. It bends by"
+        f" {before:.0f} degrees before the clock and by {after:.0f} after it.",
     )
     return plotter
 

@@ -3,20 +3,24 @@
 import numpy as np
 import pyvista
 
-from rotedu.colors import AXIS, CROSS, RESULT, VECTOR
-from rotedu.figures import describe
+from rotedu.colors import AXIS, CROSS, NEUTRAL, RESULT, VECTOR
+from rotedu.figures import State, describe, explorable, read_out
+from rotedu.figures.inputs import Slider
 from rotedu.ordinary_rotation import rotation_matrix, transform
+from rotedu.scenes.looks import Lines, Look, Mesh, Text, draw
 from rotedu.scenes.parts import (
+    LITTLE,
     NARROW,
     add_arrow,
     add_coordinate_axes,
     add_label,
     add_line,
+    add_point,
     new_scene,
 )
-from rotedu.scenes.shapes import ORIGIN, teaspoon, turning
+from rotedu.scenes.shapes import ORIGIN, U, teaspoon, turning
 
-__all__ = ["four_descriptions"]
+__all__ = ["four_descriptions", "the_roll"]
 
 
 def four_descriptions() -> pyvista.Plotter:
@@ -61,5 +65,43 @@ def four_descriptions() -> pyvista.Plotter:
         f" {np.rad2deg(angle):.0f} degrees about an axis n takes it to a green one. An arc around n"
         " leads from tip to tip, and so do three arcs around U, V and W. Three thin green arrows"
         " show the axes U, V and W after the turn.",
+    )
+    return plotter
+
+
+@explorable(
+    small=True,
+    answer={"roll": 120},
+    # At the widest place of the bowl.
+    constants={"side": (0.45, 0.42, 0)},
+    roll=Slider(0, 360, "roll, °", step=1, plays=6, start=0),
+)
+def the_roll(state: State) -> pyvista.Plotter:
+    """Draw a spoon whose tip is where it should be, but which rolls about its length.
+
+    Parameters
+    ----------
+    roll : float
+        How far it has rolled, in degrees.
+    """
+    plotter = new_scene((3.2, -4.6, 2.6), (0.05, 0, 0), view_angle=12.5, size=LITTLE)
+    spoon = teaspoon(stations=61, around=20)
+    # Wider, and its tip stays on the axis.
+    spoon.points = spoon.points * [1, 1.25, 1.25]
+    solid = {"smooth_shading": True, "pickable": False}
+    looks: dict[str, Look] = {
+        "path": Lines(NEUTRAL, 0.004),
+        "spoon": Mesh(spoon, RESULT, solid),
+    }
+    wanted = {"color": VECTOR, "opacity": 0.25}
+    plotter.add_mesh(spoon.copy(), name="wanted", **solid, **wanted)  # type: ignore[arg-type]
+    draw(plotter, state, looks, {"tip": Text(VECTOR, "{}")})
+    add_line(plotter, [-1.25 * U, 1.35 * U], AXIS, 0.006)
+    add_point(plotter, 1.02 * U, VECTOR, 0.045)
+    read_out(plotter, "off", "off by", 0, "°", where="picture")
+    describe(
+        plotter,
+        "A pale spoon as it should lie, and a green one in the same place, whose tip is at the same"
+        f" point, but which has rolled about its length by {state['inputs']['roll']:.0f} degrees.",
     )
     return plotter

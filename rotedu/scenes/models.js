@@ -5,6 +5,7 @@ export * from "./closed_curve.js";
 export * from "./conclusions.js";
 export * from "./control_points.js";
 export * from "./general_rotation.js";
+export * from "./introduction.js";
 export * from "./motion.js";
 export * from "./ordinary_rotation.js";
 export * from "./orientations.js";

@@ -2,7 +2,7 @@
  * Models of page 5 IV.
  * @import { Point } from "./rotations.js"
  */
-import { DEGREES, placing, scaled, spread, turning } from "./parts.js";
+import { DEGREES, placing, scaled, spread, turning, W } from "./parts.js";
 import {
   angleBetween,
   arcAxis,
@@ -18,6 +18,7 @@ import {
   product,
   quaternionFromMatrix,
   quaternionMatrix,
+  rotate,
   rotationMatrix,
   slerp,
   squad,
@@ -105,6 +106,37 @@ const arrow = (here, size) => ({ from: here[0], to: head(here, size) });
 function triangle([p, q, r]) {
   const s = spread(13);
   return s.flatMap((u) => s.map((v) => slerp(p, slerp(q, r, u), v)));
+}
+
+// On the circle of a gate: where it goes after its swing, in degrees, and half a turn.
+const [NEXT, HALF] = [10, 180];
+
+/** Of a gate that swings on by as far again, the middles on both ways from there to its next place. */
+export function twoMiddles({ swing }, { low, high }) {
+  const on = 2 * swing;
+  const flips = on - NEXT > HALF;
+  const middle = (on + NEXT) / 2;
+  const at = (degrees, radius = 1) => rotate([radius, 0, 0], W, degrees / DEGREES);
+  const arc = (from, to, radius) => spread(25).map((t) => at(from + t * (to - from), radius));
+  const points = { gate: at(swing), on: at(on), next: at(NEXT) };
+  const middles = { remembered: at(middle, 0.86), shorter: at(middle + (flips ? HALF : 0), 0.72) };
+  const ways = { swung: arc(0, on), "whole way": arc(NEXT, on, 0.86) };
+  const placed = (places, place) =>
+    Object.fromEntries(Object.entries(places).map(([name, at]) => [name, place(at)]));
+  return {
+    parts: {
+      ...placed({ ...points, ...middles }, (at) => ({ at })),
+      ...placed(ways, (path) => ({ paths: [path] })),
+      "shorter way": { paths: [arc(NEXT, flips ? on - 2 * HALF : on, 0.72)] },
+    },
+    labels: {
+      ...placed(points, ([x, y, z]) => [1.36 * x, 1.16 * y, z]),
+      remembered: scaled(0.72, middles.remembered),
+      shorter: scaled(0.6, middles.shorter),
+    },
+    grips: { swing: { path: arc(low, high), holds: ["gate"] } },
+    outputs: { apart: flips ? HALF : 0 },
+  };
 }
 
 const SAMPLES = 20;

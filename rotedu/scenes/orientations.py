@@ -16,6 +16,7 @@ from rotedu.orientations import slerp_rotations
 from rotedu.quaternions import Quaternion
 from rotedu.scenes.looks import Arrow, Ball, Lines, Look, Mesh, Text, draw
 from rotedu.scenes.parts import (
+    LITTLE,
     add_label,
     add_line,
     add_point,
@@ -24,7 +25,7 @@ from rotedu.scenes.parts import (
     new_scene,
     sphere_scene,
 )
-from rotedu.scenes.shapes import JUST_INSIDE, U, V, W, fan, teaspoon, triangle_mesh
+from rotedu.scenes.shapes import JUST_INSIDE, U, V, W, fan, teaspoon, triangle_mesh, turning
 
 __all__ = [
     "TWO_ORIENTATIONS",
@@ -32,10 +33,57 @@ __all__ = [
     "carried_around_by_hand",
     "four_ways_between",
     "routes_by_hand",
+    "two_middles",
 ]
 
 TWO_ORIENTATIONS = ((0, 0, 0), (150, -60, 150))
 """Angles about U, V and W, in degrees, of the orientations of `four_ways_between`."""
+
+
+LOW, HIGH = 80, 120
+
+
+@explorable(
+    small=True,
+    answer={"swing": 100},
+    constants={"low": LOW, "high": HIGH},
+    swing=Slider(LOW, HIGH, "the gate swings to, °", step=1, plays=5, start=LOW),
+)
+def two_middles(state: State) -> pyvista.Plotter:
+    """Draw the two middles between where a swinging gate would go on to and where it goes.
+
+    Parameters
+    ----------
+    swing : float
+        How far the gate has swung, in degrees.
+    """
+    plotter = new_scene((0, -1.6, 6), (0, 0.04, 0), view_angle=23.5, size=LITTLE)
+    add_line(plotter, turning((1, 0, 0), (0, 0, 1), 2 * np.pi, 60), NEUTRAL, 0.004, "circle")
+    looks: dict[str, Look] = {
+        "swung": Lines(VECTOR, 0.012),
+        "whole way": Lines(RESULT, 0.012),
+        "shorter way": Lines(CROSS, 0.012),
+        "remembered": Ball(RESULT, 0.06),
+        "shorter": Ball(CROSS, 0.06),
+        "*": Ball(VECTOR, 0.05),
+    }
+    texts = {
+        "on": Text(VECTOR, "goes on"),
+        "remembered": Text(RESULT),
+        "shorter": Text(CROSS),
+        "*": Text(VECTOR, "{}"),
+    }
+    draw(plotter, state, looks, texts)
+    read_out(plotter, "apart", "middles apart", 0, "°", where="picture")
+    swing = state["inputs"]["swing"]
+    describe(
+        plotter,
+        f"A circle. A gate has swung from 0 to {swing:g} degrees; by as far again it would come to"
+        f" {2 * swing:g}. Its next place is at 10 degrees. The middle of the way round lies at"
+        f" {swing + 5:g} degrees, that of the shorter way"
+        + (" on the other side of the circle." if swing > 95 else " in the same place."),
+    )
+    return plotter
 
 
 # Out and back, almost; a face of a tetrahedron, a quarter of the sphere, or so little less that no

@@ -23,6 +23,8 @@ BODY = 6.5
 """What is wider, in pixels, is no line."""
 TIP, HEAD = 1 / 3, 0.8
 """How much of a short arrow its head takes, and of one that only ends a bent line."""
+LITTLE = (480, 240)
+"""Size of the scene of a small figure."""
 FILLED = 0.865
 """How much of the height the sphere fills; above and below, there is room for a label."""
 

@@ -6,7 +6,10 @@ from typing import Any
 import numpy as np
 
 from rotedu.arcs import angle_between, arc_axis, slerp
-from rotedu.control_points import bisect, double
+from rotedu.closed_curve import de_casteljau
+from rotedu.control_points import bisect, control_points, double
+from rotedu.ordinary_rotation import rotate
+from rotedu.scenes.arcs import CAMERA_TARGETS
 from rotedu.scenes.control_points import NOT_YET, STEPS, VERDICTS
 
 SAME = 1e-6
@@ -45,3 +48,21 @@ def control_points_by_hand(
             for name, right in passed.items()
         },
     }
+
+
+def arrow_at_the_clock(aim: float) -> dict[str, list[float]]:
+    """The bends, from the corners of a polygon on each half of the curve."""
+    p = np.divide(CAMERA_TARGETS, np.linalg.norm(CAMERA_TARGETS, axis=1, keepdims=True))
+    door, clock, window, _ = p
+    a, b = control_points(p)
+    ahead = rotate(clock, arc_axis(door, clock), angle_between(clock, a[1]))
+    tip = rotate(ahead, clock, np.radians(aim))
+    halves = [door, a[0], double(tip, clock), clock], [clock, tip, b[2], window]
+    return {"bends": [bend(np.array(half)) for half in halves]}
+
+
+def bend(control: Any) -> float:
+    """The sum of the angles between the sides of a polygon on a Bezier curve, in degrees."""
+    points = de_casteljau(control, np.linspace(0, 1, 401))
+    normals = np.cross(points[:-1], points[1:])
+    return float(np.degrees(angle_between(normals[:-1], normals[1:]).sum()))

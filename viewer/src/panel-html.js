@@ -19,7 +19,7 @@ const MORE = '<details class="explorable-more"><summary>More numbers</summary>';
  * @param {import("./types.js").State} state what its model computes at the start
  * @returns {string}
  */
-export function panelHtml({ name, inputs, start, outputs, charts, tries }, state) {
+export function panelHtml({ name, inputs, start, outputs, charts, tries, small }, state) {
   const values = { ...start, ...state.inputs };
   const controls = Object.entries(inputs).map(([key, spec]) =>
     CONTROLS[spec.kind](key, spec, values[key], name),
@@ -36,15 +36,17 @@ export function panelHtml({ name, inputs, start, outputs, charts, tries }, state
     return `<a class="try" href="${escaped(address)}">${written(words)}</a>`;
   });
   const folded = box("outputs", numbers("folded"));
+  const controlled = box("controls", controls.join(""));
+  const whole =
+    '<div class="explorable-buttons explorable-whole">' +
+    '<button type="button" data-action="reset">Reset</button>' +
+    '<button type="button" name="copy" data-action="link">Copy link</button></div>';
   return (
     '<p class="explorable-status" role="status"></p>' +
     '<form class="explorable-panel" autocomplete="off"><fieldset disabled>' +
     '<legend class="explorable-legend">Controls of the figure</legend>' +
     box("numbers", numbers("picture")) +
-    '<div class="explorable-buttons explorable-whole">' +
-    '<button type="button" data-action="reset">Reset</button>' +
-    '<button type="button" name="copy" data-action="link">Copy link</button></div>' +
-    box("controls", controls.join("")) +
+    (small ? controlled + whole : whole + controlled) +
     box("charts", drawn.join("")) +
     box("outputs", numbers("panel")) +
     (folded && `${MORE}${folded}</details>`) +

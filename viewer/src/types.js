@@ -48,6 +48,7 @@
  * @property {Output[]} outputs
  * @property {Chart[]} charts
  * @property {[string, Inputs][]} tries
+ * @property {boolean} [small]
  *
  * @typedef {{name: string, label: string, digits: number, unit: string, loud: string, where: string,
  *   color: string}} Output how it is written

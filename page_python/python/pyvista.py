@@ -23,6 +23,7 @@ class PolyData:
 
     def __init__(self, points: Any, faces: Any) -> None:
         self.points, self.faces = np.array(points), np.array(faces)
+        self.point_data: dict[str, Any] = {}
 
     @property
     def regular_faces(self) -> Any:

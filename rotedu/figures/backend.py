@@ -100,13 +100,13 @@ class BookFigure:
         return f"<scene: {self.scene['alt']}>"
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, Any]:
-        poster = base64.b64encode(self.poster).decode()
-        return {
-            "text/plain": repr(self),
-            "image/png": poster,
-            MIME_TYPE: self.scene
-            | {"poster": poster, "gltf": base64.b64encode(self.gltf).decode()},
-        }
+        content = self.content()
+        return {"text/plain": repr(self), "image/png": content["poster"], MIME_TYPE: content}
+
+    def content(self) -> dict[str, Any]:
+        """Return what a page needs, as JSON holds it."""
+        files = {"poster": self.poster, "gltf": self.gltf}
+        return self.scene | {name: base64.b64encode(x).decode() for name, x in files.items()}
 
 
 def book_figure(plotter: pyvista.Plotter, **_: object) -> BookFigure:

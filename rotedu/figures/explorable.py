@@ -19,7 +19,7 @@ from typing import Any
 import numpy as np
 import pyvista
 
-from rotedu.figures.backend import MIME_TYPE, book_figure, still_picture
+from rotedu.figures.backend import book_figure, still_picture
 from rotedu.figures.inputs import Input
 from rotedu.figures.model import NO_NODE, Model, RefusedError, can_ask, start_of
 from rotedu.figures.state import State, record_of
@@ -249,7 +249,7 @@ class Explorable:
             figure.scene["spec"] = json.dumps(self.spec(plotter) | {"start": self.values})
             if self.scene.answer:
                 answer = book_figure(self.draw(**self.scene.answer))
-                figure.scene["answer"] = answer._repr_mimebundle_()[MIME_TYPE] | {"gltf": ""}
+                figure.scene["answer"] = answer.content() | {"gltf": ""}
             return figure._repr_mimebundle_()
         picture = io.BytesIO()
         still_picture(plotter).save(picture, "PNG")

@@ -11,8 +11,6 @@ from typing import Any
 import numpy as np
 import pyvista
 from numpy.typing import ArrayLike
-from vtkmodules.vtkCommonDataModel import vtkDataObject
-from vtkmodules.vtkRenderingCore import vtkPolyDataMapper
 
 IDENTITY = np.eye(3)
 SHADERS = [Path(__file__).with_name(name) for name in ("light.glsl", "ball.glsl")]
@@ -97,6 +95,10 @@ def shade(
 
 def _tell_inside(actor: pyvista.Actor, surface: pyvista.DataSet) -> None:
     """Let the shader of vertices know which points are inside, as pyvista's mapper cannot."""
+    # Python in a page has no VTK, and draws nothing.
+    from vtkmodules.vtkCommonDataModel import vtkDataObject
+    from vtkmodules.vtkRenderingCore import vtkPolyDataMapper
+
     mapper = vtkPolyDataMapper()
     mapper.SetInputData(surface)
     mapper.ScalarVisibilityOff()

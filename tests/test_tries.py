@@ -70,7 +70,7 @@ SHOWN: dict[str, dict[str, dict[str, str]]] = {
         "who turns it past the window?": {"rolled": "0°", "spin": "−523°/s"},
     },
     "control_points_by_hand": {
-        "the three points alone": {"now": "0 three given points"},
+        "all four steps": {"now": "4 Double: to the other side", "tests": "all say yes"},
         "the next point straight ahead": {"tests": "all say yes"},
         "before the jump": {"to_jump": "5°", "tests": "all say yes"},
         "behind it": {"to_jump": "5°", "tests": "all say yes"},

@@ -21,6 +21,8 @@ const NEAR = 0.17;
 const FAR = 0.36;
 // What lies behind the sphere is named within the glass.
 const INWARD = -0.2;
+// Clear of the name of a point beside it.
+const BELOW = -0.3;
 const SAMPLES = spread(25);
 
 /** A curve from door to window that passes the clock in a direction to choose. */
@@ -125,6 +127,7 @@ export function controlPointsByHand(
 /** The three points, and where a_i jumps. */
 function given(before, here, after, axis, reflected, step) {
   const opposite = scaled(-1, reflected);
+  const jumps = axis && step >= 1;
   return {
     parts: {
       circle: shown(axis && { paths: [turning(before, axis, 2 * Math.PI, 96)] }),
@@ -133,13 +136,13 @@ function given(before, here, after, axis, reflected, step) {
       $P_i$: { at: here },
       "$P_{i+1}$": { at: after },
       halved: { paths: arcs([reflected], [after]), hidden: step <= 1 },
-      opposite: { at: opposite, hidden: step < 1 },
+      opposite: { at: opposite, hidden: !jumps },
     },
     labels: {
       "P_{i-1}": beside(before, [here]),
       P_i: beside(here, [before, after]),
       "P_{i+1}": beside(after, [here, reflected]),
-      opposite: step < 1 ? null : beside(opposite, [], INWARD),
+      opposite: jumps ? combine(1, opposite, BELOW, W) : null,
     },
   };
 }

@@ -1,6 +1,7 @@
 """Scenes of page 5 II: the construction, and the misprints (5-9) and (5-13)."""
 
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 import pyvista
@@ -246,6 +247,15 @@ def on_equator(degrees: float) -> tuple[float, float, float]:
     return (round(np.cos(np.radians(degrees)), 6), round(np.sin(np.radians(degrees)), 6), 0.0)
 
 
+def ahead(degrees: float, one_circle: bool = True) -> dict[str, Any]:
+    """Return inputs that show all steps, with the third point on the equator."""
+    return {
+        "points": (*NEIGHBOURS[:2], on_equator(degrees)),
+        "step": 4,
+        "one_circle": one_circle,
+    }
+
+
 @explorable(
     constants={
         "inks": {name: pyvista.Color(ink).float_rgb for name, ink in INKS.items()},
@@ -254,13 +264,14 @@ def on_equator(degrees: float) -> tuple[float, float, float]:
         "verdicts": VERDICTS,
     },
     tries={
-        "the three points alone": {"step": 0},
-        "the next point straight ahead": {"points": (*NEIGHBOURS[:2], on_equator(120))},
-        "before the jump": {"points": (*NEIGHBOURS[:2], on_equator(295)), "one_circle": True},
-        "behind it": {"points": (*NEIGHBOURS[:2], on_equator(305)), "one_circle": True},
+        "all four steps": {"step": 4},
+        "the next point straight ahead": ahead(120, one_circle=False),
+        "before the jump": ahead(295),
+        "behind it": ahead(305),
     },
+    answer={"step": 4},
     points=Handles(("P before", "P", "P after"), start=AHEAD),
-    step=Slider(0, 4, "steps taken", step=1, stride=1, plays=8, start=4),
+    step=Slider(0, 4, "steps taken", step=1, stride=1, plays=8, start=0),
     printed_axis=Switch("step 2 with its misprint", start=False),
     printed_double=Switch("step 4 with its misprint", start=False),
     one_circle=Switch("keep *Pᵢ₊₁* on the great circle of the others", start=False),
@@ -296,23 +307,26 @@ def control_points_by_hand(state: State) -> pyvista.Plotter:
         # A state colours no label, so a point that a misprint spoils has another one.
         draw(plotter, state, looks, {label: Text(ink), f"{label} spoiled": Text(WRONG, name)})
 
-    read_out(plotter, "now", "step")
-    read_out(plotter, "tests", "four tests", where="picture")
+    read_out(plotter, "now", "step", where="picture")
     read_out(plotter, "to_jump", "from *Pᵢ₊₁* to the jump", 0, "°", where="picture")
     for name, label in (
+        ("tests", "four tests"),
         ("midway", "*P̄ᵢ* halfway from *P̄ᵢ₋₁* to *Pᵢ₊₁*"),
         ("on_circle", "*bᵢ*, *Pᵢ*, *aᵢ* on a great circle"),
         ("equally_far", "*aᵢ*, *bᵢ* equally far from *Pᵢ*"),
         ("no_corner", "straight on at *Pᵢ*"),
     ):
         read_out(plotter, name, label, where="folded")
+    steps = (
+        " A purple path leads straight on beyond P_i by as far again,",
+        " another from there halfway to P_{i+1}.",
+        " A green path comes halfway back to P_i: there is the control point a_i.",
+        " The last one goes on to b_i, on the other side of P_i.",
+    )
     describe(
         plotter,
-        "A see-through sphere with three blue points P_{i-1}, P_i and P_{i+1} that can be dragged."
-        " Purple paths lead to two auxiliary points: straight on beyond P_i by as far again, then"
-        " halfway to P_{i+1}. The green control point a_i lies halfway back to P_i, and b_i lies"
-        " on the other side of P_i. A grey point opposite the first auxiliary point is marked: here"
-        " a_i jumps. With a misprint, what it makes wrong is red.",
+        "A see-through sphere with three blue points P_{i-1}, P_i and P_{i+1}, joined by arcs,"
+        " that can be dragged." + "".join(steps[: round(state["inputs"]["step"])]),
     )
     return plotter
 

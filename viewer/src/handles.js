@@ -12,12 +12,6 @@ import { dot } from "./vectors.js";
 
 /** @import { Grip, Inputs, Specs } from "./types.js" */
 
-const HINTS = {
-  points: () => "Drag a ring to move what it holds",
-  number: () => "Drag a ring along its path",
-  poses: ({ names }) =>
-    `Drag ${Array.isArray(names) ? `a ${names[0].replace(/ \d+$/, "")}` : names} to turn it`,
-};
 const STEP = Math.PI / 90;
 const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 // Turns of a body: about the axis to the right, the one that points up, the line of sight.
@@ -69,9 +63,7 @@ export function addHandles(scene, view, specs, now, change, hold) {
       for (const handle of handles.splice(wanted)) handle.remove();
       for (const handle of handles) handle.name();
     }
-    const held = groups.filter(({ handles }) => handles.length).map(({ hand }) => hand.spec);
-    const kind = Object.keys(HINTS).find((each) => held.some((spec) => spec.kind === each));
-    if (kind && hint) hint.textContent = HINTS[kind](held.find((spec) => spec.kind === kind));
+    if (hint) hint.textContent = hintFor(groups) || hint.textContent;
   };
   view.onDraw(() => {
     for (const { handles } of groups) for (const handle of handles) handle.cover();
@@ -80,6 +72,21 @@ export function addHandles(scene, view, specs, now, change, hold) {
   for (const kind of ["pointerover", "focusin"]) layer.addEventListener(kind, take);
   for (const kind of ["pointerout", "focusout"]) layer.addEventListener(kind, () => hold([]));
   return { update };
+}
+
+/** What the hand can do with what is there to be grabbed, in one sentence. */
+function hintFor(groups) {
+  const held = groups.filter(({ handles }) => handles.length).map(({ hand }) => hand.spec);
+  const has = (kind) => held.some((spec) => spec.kind === kind);
+  const things = [];
+  if (has("points")) things.push("a ring to move what it holds");
+  else if (has("number")) things.push("a ring along its path");
+  const bodies = held.find(({ kind }) => kind === "poses")?.names;
+  if (bodies) {
+    const body = Array.isArray(bodies) ? `a ${bodies[0].replace(/ \d+$/, "")}` : bodies;
+    things.push(`${body} to turn it`);
+  }
+  return things.length ? `Drag ${things.join(", or ")}` : "";
 }
 
 /** The parts that one of the handles of an input holds. */

@@ -73,15 +73,17 @@ test("each point has its handle, at its place and with its name", () => {
 });
 
 test("a scene says what can be dragged, and keeps its hint if nothing can", () => {
+  const { points, angle, spoon, u } = SPECS;
   const several = { kind: "poses", names: ["spoon 0", "spoon 1"] };
-  for (const [name, spec, hint] of [
-    ["points", SPECS.points, "Drag a ring to move what it holds"],
-    ["angle", SPECS.angle, "Drag a ring along its path"],
-    ["spoon", SPECS.spoon, "Drag the spoon to turn it"],
-    ["spoon", several, "Drag a spoon to turn it"],
-    ["u", SPECS.u, ""],
+  for (const [specs, hint] of [
+    [{ points, angle }, "Drag a ring to move what it holds"],
+    [{ angle, u }, "Drag a ring along its path"],
+    [{ spoon }, "Drag the spoon to turn it"],
+    [{ angle, spoon }, "Drag a ring along its path, or the spoon to turn it"],
+    [{ spoon: several }, "Drag a spoon to turn it"],
+    [{ u }, ""],
   ]) {
-    const { element } = scene({ [name]: spec }, GRIPS);
+    const { element } = scene(specs, GRIPS);
     assert.equal(element.querySelector(".scene-hint").textContent, hint);
   }
 });

@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import * as models from "../rotedu/scenes/models.js";
 import {
+  combine,
   matrixFromEulerAngles,
   product,
   quaternionFromMatrix,
@@ -34,18 +35,23 @@ test("a ring stays on the point that it holds", () => {
   assert.deepEqual(corrected(false), {});
 });
 
-test("while one number of Figure 1 moves, what it leaves alone shines", () => {
+test("the arrows of Figure 1 grow one after another, and a second vector has its own", () => {
   const spec = specOf("figure1ByHand");
-  const halo = (changed, inputs = {}) =>
-    models.figure1ByHand({ ...spec.start, ...inputs }, spec.constants, changed).parts.halo;
-  for (const changed of [[], ["vector"], ["around", "theta"], Object.keys(spec.start)]) {
-    assert.deepEqual(halo(changed), { hidden: true });
-  }
-  const { parts } = models.figure1ByHand(spec.start, spec.constants, []);
-  const arrows = ["term 2", "other term 2"].map((name) => [parts[name].from, parts[name].to]);
-  assert.deepEqual(halo(["around"]), { paths: arrows, hidden: false });
-  assert.deepEqual(halo(["theta"]), { paths: parts.height.paths, hidden: false });
-  assert.deepEqual(halo(["around"], { theta: 0 }), { hidden: true });
+  const drawn = (inputs) => {
+    const { parts } = models.figure1ByHand({ ...spec.start, ...inputs }, spec.constants, []);
+    return ["", "other "].map((whose) =>
+      [1, 2, 3].map((i) => parts[`${whose}term ${i}`]).map(({ hidden, to }) => !hidden && to),
+    );
+  };
+  const [whole, none] = drawn({ drawn: 3 });
+  assert.deepEqual(none, [false, false, false]);
+  assert.deepEqual(drawn({ drawn: 0, around: 130 }), [none, none]);
+  const [[first, second, third]] = drawn({ drawn: 1.5 });
+  assert.deepEqual([first, third], [whole[0], false]);
+  assert.equal(difference(second, combine(0.5, whole[0], 0.5, whole[1]), allowed), "");
+  const [same, theirs] = drawn({ drawn: 3, around: 130 });
+  assert.deepEqual(same, whole);
+  assert.ok(theirs.every(Boolean));
 });
 
 test("who turns the spoon of Picture 4-e takes its rings along, by the nearest angles", () => {

@@ -114,7 +114,8 @@ def test_figure_1_stays_in_the_picture_when_its_axis_is_tilted() -> None:
     for vector, axis in rng.normal(size=(20, 2, 3)):
         vector *= np.linalg.norm(VECTOR_BY_HAND) / np.linalg.norm(vector)
         theta, around = rng.uniform(0, 360, 2)
-        cases.append({"vector": vector, "axis": axis, "theta": theta, "around": around})
+        turn = {"axis": axis, "theta": theta, "around": around}
+        cases.append({"vector": vector, "drawn": 3, **turn})
     for state in states("figure_1_by_hand", cases):
         parts = [part for part in state["parts"].values() if not part.get("hidden")]
         places = [place for part in parts for place in part.values() if np.size(place) > 1]

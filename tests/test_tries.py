@@ -141,9 +141,10 @@ SHOWN: dict[str, dict[str, dict[str, str]]] = {
         },
     },
     "figure_1_by_hand": {
+        "all three arrows": {"first": "0.50", "across": "0.87"},
         "*θ* = 90°": {"first": "0.00", "across": "1.00"},
         "*θ* = 180°": {"first": "−1.00", "across": "0.00"},
-        "*r₂* opposite *r*": {"first_apart": "0.94", "along_apart": "0.00"},
+        "another vector to the circle": {"along_apart": "0.00"},
     },
     "two_mirrors_by_hand": {
         "both mirrors, 60° on": {"between": "60°", "turned": "120°"},

@@ -7,56 +7,70 @@ const HAIR = 1e-6;
 // To the right in the picture, clear of the ring around a tip.
 const ASIDE = [-0.03, 0.13, 0];
 
-/** Two vectors turned about one axis, and the three terms of (3-1) for each. */
-export function figure1ByHand({ vector: r, axis, theta, around }, _, changed) {
+/** A vector turned about an axis, the three terms of (3-1) as far as drawn, and a second vector. */
+export function figure1ByHand({ vector: r, axis, theta, drawn, around }) {
   const n = unit(axis);
   const angle = theta / DEGREES;
   const center = scaled(dot(r, n), n);
-  const turned = rotate(r, n, angle);
-  const other = rotate(r, n, around / DEGREES);
-  const otherEnd = rotate(other, n, angle);
-  const [here, there] = [r, other].map((vector) => terms(vector, n, angle));
   const circle = turning(r, n, 2 * Math.PI, 80);
-  const beside = (tip, up) => combine(1, combine(1.17, tip, -0.17, center), up, n);
-  const apart = here.map((term, i) => length(combine(1, there[i], -1, term)));
-  const second = {
+  const apart = around % 360 !== 0;
+  const other = rotate(r, n, around / DEGREES);
+  const [here, there] = [r, other].map((vector) => terms(vector, n, angle));
+  const differences = here.map((term, i) => length(combine(1, there[i], -1, term)));
+  const construction = {
     parts: {
-      other: { paths: [[ORIGIN, other]] },
-      "other start": { at: other },
-      "other end": { at: otherEnd },
-      ...headToTail(here, "term"),
-      ...headToTail(there, "other term"),
-      halo: halo(unchanged(changed, center, here, there)),
+      ...headToTail(here, drawn, "term"),
+      ...headToTail(there, apart ? drawn : 0, "other term"),
     },
     grips: {
       vector: { holds: ["r"] },
       axis: { holds: ["n"] },
-      theta: { path: circle, body: [ORIGIN, turned], holds: ["turned"] },
-      around: { path: circle, body: [ORIGIN, other], holds: ["other", "other start"] },
-    },
-    labels: {
-      "\\vec r": beside(r, -0.12),
-      "\\vec r^{\\,\\prime}": beside(turned, 0.12),
-      "\\vec r_2": beside(other, 0),
-      "\\vec r_2^{\\,\\prime}": beside(otherEnd, 0.25),
+      theta: { path: circle, body: [ORIGIN, rotate(r, n, angle)], holds: ["turned"] },
+      around: {
+        path: apart ? circle : null,
+        body: [ORIGIN, other],
+        holds: ["other", "other start"],
+      },
     },
     outputs: {
       first: Math.cos(angle),
-      first_apart: apart[0],
+      first_apart: differences[0],
       along: (1 - Math.cos(angle)) * dot(r, n),
-      along_apart: apart[1],
+      along_apart: differences[1],
       across: Math.sin(angle),
-      across_apart: apart[2],
+      across_apart: differences[2],
       matrix: rotationMatrix(n, angle),
     },
   };
-  return joined(oneTurn(r, n, angle, center, circle), second);
+  const second = another(apart ? other : null, rotate(other, n, angle), center, n);
+  return joined(oneTurn(r, n, angle, center, circle), construction, second);
+}
+
+/** A second vector on the circle, if there is one, and where it ends. */
+function another(start, end, center, n) {
+  return {
+    parts: {
+      other: shown(start && { paths: [[ORIGIN, start]] }),
+      "other start": shown(start && { at: start }),
+      "other end": shown(start && { at: end }),
+    },
+    labels: {
+      "\\vec r_2": start && beside(start, center, n, 0),
+      "\\vec r_2^{\\,\\prime}": start && beside(end, center, n, 0.25),
+    },
+  };
+}
+
+/** A place outside of the circle for the name of a tip, and higher or lower. */
+function beside(tip, center, n, up) {
+  return combine(1, combine(1.17, tip, -0.17, center), up, n);
 }
 
 /** A vector on its circle, before and after a turn. */
 function oneTurn(r, n, angle, center, circle) {
   const spoke = combine(1, r, -1, center);
   const turned = rotate(r, n, angle);
+  const middle = rotate(spoke, n, 0.5 * angle);
   const rim = turning(scaled(0.42, spoke), n, angle, 48);
   const spokes = [r, turned].map((end) => [center, end]);
   return {
@@ -72,10 +86,12 @@ function oneTurn(r, n, angle, center, circle) {
     },
     labels: {
       O: [0, 0.13, -0.1],
-      "\\theta": combine(1, center, 0.28, rotate(spoke, n, 0.5 * angle)),
-      "\\vec r_\\parallel": combine(0.4, center, -0.16, spoke),
-      "\\vec r_\\perp": combine(1, combine(1, center, 0.72, spoke), 0.09, n),
+      "\\theta": combine(1, center, 0.28, middle),
+      "\\vec r_\\parallel": combine(0.45, center, -1, ASIDE),
+      "\\vec r_\\perp": combine(1, combine(1, center, 0.8, spoke), 0.09, n),
       "\\hat n": combine(1.1, n, 1, ASIDE),
+      "\\vec r": beside(r, center, n, -0.12),
+      "\\vec r^{\\,\\prime}": beside(turned, center, n, 0.12),
     },
   };
 }
@@ -86,25 +102,13 @@ function terms(r, n, angle) {
   return [scaled(cos, r), scaled((1 - cos) * dot(r, n), n), scaled(Math.sin(angle), cross(n, r))];
 }
 
-/** What stays as it is while one number changes, as lines. */
-function unchanged(changed, center, here, there) {
-  if (changed.length !== 1) return [];
-  const second = ([first, along]) => [first, combine(1, first, 1, along)];
-  return { theta: [[ORIGIN, center]], around: [second(here), second(there)] }[changed[0]] ?? [];
-}
-
-/** What stays as it is shines, but only while the hand moves: lines, without those that vanish. */
-function halo(lines) {
-  const paths = lines.filter(([from, to]) => length(combine(1, to, -1, from)) > HAIR);
-  return shown(paths.length && { paths });
-}
-
-/** Arrows for terms, without those that vanish. */
-function headToTail(three, name) {
+/** Arrows for terms, one after another, without those that vanish. */
+function headToTail(three, drawn, name) {
   let from = ORIGIN;
   const arrows = three.map((term, i) => {
-    const to = combine(1, from, 1, term);
-    const arrow = shown(length(term) > HAIR && { from, to });
+    const part = scaled(Math.min(Math.max(drawn - i, 0), 1), term);
+    const to = combine(1, from, 1, part);
+    const arrow = shown(length(part) > HAIR && { from, to });
     from = to;
     return [`${name} ${i + 1}`, arrow];
   });

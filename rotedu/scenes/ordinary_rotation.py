@@ -13,8 +13,8 @@ from rotedu.scenes.shapes import ORIGIN, fan, normalised, teaspoon, turning
 
 __all__ = ["figure_1", "figure_1_by_hand", "rotated_mesh"]
 
-VECTOR_BY_HAND, AXIS_BY_HAND = (0.8, -0.6, 0.4), (0.4, 0.2, 1.2)
-"""Where the circle lies all round the origin."""
+VECTOR_BY_HAND, AXIS_BY_HAND = (0.7, 0.7, 0.4), (0.5, -0.3, 1.05)
+"""Where the circle fills the picture, and no arrow hides another."""
 INKS = (VECTOR, AXIS, CROSS)
 """Colours of the terms of (3-1)."""
 LOOKS: dict[str, Look] = {
@@ -31,7 +31,6 @@ LOOKS: dict[str, Look] = {
     "r": Arrow(VECTOR, 0.007),
     "turned": Arrow(RESULT, 0.012),
     **{f"term {i}": Arrow(ink, 0.02) for i, ink in enumerate(INKS, 1)},
-    "halo": Lines(AXIS, 0.06, opacity=0.45),
     "other": Lines(VECTOR, 0.003),
     "other start": Ball(VECTOR, 0.024),
     "other end": Ball(RESULT, 0.024),
@@ -90,17 +89,20 @@ def figure_1() -> pyvista.Plotter:
 
 @explorable(
     tries={
-        "*θ* = 90°": {"theta": 90},
-        "*θ* = 180°": {"theta": 180},
-        "*r₂* opposite *r*": {"around": 180},
+        "all three arrows": {"drawn": 3},
+        "*θ* = 90°": {"theta": 90, "drawn": 3},
+        "*θ* = 180°": {"theta": 180, "drawn": 3},
+        "another vector to the circle": {"around": 130, "drawn": 3},
     },
+    answer={"drawn": 3},
     vector=Handles("r", length=0, start=VECTOR_BY_HAND),
     axis=Handles("n", reach=1.1, start=AXIS_BY_HAND),
+    drawn=Slider(0, 3, "arrows drawn", step=0.01, stride=1, plays=6, start=0),
     theta=Slider(0, 360, "angle *θ*, °", step=1, plays=8, start=60),
-    around=Slider(0, 360, "*r₂* ahead of *r* by, °", step=1, row=False, start=120),
+    around=Slider(0, 360, "*r₂* ahead of *r* by, °", step=1, start=0),
 )
 def figure_1_by_hand(state: State) -> pyvista.Plotter:
-    """Draw Fig. 1 with a second vector, whose tip starts elsewhere on the same circle.
+    """Draw Fig. 1 arrow by arrow, and for a second vector to the same circle.
 
     Parameters
     ----------
@@ -108,10 +110,13 @@ def figure_1_by_hand(state: State) -> pyvista.Plotter:
         The vector r.
     axis : array_like, shape (3,)
         The rotation axis n; it is normalised.
+    drawn : float
+        How many of the three terms are drawn.
     theta : float
         The rotation angle in degrees.
     around : float
-        Where the second vector starts: degrees about the axis, counted from r.
+        Where the second vector starts: degrees about the axis, counted from r;
+        after none or a whole turn there is no second vector.
     """
     # There is room for any axis, and for any vector of the same length.
     plotter = new_scene((4.5, 0.95, 2.43), (0, 0.03, 0.01), view_angle=24.8, size=(600, 504))
@@ -122,15 +127,14 @@ def figure_1_by_hand(state: State) -> pyvista.Plotter:
         ("across", "*n̂* × *r*", "purple", CROSS),
     ):
         read_out(plotter, name, f"{vector} times", where="picture", color=ink)
-        read_out(plotter, f"{name}_apart", f"{color} arrows differ by")
+        read_out(plotter, f"{name}_apart", f"{color} arrows differ by", where="folded")
     read_out(plotter, "matrix", "matrix (3-3)", where="folded")
     describe(
         plotter,
         "A vector r turned about the axis n becomes r', and its tip stays on a circle around the"
-        " axis. Three arrows, head to tail, lead from the origin to the tip of r': a blue one"
-        " along r, an orange one parallel to n, and a purple one perpendicular to both. Three"
-        " thinner arrows do the same for a vector that starts elsewhere on the circle. Both orange"
-        " arrows have the same length and direction.",
+        " axis. Up to three arrows, head to tail, lead from the origin to the tip of r': a blue one"
+        " along r, an orange one parallel to n, and a purple one perpendicular to both. Thinner"
+        " arrows do the same for a second vector to the circle, where there is one.",
     )
     return plotter
 

@@ -7,7 +7,9 @@ import numpy as np
 from rotedu.ordinary_rotation import rotate, rotation_matrix
 
 
-def figure_1_by_hand(vector: Any, axis: Any, theta: float, around: float) -> dict[str, Any]:
+def figure_1_by_hand(
+    vector: Any, axis: Any, theta: float, around: float, **_: Any
+) -> dict[str, Any]:
     n = np.divide(axis, np.linalg.norm(axis))
     cos, sin = np.cos(np.radians(theta)), np.sin(np.radians(theta))
     r, other = vector, rotate(vector, n, np.radians(around))

@@ -252,7 +252,7 @@ def test_what_is_grabbed_lies_on_the_ribbon(turns) -> None:
     [([], []), (["printed_axis"], [1, 2, 3]), (["printed_double"], [3])],
 )
 def test_what_a_misprint_makes_wrong_is_red(misprints: list[str], wrong: list[int]) -> None:
-    plotter = scenes.control_points_by_hand(**dict.fromkeys(misprints, True))
+    plotter = scenes.control_points_by_hand(step=4, **dict.fromkeys(misprints, True))
     inks = [colors.CROSS, colors.CROSS, colors.RESULT, colors.RESULT]
     names = construction.REFLECTED, construction.MIDDLE, construction.A, construction.B
     for k, (name, ink) in enumerate(zip(names, inks, strict=True)):
@@ -349,6 +349,24 @@ def test_curvature_in_the_chart_jumps_as_told() -> None:
     speeds = np.array(charts["speeds"]["curve"])
     assert told["speed_range"] == pytest.approx([speeds.min(), speeds.max()])
     assert (jumps > 0.5).sum() == 3
+
+
+def test_the_comb_of_figure_8_is_as_long_as_the_curvature_and_on_the_outer_side() -> None:
+    [state] = states("closed_curve_by_hand", [{"u": 1}])
+    hairs = np.array(state["parts"]["comb"]["paths"])
+    points, tips = hairs[:, 0], hairs[:, 1]
+    bends = np.ravel(state["charts"]["curvatures"]["curve"])
+    lengths = np.arccos(np.sum(points * tips, axis=1).clip(-1, 1))
+    np.testing.assert_allclose(lengths, np.minimum(0.09 * abs(bends), 0.5), atol=1e-6)
+    # The middle of its bend is on the side where the neighbours are, and the hair on the other.
+    n = len(bends) // 4
+    for piece, ends, bend in zip(
+        *(x.reshape(4, n, -1) for x in (points, tips, bends)), strict=True
+    ):
+        inwards = piece[:-2] + piece[2:] - 2 * piece[1:-1]
+        inwards -= np.sum(inwards * piece[1:-1], axis=1, keepdims=True) * piece[1:-1]
+        bent = abs(bend[1:-1, 0]) > 0.3
+        assert (np.sum(inwards * (ends - piece)[1:-1], axis=1)[bent] < 0).all()
 
 
 def test_four_ways_between_are_those_of_scipy() -> None:

@@ -53,8 +53,8 @@ SHOWN: dict[str, dict[str, dict[str, str]]] = {
         "clockwise": {"twist": "−90.0°", "area": "−90.0°", "difference": "0°"},
     },
     "closed_curve_by_hand": {
-        "where the curvature jumps most": {"velocity_jump": "0.0°/s", "curvature_jump": "1.52"},
-        "two points close together": {"curvature_jump": "1.77", "speed_range": "1, 90°/s"},
+        "once round": {"velocity_jump": "0.0°/s"},
+        "two points close together": {"speed_range": "1, 90°/s"},
         "points on a great circle": {"curvature_jump": "0.00", "speed_range": "68, 135°/s"},
         "the same, a third of the way": {"curvature_jump": "0.00", "speed_range": "90, 90°/s"},
     },

@@ -22,8 +22,8 @@ import {
 const STEP = 3e-4;
 // Names this close together would cover each other.
 const CROWDED = 0.19;
-// With more points than this, the names of control points have no room.
-const NAMED = 5;
+// How long a hair is for a curvature of 1, and at most, as an arc.
+const [HAIR, LONGEST] = [0.09, 0.5];
 const SAMPLES = 25;
 // Samples from one target of the camera to the next.
 const LEG = 24;
@@ -33,7 +33,7 @@ const [WIDTH, HEIGHT] = [0.21, 0.14];
 // Of the view of who rides on the camera, in degrees.
 const ANGLE = 56;
 
-/** Figure 8 with de Casteljau's construction of one point, speed and curvature. */
+/** Figure 8 with its curvature, on the curve and at one place, and its speed. */
 export function closedCurveByHand({ points, u, fraction }, { most }) {
   const p = points.map(unit);
   const n = p.length;
@@ -41,48 +41,56 @@ export function closedCurveByHand({ points, u, fraction }, { most }) {
   const control = p.map((point, i) => [point, a[i], b[(i + 1) % n], p[(i + 1) % n]]);
   const segment = Math.min(Math.floor(u * n), n - 1);
   const within = u * n - segment;
-  const [, first, second, [here]] = deCasteljauLevels(control[segment], within);
   const samples = closedCurve(p, 40, fraction);
   const curve = [...samples, samples[0]];
-  const nextB = control.map((four) => four[2]);
-  const construction = {
+  const now = motion(control[segment], within);
+  const motions = control.map((four) => spread(SAMPLES).map((x) => motion(four, x)));
+  const shape = {
     parts: {
       curve: { paths: [curve] },
-      handles: { paths: arcs([...b, ...p], [...p, ...a]) },
-      polygon: { paths: arcs(a, nextB) },
-      levels: { paths: arcs([first[0], first[1], second[0]], [first[1], first[2], second[1]]) },
-      ...pointsOf(first, 1),
-      ...pointsOf(second, 2),
-      C: { at: here },
+      polygon: { paths: arcs([...b, ...p, ...a], [...p, ...a, ...control.map((four) => four[2])]) },
+      ...comb(motions, now, segment, within),
+      C: { at: now.here },
     },
     grips: { u: { path: curve, holds: ["C"] }, points: { holds: p.map((_, i) => `P_${i}`) } },
   };
   const polygon = p.flatMap((point, i) => [b[i], point, a[i]]);
-  return joined(construction, corners(polygon, most), motionOf(control, segment, within));
+  return joined(shape, corners(polygon, segment, most), motionOf(motions, now, segment + within));
 }
 
-/** The points of a closed curve, each between its control points, and their names. */
-function corners(polygon, most) {
+/** Hairs on the outer side of the curve up to a place on it, as long as it is curved there. */
+function comb(motions, now, segment, within) {
+  const before = spread(SAMPLES).filter((x) => x < within).length;
+  const pieces = [...motions.slice(0, segment), [...motions[segment].slice(0, before), now]];
+  const tips = pieces.map((piece) => piece.map(hairTip));
+  const hairs = pieces.flatMap((piece, i) => piece.map(({ here }, k) => [here, tips[i][k]]));
+  return { comb: { paths: hairs }, tips: { paths: tips.filter(({ length }) => length > 1) } };
+}
+
+/** Where a hair ends, which lies on the sphere as well. */
+function hairTip({ here, velocity, curvature }) {
+  const angle = Math.min(Math.max(HAIR * curvature, -LONGEST), LONGEST);
+  return combine(Math.cos(angle), here, -Math.sin(angle), unit(cross(here, velocity)));
+}
+
+/** The points of a closed curve, each between its control points; those of one piece have names. */
+function corners(polygon, segment, most) {
   const middle = polygon.reduce((sum, q) => combine(1, sum, 1 / polygon.length, q), ORIGIN);
   const parts = {};
   const labels = {};
   for (let i = 0; i < 3 * most; i++) {
     const name = `${"bPa"[i % 3]}_${Math.floor(i / 3)}`;
     const point = polygon[i];
-    const named = point && (i % 3 === 1 || polygon.length <= 3 * NAMED);
+    const named = i % 3 === 1 || i === 3 * segment + 2 || i === (3 * segment + 3) % polygon.length;
     parts[name] = shown(point && { at: point });
-    labels[name] = named ? beside(polygon, i, middle) : null;
+    labels[name] = point && named ? beside(polygon, i, middle) : null;
   }
   return { parts, labels };
 }
 
 /** Speed and curvature along a closed curve and at one place, and how they jump. */
-function motionOf(control, segment, within) {
-  const n = control.length;
-  const t = spread(SAMPLES);
-  const motions = control.map((four) => t.map((x) => motion(four, x)));
+function motionOf(motions, now, place) {
   const ends = motions.map((leaving, i) => [motions.at(i - 1).at(-1), leaving[0]]);
-  const now = motion(control[segment], within);
   const jumps = ends.map(([v, w]) => length(combine(1, w.velocity, -1, v.velocity)));
   const speeds = motions.map((row) => row.map(({ velocity }) => DEGREES * length(velocity)));
   const bends = ends.map(([v, w]) => Math.abs(w.curvature - v.curvature));
@@ -91,7 +99,7 @@ function motionOf(control, segment, within) {
       speed: DEGREES * length(now.velocity),
       curvature: now.curvature,
       velocity_jump: DEGREES * Math.max(...jumps),
-      curvature_jump: bends[Math.floor(segment + within + 1 / 2) % n],
+      curvature_jump: bends[Math.floor(place + 1 / 2) % motions.length],
       speed_range: [Math.min, Math.max].map((pick) => pick(...speeds.flat())),
       curvature_jumps: bends,
     },
@@ -319,5 +327,5 @@ function motion(control, u) {
   const velocity = combine(1 / (2 * STEP), after, -1 / (2 * STEP), before);
   const acceleration = here.map((x, i) => (after[i] - 2 * x + before[i]) / STEP ** 2);
   const speed = Math.max(length(velocity), STEP);
-  return { velocity, curvature: dot(cross(here, velocity), acceleration) / speed ** 3 };
+  return { here, velocity, curvature: dot(cross(here, velocity), acceleration) / speed ** 3 };
 }

@@ -80,18 +80,19 @@ NEAR = (FIGURE_8[0], (0.608, 0.769, 0.197), *FIGURE_8[2:])
 
 @explorable(
     tries={
-        "where the curvature jumps most": {"u": 0.75},
-        "two points close together": {"points": NEAR, "u": 0.32},
-        "points on a great circle": {"points": RING},
-        "the same, a third of the way": {"points": RING, "fraction": 1 / 3},
+        "once round": {"u": 1},
+        "two points close together": {"points": NEAR, "u": 1},
+        "points on a great circle": {"points": RING, "u": 1},
+        "the same, a third of the way": {"points": RING, "u": 1, "fraction": 1 / 3},
     },
+    answer={"u": 1},
     constants={"most": MOST},
     points=Handles([f"P{k}" for k in range(MOST)], least=3, most=MOST, start=FIGURE_8),
-    u=Slider(0, 1, "once round, *u*", plays=10, start=0.34),
+    u=Slider(0, 1, "once round, *u*", plays=10, start=0.12),
     fraction=Slider(0.2, 0.5, "how far *aᵢ* goes", step=0.005, start=1 / 2),
 )
 def closed_curve_by_hand(state: State) -> pyvista.Plotter:
-    """Draw Fig. 8 with de Casteljau's construction of one point, speed and curvature.
+    """Draw Fig. 8 with its curvature as a comb, up to one place, and its speed.
 
     Parameters
     ----------
@@ -105,10 +106,9 @@ def closed_curve_by_hand(state: State) -> pyvista.Plotter:
     plotter = sphere_scene(eye=(4.28, 2.42, 2.51))
     looks: dict[str, Look] = {
         "curve": Lines(RESULT, 0.015),
-        "handles": Lines(CROSS, 0.013),
-        "polygon": Lines(CROSS, 0.006),
-        "levels": Lines(NEUTRAL, 0.006),
-        "Q *": Ball(NEUTRAL, 0.018),
+        "polygon": Lines(CROSS, 0.004),
+        "comb": Lines(RESULT, 0.004),
+        "tips": Lines(RESULT, 0.004),
         "C": Ball(RESULT, 0.034),
     }
     corners = {"b": Ball(RESULT, 0.022), "P": Ball(VECTOR, 0.036), "a": Ball(RESULT, 0.022)}
@@ -117,9 +117,9 @@ def closed_curve_by_hand(state: State) -> pyvista.Plotter:
     draw(plotter, state, looks | named, texts)
 
     for where, name, text, digits, unit in (
-        ("picture", "velocity_jump", "velocity jumps by", 1, "°/s"),
-        ("picture", "curvature_jump", "curvature, at the nearest *P*, by", 2, ""),
-        ("picture", "speed_range", "speed from, to", 0, "°/s"),
+        ("picture", "curvature_jump", "curvature jumps, at the nearest *P*, by", 2, ""),
+        ("folded", "velocity_jump", "velocity jumps by", 1, "°/s"),
+        ("folded", "speed_range", "speed from, to", 0, "°/s"),
         ("folded", "speed", "speed here", 0, "°/s"),
         ("folded", "curvature", "curvature here (great circle: 0)", 2, ""),
         ("folded", "curvature_jumps", "jumps of curvature at *P₀*, *P₁*, …", 2, ""),
@@ -143,8 +143,9 @@ def closed_curve_by_hand(state: State) -> pyvista.Plotter:
         plotter,
         "A see-through sphere with a closed green curve through"
         f" {len(state['inputs']['points'])} blue points P that can be dragged. Purple arcs join"
-        " them and their control points, a and b. Grey arcs and points show how one point of the"
-        " curve is found from four control points.",
+        " them and their control points, a and b. Hairs stand on the curve up to a place on it, as"
+        " long as the curve is curved there, on its outer side; at the points P their length"
+        " jumps.",
     )
     return plotter
 

@@ -326,7 +326,7 @@ def test_words_of_the_glossary_are_links_where_they_are_first_used(
             assert len(links) > 10, name
             first = next(
                 text
-                for paragraph in soup.select("article p")
+                for paragraph in soup.select("article p:not(.eyebrow)")
                 if not paragraph.find_parent("figcaption")
                 for text in paragraph.find_all(string=re.compile(r"\b[Rr]otations?\b(?! v)"))
                 if not text.find_parent(["code", "em"])

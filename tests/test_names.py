@@ -52,7 +52,7 @@ def test_pages_have_names_and_titles(tmp_path: Path, monkeypatch: pytest.MonkeyP
     assert said("html/index.html", "p > a") == WHOLE
     assert said("html/a.html", "h1, [rel=next]") == [WHOLE[1], NAMES[0]]
     assert said("html/b.html", "title, h1") == [f"{WHOLE[1]} — 1", SENTENCE]
-    assert said("html/b.html", ".eyebrow") == ["Section 2 of the paper, part II"]
+    assert said("html/b.html", ".eyebrow") == ["Section 2 of the paper, part II · Q & A"]
     assert 'content="It turns." name="description"' in read("html/b.html")
     index = read("html/searchindex.js").replace(r"\u00b7", "·").replace(r"\u2019", "’")
     assert index.count(SENTENCE) == index.replace("&amp;", "&").count(WHOLE[1]) == 2

@@ -14,7 +14,7 @@ from notebook_language import Page, chapters, pages
 from scipy.spatial.transform import Rotation
 
 from rotedu import scenes
-from rotedu.arcs import angle_between, arc_axis
+from rotedu.arcs import angle_between, arc_axis, nlerp
 from rotedu.averages import angular_distance, mean_rotation
 from rotedu.closed_curve import closed_curve
 from rotedu.control_points import bisect, double
@@ -59,17 +59,29 @@ def test_a_chapter_asks_before_it_tells(chapter: Page) -> None:
 class TestWhatTheAnswersSay:
     """The numbers in the answers, and what they claim, computed."""
 
-    def test_halfway(self) -> None:
-        turn = rotation_matrix([-1, -2, 2], 2 * np.arctan2(3, 4))
-        half = rotation_matrix([-1, -2, 2], np.arctan2(3, 4))
-        of_each = matrix_from_euler_angles(*(np.array(euler_angles(turn)) / 2))[:3, :3]
-        shorter = np.linalg.norm((np.eye(3) + turn)[:, 0]) / 2
-        off = degrees(axis_angle(of_each.T @ half)[1])
-        tip = degrees(np.arccos(of_each[:, 0] @ half[:, 0]))
-        assert f"ends {off:.1f}° away from halfway, and its tip {tip:.1f}°" in answers(
-            "01-introduction"
-        )
-        assert f"to {shorter:.0%} of its length" in answers("01-introduction")
+    def test_part_of_the_way(self) -> None:
+        """What four people do, a third of the way and halfway."""
+        axis, angle = [-1, -2, 2], 2 * np.arctan2(3, 4)
+        turn = rotation_matrix(axis, angle)
+
+        def missed(share: float) -> tuple[float, float, float]:
+            right = rotation_matrix(axis, share * angle)
+            of_each = matrix_from_euler_angles(*(share * np.array(euler_angles(turn))))[:3, :3]
+            tip = of_each[:, 0] @ right[:, 0]
+            off = axis_angle(of_each.T @ right)[1]
+            length = np.linalg.norm(((1 - share) * np.eye(3) + share * turn)[:, 0])
+            return degrees(off), degrees(np.arccos(tip)), length
+
+        said, page = answers("01-introduction"), pages()["01-introduction.ipynb"].text
+        off, tip, length = missed(1 / 3)
+        assert f"ends {off:.1f}° away from where it should, its tip {tip:.1f}°" in said
+        assert f"to {length:.0%} of its length" in said
+        mixed = nlerp([1, 0, 0, 0], [0.8, -0.2, -0.4, 0.4], 1 / 3)
+        turned = f"{degrees(2 * np.arccos(mixed[0])):.1f}° in place of {degrees(angle / 3):.1f}°"
+        assert turned in said
+        off, tip, length = missed(1 / 2)
+        assert f"by {off:.1f}°, her tip by {tip:.1f}°" in page
+        assert f"down to {length:.0%} of its length" in page
 
     def test_straight_ahead(self) -> None:
         before, here = np.array([[1, 0, 0], [0.5, 0.75**0.5, 0]])

@@ -3,7 +3,7 @@
 from pathlib import Path
 
 from notebook_language import Page
-from reading_time import count
+from reading_time import count, told
 
 PAGE = """\
 # Three words here
@@ -39,9 +39,15 @@ two = 2
 Is not counted.
 :::
 
-## Exercises
+:::{div} opening
+Asked the long way?
+:::
 
-This is not counted.
+:::{admonition} As printed: a misprint
+:class: erratum warning
+
+Is folded.
+:::
 
 ## To take along
 
@@ -52,11 +58,21 @@ Done.
 def test_what_is_counted(tmp_path: Path) -> None:
     page = tmp_path / "page.md"
     page.write_text(PAGE, "utf-8")
-    title, sentence, caption, folded, end = 3, 10, 4, 3, 4
+    title, sentence, caption, folded, opening, misprint, end = 3, 10, 4, 3, 4, 4, 4
     counted = count(Page(page))
-    assert counted == (title + sentence + caption + folded + end, 3, 2, 1, 0, 0)
-    # 24 words at 0.46 s, 3 lines at 6, 2 formulas at 30, a scene at 60
+    before = title + sentence + caption + folded + opening + misprint
+    assert counted == (before + end, 3, 2, 1, 0, 0, 0)
+    assert told(Page(page)) == {
+        "folded": 5,
+        "opening": opening,
+        "to heading": before,
+        "way": 1,
+        "agree": 0,
+        "a figure": before + end,
+    }
+    # 32 words at 0.46 s, 3 lines at 6, 2 formulas at 30, a scene at 60
     assert counted.minutes == 3
-    assert counted._replace(by_hand=1).minutes == 5
+    assert counted._replace(by_hand=1).minutes == 6
+    assert counted._replace(small=2).minutes == 4
     assert counted.time == "**Time** 3 minutes to read."
     assert counted._replace(exercises=9).time == "**Time** 3 minutes to read, 9 for the exercises."

@@ -262,6 +262,8 @@ class Classroom:
                 body = self.markdown(page, block.body)
                 summary = f"<summary>{block.title}</summary>"
                 return f'<details style="margin: 1em 0">\n{summary}\n\n{body}\n\n</details>'
+            case "div":
+                return self.markdown(page, block.body)
             case "math":
                 return numbered(block)
             case "math_block":

@@ -222,7 +222,7 @@ def unfolded(text: str) -> Iterator[Block]:
     """Yield the blocks of a text, and after each box those inside it."""
     for block in blocks(text):
         yield block
-        if block.kind in ("admonition", "dropdown"):
+        if block.kind in ("admonition", "div", "dropdown"):
             yield from unfolded(block.body)
 
 

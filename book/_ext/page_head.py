@@ -9,6 +9,7 @@ import sys
 import textwrap
 import tomllib
 from collections.abc import Iterator
+from html import escape
 from pathlib import Path
 from typing import Any
 from urllib.parse import urlencode
@@ -24,13 +25,14 @@ from class_notebooks import class_names, classroom
 from notebook_language import notebooks
 
 from cells import bold, caption_of, folded, is_dropdown
+from names import BETWEEN
 
 PROJECT = Path(__file__).parents[2] / "pyproject.toml"
 NOTEBOOKS = "_static/notebooks"
 # How a page begins for JupyterLab: how long it takes, and what it needs.
 TIME = re.compile(r"(\d+) minutes to read(?:, (\d+) for the exercises)?\.")
 NEEDS = "Before you start"
-SECTION = re.compile(r"(\d)(?: (I+V?))? ")
+SECTION = re.compile(r"(\d)(?: (I+V?))? (.+)")
 DESCRIPTION_LENGTH = 160
 
 
@@ -90,11 +92,15 @@ def rest(head: nodes.paragraph) -> list[nodes.Element]:
     return [nodes.paragraph("", "", nodes.Text(said), *others)] if said or others else []
 
 
-def eyebrow(app: Sphinx, page: str) -> str:
-    """Return where a page belongs: to a section of the paper, or to a part of the book."""
+def eyebrow(app: Sphinx, page: str, title: str) -> str:
+    """Return where a page belongs: to a section of the paper, or to a part of the book.
+
+    A title that is a sentence leaves the subject to this line.
+    """
     if found := SECTION.match(app.config.short_names.get(page, "")):
-        number, piece = found.groups()
-        return f"Section {number} of the paper" + (f", part {piece}" if piece else "")
+        number, piece, subject = found.groups()
+        where = f"Section {number} of the paper" + (f", part {piece}" if piece else "")
+        return f"{where} · {escape(subject)}" if BETWEEN in title else where
     parts = app.env.get_doctree(app.config.root_doc).findall(addnodes.toctree)
     return next((str(part["caption"]) for part in parts if page in part["includefiles"]), "")
 
@@ -114,13 +120,13 @@ def offer(
     app: Sphinx, page: str, template: str, context: dict[str, Any], doctree: nodes.document | None
 ) -> None:
     """Give a page both addresses; the form's names the page, to which book.js adds the section."""
-    if doctree is not None and (words := eyebrow(app, page)):
+    title = "" if doctree is None else doctree.next_node(nodes.title).astext()
+    if title and (words := eyebrow(app, page, title)):
         line = f'<p class="eyebrow">{words}</p>\n<h1>'
         context["body"] = context["body"].replace("<h1>", line, 1)
     context["repository"] = app.config.repository.rstrip("/")
     if app.config.repository and doctree is not None:
-        place = doctree.next_node(nodes.title).astext()
-        query = urlencode({"template": "mistake.yml", "place": place})
+        query = urlencode({"template": "mistake.yml", "place": title})
         context["report"] = f"{context['repository']}/issues/new?{query}"
 
 

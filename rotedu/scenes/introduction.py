@@ -7,7 +7,7 @@ from rotedu.colors import AXIS, CROSS, NEUTRAL, RESULT, VECTOR
 from rotedu.figures import State, describe, explorable, read_out
 from rotedu.figures.inputs import Slider
 from rotedu.ordinary_rotation import rotation_matrix, transform
-from rotedu.scenes.looks import Lines, Look, Mesh, Text, draw
+from rotedu.scenes.looks import Arrow, Lines, Look, Mesh, Text, draw
 from rotedu.scenes.parts import (
     LITTLE,
     NARROW,
@@ -20,19 +20,21 @@ from rotedu.scenes.parts import (
 )
 from rotedu.scenes.shapes import ORIGIN, U, teaspoon, turning
 
-__all__ = ["four_descriptions", "the_roll"]
+__all__ = ["four_descriptions", "on_the_way", "once_round", "the_roll"]
+
+SOLID = {"smooth_shading": True, "pickable": False}
+AXIS_HERE, ANGLE_HERE = np.array([-1, -2, 2]) / 3, 2 * np.arctan2(3, 4)
+"""The turn of this chapter's spoon."""
+ANGLES_HERE = np.arctan2(-0.64, 0.6), -np.arcsin(0.48), np.arctan2(0.8, 0.36)
+"""The same about U, then V, then W."""
 
 
 def four_descriptions() -> pyvista.Plotter:
     """Draw a turned teaspoon with its axis and angle, its three angles, and its own axes."""
-    n, angle = np.array([-1, -2, 2]) / 3, 2 * np.arctan2(3, 4)
+    n, angle = AXIS_HERE, ANGLE_HERE
+    theta_u, theta_v, theta_w = ANGLES_HERE
     matrix = rotation_matrix(n, angle)
-    theta_u = np.arctan2(matrix[2, 1], matrix[2, 2])
-    theta_v = -np.arcsin(matrix[2, 0])
-    theta_w = np.arctan2(matrix[1, 0], matrix[0, 0])
-    # From the origin along U, with its bowl open upwards.
-    before = teaspoon(stations=81, around=28)
-    before.points = (before.points + np.array([1, 0, -0.08])) / 2
+    before = held_at_its_end(stations=81, around=28)
     after = before.copy()
     after.points = transform(matrix, before.points)
 
@@ -88,13 +90,11 @@ def the_roll(state: State) -> pyvista.Plotter:
     spoon = teaspoon(stations=61, around=20)
     # Wider, and its tip stays on the axis.
     spoon.points = spoon.points * [1, 1.25, 1.25]
-    solid = {"smooth_shading": True, "pickable": False}
     looks: dict[str, Look] = {
         "path": Lines(NEUTRAL, 0.004),
-        "spoon": Mesh(spoon, RESULT, solid),
+        "spoon": Mesh(spoon, RESULT, SOLID),
     }
-    wanted = {"color": VECTOR, "opacity": 0.25}
-    plotter.add_mesh(spoon.copy(), name="wanted", **solid, **wanted)  # type: ignore[arg-type]
+    add_pale(plotter, spoon.copy())
     draw(plotter, state, looks, {"tip": Text(VECTOR, "{}")})
     add_line(plotter, [-1.25 * U, 1.35 * U], AXIS, 0.006)
     add_point(plotter, 1.02 * U, VECTOR, 0.045)
@@ -103,5 +103,84 @@ def the_roll(state: State) -> pyvista.Plotter:
         plotter,
         "A pale spoon as it should lie, and a green one in the same place, whose tip is at the same"
         f" point, but which has rolled about its length by {state['inputs']['roll']:.0f} degrees.",
+    )
+    return plotter
+
+
+def held_at_its_end(stations: int = 61, around: int = 20) -> pyvista.PolyData:
+    """Return a teaspoon from the origin along U, with its bowl open upwards."""
+    spoon = teaspoon(stations, around)
+    spoon.points = (spoon.points + np.array([1, 0, -0.08])) / 2
+    return spoon
+
+
+def add_pale(plotter: pyvista.Plotter, spoon: pyvista.PolyData) -> None:
+    """Add a spoon where it lay, or should lie."""
+    looks = {"color": VECTOR, "opacity": 0.25, **SOLID}
+    plotter.add_mesh(spoon, name="pale", **looks)  # type: ignore[arg-type]
+
+
+@explorable(
+    small=True,
+    answer={"share": 1 / 3},
+    constants={
+        "axis": AXIS_HERE.tolist(),
+        "angle": float(ANGLE_HERE),
+        "angles": [float(angle) for angle in ANGLES_HERE],
+    },
+    share=Slider(0, 1, "share of the way", plays=6, start=0),
+)
+def on_the_way(state: State) -> pyvista.Plotter:
+    """Draw three spoons on their way from one orientation to another.
+
+    Parameters
+    ----------
+    share : float
+        Of the way; of one angle, of each of three angles, and between two matrices.
+    """
+    plotter = new_scene((4.28, -1.84, 2.6), (0.35, 0.3, 0.17), view_angle=15, size=LITTLE)
+    inks = {"mechanic": RESULT, "pilot": CROSS, "draughtsman": NEUTRAL}
+    looks: dict[str, Look] = {}
+    for name, ink in inks.items():
+        looks[name] = Mesh(held_at_its_end(), ink, SOLID)
+        looks[f"{name}'s path"] = Lines(ink, 0.008)
+    draw(plotter, state, looks)
+    read_out(plotter, "off", "pilot's spoon off by", 1, "°", where="picture")
+    describe(
+        plotter,
+        f"Three spoons, {state['inputs']['share']:.0%} of the way from where they lay to where they"
+        " are to lie. The tip of the green one, turned about one axis, runs on an arc; that of the"
+        " purple one, turned by three angles, leaves it; the grey one, between two matrices, gets"
+        " thinner and shorter, and its tip runs straight.",
+    )
+    return plotter
+
+
+@explorable(
+    small=True,
+    answer={"turned": 360},
+    turned=Slider(0, 720, "turned, °", step=1, plays=10, start=0),
+)
+def once_round(state: State) -> pyvista.Plotter:
+    """Draw a level spoon that turns about W, with the axis of the shorter turn.
+
+    Parameters
+    ----------
+    turned : float
+        How far it has been turned, in degrees.
+    """
+    plotter = new_scene((2.6, -3.4, 2.2), (0, 0, 0), view_angle=17, size=LITTLE)
+    looks: dict[str, Look] = {
+        "spoon": Mesh(held_at_its_end(), RESULT, SOLID),
+        "axis": Arrow(AXIS, 0.02),
+    }
+    add_pale(plotter, held_at_its_end())
+    draw(plotter, state, looks)
+    read_out(plotter, "numbers", "the programmer's numbers", 2, where="picture")
+    describe(
+        plotter,
+        "A pale spoon where it lay, and a green one turned about the vertical by"
+        f" {state['inputs']['turned']:.0f} degrees. An orange arrow is the axis of the shorter turn"
+        " that leads there: it points up or down.",
     )
     return plotter

@@ -221,14 +221,14 @@ def test_nothing_moves_when_fonts_come_late(browser: Any, site: str) -> None:
 def test_the_theme_works(browser: Any, site: str) -> None:
     """A click changes the colours, of charts too, and the contents follow the reader."""
     page = browser.new_page(viewport={"width": 1440, "height": 900}, color_scheme="dark")
-    page.goto(f"{site}/book/02-quaternions.html")
+    page.goto(f"{site}/book/beyond-motion.html")
     chart = """getComputedStyle(document.querySelector(
         ".chart [style*='stroke: currentcolor'][style*='#009e73']")).stroke"""
     assert page.evaluate(chart) == "rgb(47, 191, 149)"
     page.locator(".theme-toggle-content .theme-toggle").click()
     assert page.evaluate("document.body.dataset.theme") == "light"
     assert page.evaluate(chart) == "rgb(0, 122, 89)"
-    for name in ("from-mirrors-to-rotations", "exercises"):
+    for name in ("the-ledger", "exercises"):
         page.locator(f".toc-tree a[href='#{name}']").click()
         page.wait_for_selector(f".toc-tree .scroll-current > a[href='#{name}']")
     page.close()

@@ -146,6 +146,7 @@ SHOWN: dict[str, dict[str, dict[str, str]]] = {
         "*θ* = 180°": {"first": "−1.00", "across": "0.00"},
         "another vector to the circle": {"along_apart": "0.00"},
     },
+    "half_the_work": {"the first product": {"scalar": "−0.51"}, "both": {"scalar": "0.00"}},
     "two_mirrors_by_hand": {
         "both mirrors, 60° on": {"between": "60°", "turned": "120°"},
         "mirrors at right angles": {"turned": "180°", "q": "0.00, 0.00, 0.00, 1.00"},

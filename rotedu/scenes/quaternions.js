@@ -51,6 +51,8 @@ const STEPS_OF_WAY = 120;
 const WOBBLE = 0.3;
 // A smaller share of a whole turn has no axis to show.
 const SHOWN_TURN = 0.01;
+// Where the letter lies whose mirrors are seen from above, and how far apart the two dials are.
+const [LETTER, DIAL] = [30, 1.3];
 // From this share of a whole turn on, a quaternion is on the skin.
 const ON_SKIN = 0.97;
 // A vector part without a direction, and a step of a path that is a jump through the skin.
@@ -110,6 +112,43 @@ export function twoMirrorsByHand({ first, second, both, letter }, { outer }) {
     bentArrow("half", angles[0], between, INNER),
     bentArrow("whole", letter, 2 * between, 1.5),
   );
+}
+
+/** The same seen along the axis, with one mirror and the letter at rest. */
+export function mirrorsInThePlane({ between }, constants) {
+  const inputs = { first: 0, second: between, both: 0, letter: LETTER };
+  const { parts, labels, outputs } = twoMirrorsByHand(inputs, constants);
+  for (const normal of ["m 1", "m 2"]) delete parts[normal];
+  return {
+    parts,
+    labels: { half: labels.half, whole: labels.whole },
+    grips: {
+      between: { path: turning(out(0, 1.65), W, Math.PI / 3, 48), holds: ["mirror 2", "edge 2"] },
+    },
+    outputs: { turned: outputs.turned },
+  };
+}
+
+/** What the two products of q r q* do to the part of r across the axis and to the part along it. */
+export function halfTheWork({ done }, { half, along }) {
+  const first = half * Math.min(done, 1);
+  const second = half * Math.max(done - 1, 0);
+  const dials = {
+    across: { middle: [-DIAL, 0, 0], length: 1, angles: [first, first + second] },
+    along: { middle: [DIAL, 0, 0], length: along, angles: [-first, second - first] },
+  };
+  const parts = {};
+  for (const [name, { middle, length, angles }] of Object.entries(dials)) {
+    const at = (angle, radius) => combine(1, middle, 1, rotate([radius, 0, 0], V, -angle));
+    const arc = (from, to, radius) => spread(25).map((t) => at(from + t * (to - from), radius));
+    const swept = (from, to, radius) => shown(from !== to && { paths: [arc(from, to, radius)] });
+    parts[`${name}: start`] = { from: middle, to: at(0, length) };
+    parts[`${name}: between`] = shown(done > 0 && { from: middle, to: at(angles[0], length) });
+    parts[`${name}: now`] = shown(done > 1 && { from: middle, to: at(angles[1], length) });
+    parts[`${name}: first`] = swept(0, angles[0], 0.45);
+    parts[`${name}: second`] = swept(angles[0], angles[1], 0.6);
+  }
+  return { parts, labels: {}, grips: {}, outputs: { scalar: -along * Math.sin(first - second) } };
 }
 
 /** A mirror and its normal. The second is longer: both show where they coincide. */

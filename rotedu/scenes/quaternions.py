@@ -12,6 +12,7 @@ from rotedu.quaternions import Quaternion
 from rotedu.scenes.looks import Arrow, Ball, Lines, Look, Mesh, Text, draw
 from rotedu.scenes.parts import (
     HEAD,
+    LITTLE,
     add_arrow,
     add_label,
     add_point,
@@ -21,7 +22,14 @@ from rotedu.scenes.parts import (
 )
 from rotedu.scenes.shapes import ORIGIN, U, W, teaspoon, triangle_mesh
 
-__all__ = ["double_cover_by_hand", "grab_the_spoon", "letter_f", "two_mirrors_by_hand"]
+__all__ = [
+    "double_cover_by_hand",
+    "grab_the_spoon",
+    "half_the_work",
+    "letter_f",
+    "mirrors_in_the_plane",
+    "two_mirrors_by_hand",
+]
 
 # Radius of the circle of the letters.
 OUTER = 1.05
@@ -116,6 +124,24 @@ def two_mirrors_by_hand(state: State) -> pyvista.Plotter:
             f"m {k}": Arrow(NEUTRAL, 0.01),
         }
         draw(plotter, state, looks, {f"m {k}": Text(text=rf"$\hat m_{k}$")})
+    add_letters(plotter, state)
+    read_out(plotter, "between", "from mirror 1 to mirror 2", 0, "°", where="picture")
+    read_out(plotter, "turned", "from blue to green letter", 0, "°", where="picture")
+    read_out(plotter, "q", "*q* = −*m₂m₁* (*w* *x* *y* *z*)")
+    read_out(plotter, "home", "green letter on blue letter", loud="yes")
+    between = abs(state["outputs"]["between"])
+    describe(
+        plotter,
+        f"Two upright mirrors meet at an axis n, {between:.0f} degrees apart. A blue letter F"
+        " lies beside them. Its image in the first mirror is purple, in mirror writing. The image"
+        " of this image in the second mirror is green and reads as an F again:"
+        f" it is the blue one, turned by {2 * between:.0f} degrees.",
+    )
+    return plotter
+
+
+def add_letters(plotter: pyvista.Plotter, state: State) -> None:
+    """Add a letter, its image and the image of its image, with both angles."""
     # Where letters coincide, each shows: blue as a border, and purple lets through what is below.
     for name, color, thickness, border, opacity in (
         ("letter", VECTOR, 0.01, 0.02, 1.0),
@@ -129,17 +155,81 @@ def two_mirrors_by_hand(state: State) -> pyvista.Plotter:
         arc: dict[str, Look] = {name: Lines(color), f"{name}, head": Arrow(color, 0.01, HEAD)}
         draw(plotter, state, arc, {name: Text(text=text)})
 
-    read_out(plotter, "between", "from mirror 1 to mirror 2", 0, "°", where="picture")
-    read_out(plotter, "turned", "from blue to green letter", 0, "°", where="picture")
-    read_out(plotter, "q", "*q* = −*m₂m₁* (*w* *x* *y* *z*)")
-    read_out(plotter, "home", "green letter on blue letter", loud="yes")
-    between = abs(state["outputs"]["between"])
+
+@explorable(
+    small=True,
+    answer={"between": 20},
+    constants={"outer": OUTER},
+    between=Slider(0, 60, "between them, °", step=1, plays=5, start=0),
+)
+def mirrors_in_the_plane(state: State) -> pyvista.Plotter:
+    """Draw two mirrors seen along the line in which they meet, and a letter mirrored twice.
+
+    Parameters
+    ----------
+    between : float
+        Angle in degrees from mirror 1 to mirror 2.
+    """
+    plotter = new_scene((0.3, -2.2, 9), (0.3, 0.13, 0), view_angle=18, size=LITTLE)
+    draw(plotter, state, {"ring*": Lines(NEUTRAL, 0.004, 0.4)})
+    for k in (1, 2):
+        mirror: dict[str, Look] = {
+            f"mirror {k}": Mesh(rectangle, NEUTRAL, {"pickable": False}),
+            f"edge {k}": Lines(NEUTRAL, 0.012),
+        }
+        draw(plotter, state, mirror)
+    add_letters(plotter, state)
+    read_out(plotter, "turned", "from blue to green", 0, "°", where="picture")
     describe(
         plotter,
-        f"Two upright mirrors meet at an axis n, {between:.0f} degrees apart. A blue letter F"
-        " lies beside them. Its image in the first mirror is purple, in mirror writing. The image"
-        " of this image in the second mirror is green and reads as an F again:"
-        f" it is the blue one, turned by {2 * between:.0f} degrees.",
+        f"Two mirrors seen edge on, {state['inputs']['between']:.0f} degrees apart. A blue letter"
+        " F, 30 degrees from the first, has a purple image in it, in mirror writing, whose image in"
+        f" the second is green: the F turned by {state['outputs']['turned']:.0f} degrees.",
+    )
+    return plotter
+
+
+HALF, ALONG = 40, 0.8
+"""Half the angle of the turn of Picture 2-b, in degrees, and the part of r along the axis."""
+
+
+@explorable(
+    tries={"the first product": {"done": 1}, "both": {"done": 2}},
+    answer={"done": 2},
+    constants={"half": np.deg2rad(HALF), "along": ALONG},
+    done=Slider(0, 2, "products done", stride=1, plays=6, start=0),
+)
+def half_the_work(state: State) -> pyvista.Plotter:
+    """Draw what each product of q r q* does to the parts of r across and along the axis.
+
+    Parameters
+    ----------
+    done : float
+        How many of the two products are done. Between, the factor is a power of q.
+    """
+    plotter = new_scene((0, -9, 0), (0, 0, 0.08), view_angle=15.5, size=(720, 330))
+    inks = {"start": VECTOR, "between": CROSS, "now": RESULT}
+    for name, x, across, up in (
+        ("across", -1.3, "V", "W"),
+        ("along", 1.3, "U", r"\text{scalar part}"),
+    ):
+        middle = np.array([x, 0, 0])
+        for end, text in ((middle + U, across), (middle + 0.95 * W, up)):
+            add_arrow(plotter, middle - 0.9 * (end - middle), end, NEUTRAL, radius=0.004)
+            add_label(plotter, end + 0.16 * (end - middle), f"${text}$")
+        looks: dict[str, Look] = {
+            **{f"{name}: {when}": Arrow(ink, 0.018) for when, ink in inks.items()},
+            f"{name}: first": Lines(CROSS, 0.012),
+            f"{name}: second": Lines(RESULT, 0.012),
+        }
+        draw(plotter, state, looks)
+    read_out(plotter, "scalar", "scalar part", 2, where="picture")
+    describe(
+        plotter,
+        "Two dials. Left, the part of a blue vector r across the axis turns, in the plane of V and"
+        " W, by 40 degrees with the first product and by 40 more with the second. Right, the part"
+        " along U turns by 40 degrees away from the scalar part with the first product, and back"
+        " with the second.",
     )
     return plotter
 

@@ -28,6 +28,16 @@ def two_mirrors_by_hand(both: float, first: float, second: float, letter: float)
     }
 
 
+def mirrors_in_the_plane(between: float) -> dict[str, Any]:
+    return {"turned": 2 * between}
+
+
+def half_the_work(done: float) -> dict[str, Any]:
+    left, right = np.radians(40) * np.clip([done, done - 1], 0, 1)
+    powers = [Quaternion(np.cos(half), [np.sin(half), 0, 0]) for half in (left, right)]
+    return {"scalar": (powers[0] * Quaternion(0, [0.8, 1, 0]) * powers[1].conjugate()).w}
+
+
 def grab_the_spoon(spoon: Any, way: str, along: float, left: Any) -> dict[str, Any]:
     q = np.asarray(spoon if way == "by hand" else on_way(way, along, left))
     angle = float(np.degrees(Quaternion(q[0], q[1:]).axis_angle()[1]))

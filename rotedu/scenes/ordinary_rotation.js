@@ -1,11 +1,36 @@
 /* Model of Chapter 3. */
-import { DEGREES, joined, ORIGIN, scaled, shown, turning } from "./parts.js";
-import { combine, cross, dot, length, rotate, rotationMatrix, unit } from "./rotations.js";
+import { DEGREES, joined, ORIGIN, placing, scaled, shown, turning } from "./parts.js";
+import {
+  combine,
+  cross,
+  dot,
+  length,
+  rotate,
+  rotationMatrix,
+  transform,
+  unit,
+} from "./rotations.js";
 
 // A shorter piece is not drawn.
 const HAIR = 1e-6;
 // To the right in the picture, clear of the ring around a tip.
 const ASIDE = [-0.03, 0.13, 0];
+
+/** A spoon turned about an axis, and the circles on which some of its points stay. */
+export function everyPoint({ theta }, { axis, points }) {
+  const turn = rotationMatrix(axis, theta / DEGREES);
+  const circles = points.map((point) => turning(point, axis, 2 * Math.PI, 60));
+  return {
+    parts: {
+      spoon: { matrix: placing(turn, ORIGIN) },
+      circles: { paths: circles },
+      point: { at: transform(turn, points[0]) },
+    },
+    labels: {},
+    grips: { theta: { path: circles[0], holds: ["spoon"] } },
+    outputs: {},
+  };
+}
 
 /** A vector turned about an axis, the three terms of (3-1) as far as drawn, and a second vector. */
 export function figure1ByHand({ vector: r, axis, theta, drawn, around }) {

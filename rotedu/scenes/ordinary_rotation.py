@@ -8,10 +8,18 @@ from rotedu.figures import State, describe, explorable, read_out
 from rotedu.figures.inputs import Handles, Slider
 from rotedu.ordinary_rotation import rotate, rotation_matrix, transform
 from rotedu.scenes.looks import Arrow, Ball, Lines, Look, Mesh, Text, draw
-from rotedu.scenes.parts import NARROW, add_arrow, add_label, add_line, new_scene
+from rotedu.scenes.parts import (
+    LITTLE,
+    NARROW,
+    add_arrow,
+    add_axis,
+    add_label,
+    add_line,
+    new_scene,
+)
 from rotedu.scenes.shapes import ORIGIN, fan, normalised, teaspoon, turning
 
-__all__ = ["figure_1", "figure_1_by_hand", "rotated_mesh"]
+__all__ = ["every_point", "figure_1", "figure_1_by_hand", "rotated_mesh"]
 
 VECTOR_BY_HAND, AXIS_BY_HAND = (0.7, 0.7, 0.4), (0.5, -0.3, 1.05)
 """Where the circle fills the picture, and no arrow hides another."""
@@ -43,6 +51,41 @@ TEXTS = {
     r"*\prime}": Text(RESULT),
     "*": Text(),
 }
+
+
+LINE = normalised((0.25, 0.3, 1))
+# The tip, the end of the handle and the widest places of the bowl.
+SEEN = [(0.98, 0, 0.06), (-1, 0, 0.16), (0.45, 0.33, 0.02), (0.45, -0.33, 0.02)]
+
+
+@explorable(
+    small=True,
+    answer={"theta": 60},
+    constants={"axis": LINE.tolist(), "points": SEEN},
+    theta=Slider(0, 360, "angle *θ*, °", step=1, plays=6, start=0),
+)
+def every_point(state: State) -> pyvista.Plotter:
+    """Draw a spoon that turns about an axis, and the circles of some of its points.
+
+    Parameters
+    ----------
+    theta : float
+        The rotation angle in degrees.
+    """
+    plotter = new_scene((3.2, -3.6, 2.6), (0, 0, 0.06), view_angle=18, size=LITTLE)
+    looks: dict[str, Look] = {
+        "circles": Lines(NEUTRAL, 0.006),
+        "spoon": Mesh(teaspoon(stations=61, around=20), VECTOR, {"smooth_shading": True}),
+        "point": Ball(RESULT, 0.05),
+    }
+    draw(plotter, state, looks)
+    add_axis(plotter, LINE, r"$\hat n$", length=0.8)
+    describe(
+        plotter,
+        f"A spoon, turned by {state['inputs']['theta']:.0f} degrees about an upright axis. Four of"
+        " its points lie on grey circles about the axis, on which they stay.",
+    )
+    return plotter
 
 
 def figure_1() -> pyvista.Plotter:

@@ -7,6 +7,10 @@ import numpy as np
 from rotedu.ordinary_rotation import rotate, rotation_matrix
 
 
+def every_point(theta: float) -> dict[str, Any]:
+    return {}
+
+
 def figure_1_by_hand(
     vector: Any, axis: Any, theta: float, around: float, **_: Any
 ) -> dict[str, Any]:

@@ -129,6 +129,8 @@ const WAYS = [
   { name: "slerp", text: "one turn", size: 0.97, aside: 0.6 },
 ];
 const PIECES = spread(33);
+// With the middle ring at 90°, the axes of the others are one line.
+const LOCKED = [0, 90, 0];
 const STEP = 1e-4;
 const SAME = 1e-9;
 
@@ -175,6 +177,14 @@ export function eulerAnglesByHand({ u, v, w, spoon, t }, { noWay }, changed) {
     },
     charts: { speeds: { "three angles": byAngles, "one turn": slerp } },
   };
+}
+
+/** A spoon in locked rings, tipped about the direction in which none of them turns. */
+export function oneDegree({ tilt }) {
+  const tipped = product(rotationMatrix(U, tilt / DEGREES), pose(LOCKED));
+  const [u, v, w] = tilt ? eulerAngles(tipped).map((angle) => DEGREES * angle) : LOCKED;
+  const { parts, labels } = gimbals([u, v, w]);
+  return { parts, labels, grips: {}, outputs: { outer: w } };
 }
 
 /**

@@ -22,6 +22,7 @@ from rotedu.ordinary_rotation import transform
 from rotedu.scenes.looks import Arrow, Ball, Lines, Look, Mesh, Text, draw
 from rotedu.scenes.parts import (
     HEAD,
+    LITTLE,
     add_arrow,
     add_coordinate_axes,
     add_label,
@@ -33,7 +34,7 @@ from rotedu.scenes.parts import (
 )
 from rotedu.scenes.shapes import ORIGIN, U, normalised, shade, teaspoon, turning
 
-__all__ = ["euler_angles_by_hand", "one_for_three", "stages", "three_turns_by_hand"]
+__all__ = ["euler_angles_by_hand", "one_degree", "one_for_three", "stages", "three_turns_by_hand"]
 
 ORDERS = [" ".join(f"*{letter}*" for letter in order) for order in permutations("UVW")]
 FIXED, CARRIED = AXES = ["fixed", "carried along"]
@@ -135,6 +136,46 @@ def one_for_three() -> pyvista.Plotter:
 
 
 WAYS = (("angles", "three angles", CROSS), ("slerp", "one turn", RESULT))
+# From what is seen to the eye, and to the right in the picture.
+BACK = np.array([0.48, -0.74, 0.47])
+RIGHT = np.cross((0, 0, 1), BACK) / np.linalg.norm(BACK[:2])
+
+
+def draw_gimbals(plotter: pyvista.Plotter, state: State) -> None:
+    """Draw a spoon in three rings, each turning within the next."""
+    held: dict[str, Look] = {
+        "held": Mesh(teaspoon(61, 20), CROSS),
+        "ring *": Lines(NEUTRAL, 0.034),
+        "axis *": Lines(AXIS, 0.026),
+    }
+    axes = {"W": "$W$", "V": r"$V^{\,\prime}$", "U": r"$U^{\,\prime\prime}$"}
+    draw(plotter, state, held, {name: Text(AXIS, text) for name, text in axes.items()})
+
+
+@explorable(
+    small=True,
+    answer={"tilt": 1},
+    tilt=Slider(-1, 1, "the spoon is tipped by, °", step=0.05, start=0),
+)
+def one_degree(state: State) -> pyvista.Plotter:
+    """Draw a spoon in locked rings, which swing far round to follow a little tilt.
+
+    Parameters
+    ----------
+    tilt : float
+        By how much the spoon is tipped, in degrees, about the direction in which no ring turns.
+    """
+    target = 2.6 * RIGHT + (0, 0, 0.05)
+    plotter = new_scene(24 * BACK + target, target, view_angle=8.2, size=LITTLE)
+    draw_gimbals(plotter, state)
+    read_out(plotter, "outer", "outer ring", 0, "°", where="picture")
+    describe(
+        plotter,
+        "A teaspoon is held by three rings, one in the other, the middle one at 90 degrees. The"
+        f" spoon is tipped by {state['inputs']['tilt']:g} degrees; the outer ring has turned by"
+        f" {state['outputs']['outer']:.0f}.",
+    )
+    return plotter
 
 
 @explorable(
@@ -163,20 +204,13 @@ def euler_angles_by_hand(state: State) -> pyvista.Plotter:
     t : float
         Part of the way from the start to the pose, from 0 to 1.
     """
-    back = np.array([0.48, -0.74, 0.47])
-    target = 1.37 * np.cross((0, 0, 1), back) / np.linalg.norm(back[:2])
+    target = 1.37 * RIGHT
     stack = (-18, 92, 366, 322, 1), (335, 44, 406, 412, 0.65)
     plotter = new_scene(
-        eye=24 * back + target, target=target, view_angle=8.05, swing=20, stack=stack
+        eye=24 * BACK + target, target=target, view_angle=8.05, swing=20, stack=stack
     )
+    draw_gimbals(plotter, state)
     spoon = teaspoon(61, 20)
-    held: dict[str, Look] = {
-        "held": Mesh(spoon, CROSS),
-        "ring *": Lines(NEUTRAL, 0.034),
-        "axis *": Lines(AXIS, 0.026),
-    }
-    axes = {"W": "$W$", "V": r"$V^{\,\prime}$", "U": r"$U^{\,\prime\prime}$"}
-    draw(plotter, state, held, {name: Text(AXIS, text) for name, text in axes.items()})
     draw(plotter, state, {f"{way} spoon": Mesh(spoon, ink) for way, _, ink in WAYS})
     # What turns as a whole has come before the ball, behind which only lines are pale.
     add_sphere(plotter)

@@ -26,6 +26,11 @@ def three_turns_by_hand(u: float, v: float, w: float, order: str, axes: str) -> 
     return {"apart": apart, "upper": upper, "lower": lower}
 
 
+def one_degree(tilt: float) -> dict[str, float]:
+    tipped = Rotation.from_euler("x", tilt, degrees=True) * Rotation.from_euler("y", np.pi / 2)
+    return {"outer": tipped.as_euler("xyz", degrees=True)[2] if tilt else 0}
+
+
 def euler_angles_by_hand(u: float, v: float, w: float, spoon: Any, t: float) -> dict[str, Any]:
     angles = np.array([u, v, w])
 

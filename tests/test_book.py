@@ -192,7 +192,7 @@ def test_pages_can_be_read_from_the_file_system(browser: Any, book: Path) -> Non
     page = browser.new_page()
     page.goto((book / "book" / "03-ordinary-rotation.html").as_uri())
     page.locator(".scene-poster").first.scroll_into_view_if_needed()
-    page.wait_for_function("document.querySelector('.scene-poster').naturalWidth > 1000")
+    page.wait_for_function("document.querySelector('.scene-poster').naturalWidth > 900")
     family = page.evaluate("getComputedStyle(document.querySelector('.katex')).fontFamily")
     assert family.startswith("KaTeX_Main")
     assert page.evaluate("document.fonts.check('16px KaTeX_Main')")

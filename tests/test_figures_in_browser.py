@@ -49,8 +49,9 @@ from rotedu.figures.backend import BookFigure, book_figure
 __all__ = ["open_page"]
 
 # Mean difference, out of 255, between the poster and the first frame: over the whole picture, and
-# away from edges, where both surely show the same part. WebP alone accounts for 1.
-TOLERANCE, TOLERANCE_INSIDE = 1.0, 4.0
+# away from edges, where both surely show the same part. WebP, which has colours at half the
+# resolution, accounts for most of it, in small bright pictures above all.
+TOLERANCE, TOLERANCE_INSIDE = 1.0, 5.0
 # A theme without styles of its own, so everything visible comes with the scenes.
 CONFIGURATION = """
 extensions = ["browser_libraries", "myst_nb", "rotedu.figures.pages", "sphinxcontrib.katex"]

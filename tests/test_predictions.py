@@ -17,7 +17,6 @@ from rotedu import scenes
 from rotedu.arcs import angle_between, arc_axis, nlerp
 from rotedu.averages import angular_distance, mean_rotation
 from rotedu.closed_curve import closed_curve
-from rotedu.control_points import bisect, double
 from rotedu.general_rotation import (
     euler_angles,
     matrix_from_euler_angles,
@@ -82,14 +81,6 @@ class TestWhatTheAnswersSay:
         off, tip, length = missed(1 / 2)
         assert f"by {off:.1f}°, her tip by {tip:.1f}°" in page
         assert f"down to {length:.0%} of its length" in page
-
-    def test_straight_ahead(self) -> None:
-        before, here = np.array([[1, 0, 0], [0.5, 0.75**0.5, 0]])
-        ahead = double(before, here)
-        a = bisect(here, bisect(ahead, ahead))
-        assert np.allclose(np.cross(before, here)[:2], 0)
-        assert a[2] == 0
-        assert f"{degrees(angle_between(here, a)):.0f}° away" in answers("05-control-points")
 
     def test_carried_around(self) -> None:
         """The twist of the arrow, and the roll of a camera that is carried in the same way."""

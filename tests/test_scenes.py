@@ -272,7 +272,8 @@ def test_construction_of_figures_3_to_7_is_that_of_control_points() -> None:
 
 
 def test_reversed_axis_is_that_of_5_9_as_printed() -> None:
-    p = np.asarray(construction.LOOP) / np.linalg.norm(construction.LOOP, axis=1, keepdims=True)
+    p = np.array(scenes.CAMERA_TARGETS)
+    p /= np.linalg.norm(p, axis=1, keepdims=True)
     reflected, after = double(np.roll(p, 1, axis=0), p), np.roll(p, -1, axis=0)
     printed = np.cross(after, reflected)
     middle = rotate(reflected, printed, angle_between(reflected, after) / 2)

@@ -13,7 +13,7 @@ from rotedu.colors import AXIS, CROSS, NEUTRAL, RESULT, VECTOR, WRONG
 from rotedu.control_points import bisect, double
 from rotedu.figures import State, describe, explorable, read_out
 from rotedu.figures.inputs import Handles, Slider, Switch
-from rotedu.scenes.arcs import CAMERA_TARGETS
+from rotedu.scenes.arcs import CAMERA_SEES, CAMERA_TARGETS
 from rotedu.scenes.looks import Arrow, Ball, Lines, Look, Text, draw
 from rotedu.scenes.parts import (
     LITTLE,
@@ -30,7 +30,6 @@ from rotedu.scenes.parts import (
 from rotedu.scenes.shapes import U, W, normalised
 
 __all__ = [
-    "LOOP",
     "NEIGHBOURS",
     "arrow_at_the_clock",
     "control_points_by_hand",
@@ -331,10 +330,6 @@ def control_points_by_hand(state: State) -> pyvista.Plotter:
     return plotter
 
 
-# Four points with four different gaps, all visible from one side.
-LOOP = ((1.0, -0.45, 0.0), (0.7, 0.6, -0.35), (0.1, 0.8, 0.5), (0.6, -0.05, 0.95))
-
-
 def astray(points: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Compute all a_i and b_i of unit vectors with the axis of (5-9) as printed."""
     reflected = double(np.roll(points, 1, axis=0), points)
@@ -346,25 +341,28 @@ def astray(points: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np
 def reversed_axis() -> pyvista.Plotter:
     """Draw what the axis of (5-9) as printed does to a closed curve."""
     samples = 24
-    p = normalised(LOOP)
+    p = normalised(CAMERA_TARGETS)
     a, b = astray(p)
     after = np.roll(p, -1, axis=0)
     control = np.stack([p, a, np.roll(b, -1, axis=0), after], axis=1)
     printed = de_casteljau(control[:, np.newaxis], np.arange(samples) / samples)
 
-    plotter = sphere_scene(eye=(4.6, 2.25, 2.05))
-    for curve, color in ((closed_curve(p, samples), RESULT), (printed, WRONG)):
-        closed = curve.reshape(-1, 3)
-        add_line(plotter, [*closed, closed[0]], color, radius=0.01)
+    plotter = sphere_scene(eye=(4.6, 1.2, 2.6))
+    curves = np.stack([closed_curve(p, samples).reshape(-1, 3), printed.reshape(-1, 3)])
+    # Named where they are far from each other, in view; a colour would tell which is wrong.
+    widest = samples // 2
+    for name, curve, other in zip("AB", curves, curves[::-1], strict=True):
+        add_line(plotter, [*curve, curve[0]], NEUTRAL, radius=0.01)
+        away = curve[widest] - other[widest]
+        add_label(plotter, curve[widest] + 0.12 * away / np.linalg.norm(away), f"${name}$")
     outward = p - p.mean(axis=0)
-    for k, (point, direction) in enumerate(zip(p, outward, strict=True)):
+    for point, direction, name in zip(p, outward, CAMERA_SEES, strict=True):
         add_point(plotter, point, VECTOR)
-        place = point + 0.17 * direction / np.linalg.norm(direction)
-        add_label(plotter, place, f"$P_{k}$", VECTOR)
+        add_label(plotter, point + 0.17 * direction / np.linalg.norm(direction), name, VECTOR)
     describe(
         plotter,
-        f"A unit sphere with {len(p)} points and two closed curves through all of them. Both look"
-        " smooth. The red one, which is wrong, passes the points in other directions and makes"
-        " detours.",
+        f"A unit sphere with {len(p)} points and two closed curves, A and B, through all of them."
+        " Both look smooth, pass the points in different directions and swing out to different"
+        " sides.",
     )
     return plotter

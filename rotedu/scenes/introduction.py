@@ -6,7 +6,7 @@ import pyvista
 from rotedu.colors import AXIS, CROSS, NEUTRAL, RESULT, VECTOR
 from rotedu.figures import State, describe, explorable, read_out
 from rotedu.figures.inputs import Slider
-from rotedu.ordinary_rotation import rotation_matrix, transform
+from rotedu.ordinary_rotation import rotate, rotation_matrix, transform
 from rotedu.scenes.looks import Arrow, Lines, Look, Mesh, Text, draw
 from rotedu.scenes.parts import (
     LITTLE,
@@ -18,7 +18,7 @@ from rotedu.scenes.parts import (
     add_point,
     new_scene,
 )
-from rotedu.scenes.shapes import ORIGIN, U, teaspoon, turning
+from rotedu.scenes.shapes import ORIGIN, U, W, teaspoon, turning
 
 __all__ = ["four_descriptions", "on_the_way", "once_round", "the_roll"]
 
@@ -145,6 +145,8 @@ def on_the_way(state: State) -> pyvista.Plotter:
         looks[name] = Mesh(held_at_its_end(), ink, SOLID)
         looks[f"{name}'s path"] = Lines(ink, 0.008)
     draw(plotter, state, looks)
+    add_label(plotter, (1.04, 0.17, -0.05), "your friend's")
+    add_label(plotter, 1.14 * rotate(U, AXIS_HERE, ANGLE_HERE), "yours")
     read_out(plotter, "off", "pilot's spoon off by", 1, "°", where="picture")
     describe(
         plotter,
@@ -176,6 +178,7 @@ def once_round(state: State) -> pyvista.Plotter:
     }
     add_pale(plotter, held_at_its_end())
     draw(plotter, state, looks)
+    add_label(plotter, 0.72 * W, "$W$")
     read_out(plotter, "numbers", "the programmer's numbers", 2, where="picture")
     describe(
         plotter,

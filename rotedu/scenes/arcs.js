@@ -1,5 +1,16 @@
 /* Model of page 5 I. */
-import { columns, DEGREES, IDENTITY, joined, ORIGIN, scaled, spread, turning } from "./parts.js";
+import {
+  columns,
+  DEGREES,
+  IDENTITY,
+  joined,
+  ORIGIN,
+  scaled,
+  spread,
+  turning,
+  V,
+  W,
+} from "./parts.js";
 import {
   angleBetween,
   arcAxis,
@@ -11,6 +22,7 @@ import {
   nlerp,
   product,
   quaternionMatrix,
+  rotate,
   slerp,
   transpose,
   unit,
@@ -25,6 +37,25 @@ const SAMPLES = 61;
 const CLOSE = 25 / DEGREES;
 // From the middle of the sphere to that of the spoons, to the right of the picture.
 const BESIDE = [2.3, 0, 0];
+
+/** A path from the pole that keeps to its meridian, or bulges to a side of it. */
+export function theDetour({ aside }, { down }) {
+  // At a share of the way down, so many degrees from the meridian.
+  const at = (t, east) => rotate(rotate(W, V, (t * down) / DEGREES), W, east / DEGREES);
+  const times = spread(SAMPLES);
+  const path = times.map((t) => at(t, aside * Math.sin(Math.PI * t)));
+  const steps = path.slice(1).map((point, i) => angleBetween(path[i], point));
+  return {
+    parts: {
+      path: { paths: [path] },
+      meridian: { paths: [times.map((t) => at(t, 0))] },
+      middle: { at: at(0.5, aside) },
+    },
+    labels: {},
+    grips: { aside: { path: times.map((x) => at(0.5, 180 * x - 90)), holds: ["path", "middle"] } },
+    outputs: { length: DEGREES * steps.reduce((sum, step) => sum + step, 0) },
+  };
+}
 
 /** Slerp and nlerp between two points, and what both do to a spoon. */
 export function slerpByHand({ p, q, t, flip }, { antipodal }) {

@@ -10,6 +10,7 @@ from rotedu.figures import State, describe, draw_chart, explorable, read_out
 from rotedu.figures.inputs import Handles, Slider, Switch
 from rotedu.scenes.looks import Arrow, Ball, Lines, Look, Mesh, Text, draw
 from rotedu.scenes.parts import (
+    LITTLE,
     add_angle,
     add_arc,
     add_arrow,
@@ -21,9 +22,16 @@ from rotedu.scenes.parts import (
     new_scene,
     sphere_scene,
 )
-from rotedu.scenes.shapes import ORIGIN, normalised, teaspoon, turning
+from rotedu.scenes.shapes import ORIGIN, W, normalised, teaspoon, turning
 
-__all__ = ["CAMERA_SEES", "CAMERA_TARGETS", "camera_arcs", "figure_2", "slerp_by_hand"]
+__all__ = [
+    "CAMERA_SEES",
+    "CAMERA_TARGETS",
+    "camera_arcs",
+    "figure_2",
+    "slerp_by_hand",
+    "the_detour",
+]
 
 CAMERA_TARGETS = ((1.0, 0.0, -0.2), (0.3, 1.0, 0.2), (0.2, 0.3, 1.0), (0.3, -0.9, 0.3))
 """Directions from a camera to a door, a clock, a window and a desk, in this order."""
@@ -43,6 +51,45 @@ def camera(direction: ArrayLike, size: float = 0.3) -> pyvista.PolyData:
     model: pyvista.PolyData = pyvista.merge([body, lens])
     model.transform(upright, inplace=True)
     return model
+
+
+DOWN = 80
+
+
+@explorable(
+    small=True,
+    answer={"aside": 0},
+    constants={"down": DOWN},
+    aside=Slider(-90, 90, "aside, in the middle, °", step=1, start=55),
+)
+def the_detour(state: State) -> pyvista.Plotter:
+    """Draw a path from the North Pole that bulges to a side of the meridian, or does not.
+
+    Parameters
+    ----------
+    aside : float
+        How far it is from the meridian in the middle, in degrees of longitude.
+    """
+    plotter = new_scene((4.6, 0.0, 2.9), (0, 0, 0.06), view_angle=26.5, size=LITTLE)
+    add_sphere(plotter)
+    looks: dict[str, Look] = {
+        "meridian": Lines(NEUTRAL, 0.008),
+        "path": Lines(RESULT, 0.014),
+        "middle": Ball(RESULT, 0.04),
+    }
+    draw(plotter, state, looks)
+    low = np.deg2rad(DOWN)
+    for point, name in ((W, r"\hat v_1"), (np.array([np.sin(low), 0, np.cos(low)]), r"\hat v_2")):
+        add_point(plotter, point, VECTOR, 0.04)
+        add_label(plotter, 1.16 * point, f"${name}$", VECTOR)
+    read_out(plotter, "length", "length of the path", 1, "°", where="picture")
+    describe(
+        plotter,
+        "A ball with two points, one at its pole, and the meridian from this to the other. A green"
+        f" path between the two is {state['inputs']['aside']:g} degrees aside in its middle, and"
+        f" {state['outputs']['length']:.0f} degrees long; along the meridian it would be {DOWN}.",
+    )
+    return plotter
 
 
 def camera_arcs() -> pyvista.Plotter:

@@ -10,6 +10,15 @@ from rotedu.errors import DegenerateError
 SAME = 1e-6
 
 
+def the_detour(aside: float) -> dict[str, float]:
+    t = np.linspace(0, 1, 61)
+    down, east = np.radians(80) * t, np.radians(aside) * np.sin(np.pi * t)
+    path = np.array([np.sin(down) * np.cos(east), np.sin(down) * np.sin(east), np.cos(down)]).T
+    return {
+        "length": np.degrees(2 * np.arcsin(np.linalg.norm(np.diff(path, axis=0), axis=1) / 2)).sum()
+    }
+
+
 def slerp_by_hand(p: Any, q: Any, t: float, flip: bool) -> dict[str, Any]:
     first, last = (np.divide(v, np.linalg.norm(v)) for v in (p, q))
     last = -last if flip else last

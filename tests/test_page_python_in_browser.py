@@ -269,12 +269,16 @@ def test_stop_and_go_on_without_a_network(at_desk: Reader) -> None:
     reader.page.context.set_offline(False)
 
 
+SLERP = ".explorable[data-name=slerp-by-hand]"
+
+
 def test_the_hand_and_python_meet(read: Callable[..., Reader]) -> None:
     reader = read("05-arcs")
-    figure = reader.page.locator(".explorable").first
+    figure = reader.page.locator(SLERP)
     reader.run("try-farthest")
     # Nobody has touched the figure: it comes to life with what Python has set.
-    reader.page.wait_for_function("document.querySelector('.explorable').dataset.values")
+    values_there = f"document.querySelector('{SLERP}').dataset.values"
+    reader.page.wait_for_function(values_there)
     settle(reader.page)
     values = json.loads(figure.get_attribute("data-values"))
     assert f"at t = {values['t']:.2f}" in reader.output("try-farthest")

@@ -324,14 +324,15 @@ def test_words_of_the_glossary_are_links_where_they_are_first_used(
         assert set(links) <= explained, name
         if re.match(r"book/(0|errata)", name):
             assert len(links) > 10, name
-            first = next(
+            uses = [
                 text
                 for paragraph in soup.select("article p:not(.eyebrow)")
                 if not paragraph.find_parent("figcaption")
                 for text in paragraph.find_all(string=re.compile(r"\b[Rr]otations?\b(?! v)"))
                 if not text.find_parent(["code", "em"])
-            )
-            assert first.find_parent("a") is not None, (name, first)
+            ]
+            # A page that is told may do without the word.
+            assert all(first.find_parent("a") for first in uses[:1]), (name, uses)
 
 
 def test_what_belongs_together_stays_on_one_line(

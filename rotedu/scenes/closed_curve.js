@@ -64,7 +64,8 @@ function comb(motions, now, segment, within) {
   const pieces = [...motions.slice(0, segment), [...motions[segment].slice(0, before), now]];
   const tips = pieces.map((piece) => piece.map(hairTip));
   const hairs = pieces.flatMap((piece, i) => piece.map(({ here }, k) => [here, tips[i][k]]));
-  return { comb: { paths: hairs }, tips: { paths: tips.filter(({ length }) => length > 1) } };
+  const lines = tips.filter(({ length }) => length > 1);
+  return { comb: { paths: hairs }, tips: shown(lines.length > 0 && { paths: lines }) };
 }
 
 /** Where a hair ends, which lies on the sphere as well. */

@@ -1,5 +1,5 @@
 /* Model of page A. */
-import { box, DEGREES, IDENTITY, ORIGIN, placing, scaled, spread, W } from "./parts.js";
+import { box, DEGREES, IDENTITY, ORIGIN, placing, scaled, spread, U, W } from "./parts.js";
 import {
   axisAngle,
   combine,
@@ -17,6 +17,8 @@ import {
 } from "./rotations.js";
 
 const SPEED = Math.PI / 2;
+// Of the yaw and of the roll, in degrees.
+const QUARTER = 90;
 const ARROW = 0.85;
 const EYE = [0.3, -0.88, 0.36];
 const ACROSS = unit(cross(W, EYE));
@@ -135,4 +137,23 @@ function moments(h, t) {
   const pieces = Math.ceil(h / PIECE);
   const whole = Math.max(1, Math.ceil((t * pieces) / h - ROUNDING));
   return [...Array.from({ length: whole }, (_, k) => (k * h) / pieces), Math.max(t, ROUNDING)];
+}
+
+/** A drone after a yaw and a roll, as it flies and as a log read in the wrong frame has it. */
+export function theDrone({ time }) {
+  const yaw = rotationMatrix(W, (QUARTER * Math.min(time, 1)) / DEGREES);
+  const roll = rotationMatrix(U, (QUARTER * Math.max(time - 1, 0)) / DEGREES);
+  const [flies, logged] = [product(yaw, roll), product(roll, yaw)];
+  const nose = (turn) => scaled(1.1, transform(turn, U));
+  return {
+    parts: {
+      drone: { matrix: placing(flies, ORIGIN) },
+      nose: { from: ORIGIN, to: nose(flies) },
+      logged: { matrix: placing(logged, ORIGIN) },
+      "logged nose": { from: ORIGIN, to: nose(logged) },
+    },
+    labels: {},
+    grips: {},
+    outputs: { apart: DEGREES * axisAngle(product(transpose(flies), logged)).angle },
+  };
 }

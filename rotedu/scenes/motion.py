@@ -3,14 +3,14 @@
 import numpy as np
 import pyvista
 
-from rotedu.colors import AXIS, MATRIX, NEUTRAL, QUATERNION, RESULT
+from rotedu.colors import AXIS, MATRIX, NEUTRAL, QUATERNION, RESULT, WRONG
 from rotedu.figures import State, describe, draw_chart, explorable, read_out
 from rotedu.figures.inputs import Handles, Slider, Switch
 from rotedu.scenes.looks import Arrow, Lines, Look, Mesh, Text, draw
-from rotedu.scenes.parts import new_scene
+from rotedu.scenes.parts import LITTLE, add_label, new_scene
 from rotedu.scenes.shapes import teaspoon
 
-__all__ = ["spinning_by_hand"]
+__all__ = ["spinning_by_hand", "the_drone"]
 
 SECONDS = 1.5
 EDGE = 0.85
@@ -84,5 +84,50 @@ def spinning_by_hand(state: State) -> pyvista.Plotter:
         " in green, the box is still a cube. By Euler's step on the matrix, in ochre, it is askew"
         " and much too large, and by Euler's step on the quaternion, in violet, a cube, but too"
         " large. Lines show the ways of the spoons' tips, which lead outwards in ochre and violet.",
+    )
+    return plotter
+
+
+def drone() -> pyvista.PolyData:
+    """Model a drone: two crossed arms with a ring at each end, and a body that is longer ahead."""
+    arms = [pyvista.Box((-0.75, 0.75, -0.05, 0.05, -0.03, 0.03)).rotate_z(z) for z in (45, 135)]
+    ends = np.array([[x, y, 0.06] for x in (-0.53, 0.53) for y in (-0.53, 0.53)])
+    ring = pyvista.Disc(inner=0.2, outer=0.34, normal=(0, 0, 1), c_res=20)
+    rings = [ring.translate(end) for end in ends]
+    body = pyvista.Box((-0.3, 0.5, -0.17, 0.17, -0.1, 0.14))
+    solid = pyvista.merge([*arms, *rings, body]).extract_surface(algorithm=None).triangulate()
+    model: pyvista.PolyData = solid.clean()
+    return model
+
+
+@explorable(
+    small=True,
+    answer={"time": 2},
+    time=Slider(0, 2, "time in seconds", step=0.01, plays=6, start=0),
+)
+def the_drone(state: State) -> pyvista.Plotter:
+    """Draw a drone that yaws, then rolls, and what a log read in the wrong frame makes of it.
+
+    Parameters
+    ----------
+    time : float
+        In seconds: in the first a quarter turn about the vertical, then one about the nose.
+    """
+    plotter = new_scene((3.6, -3.4, 2.3), (0, 0.1, 0.05), view_angle=26, size=LITTLE)
+    flat = {"smooth_shading": False, "pickable": False}
+    looks: dict[str, Look] = {
+        "drone": Mesh(drone(), RESULT, flat),
+        "nose": Arrow(RESULT, 0.02),
+        "logged": Mesh(drone(), WRONG, flat | {"opacity": 0.35}),
+        "logged nose": Arrow(WRONG, 0.012),
+    }
+    draw(plotter, state, looks)
+    add_label(plotter, (1.55, 0, 0), "$U$")
+    read_out(plotter, "apart", "the log is off by", 1, "°", where="picture")
+    describe(
+        plotter,
+        "A green drone with an arrow from its nose, and a red one, see-through: where it is by a"
+        f" log that is read in the wrong frame. After {state['inputs']['time']:.1f} of two seconds"
+        f" they are {state['outputs']['apart']:.0f} degrees apart.",
     )
     return plotter

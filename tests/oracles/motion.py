@@ -37,3 +37,11 @@ def spinning_by_hand(**inputs: Any) -> dict[str, Any]:
         f" {np.degrees(angular_distance(nearest_rotation(now), exact)):.0f}° wrong"
         for name, now in drawn.items()
     }
+
+
+def the_drone(time: float) -> dict[str, float]:
+    angles = 90 * np.clip([time, time - 1], 0, 1)
+    yaw, roll = (
+        Rotation.from_euler(*turn, degrees=True) for turn in zip("zx", angles, strict=True)
+    )
+    return {"apart": np.degrees(((yaw * roll).inv() * (roll * yaw)).magnitude())}

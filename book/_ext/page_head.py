@@ -97,12 +97,15 @@ def eyebrow(app: Sphinx, page: str, title: str) -> str:
 
     A title that is a sentence leaves the subject to this line.
     """
-    if found := SECTION.match(app.config.short_names.get(page, "")):
+    name = app.config.short_names.get(page, "")
+    if found := SECTION.match(name):
         number, piece, subject = found.groups()
         where = f"Section {number} of the paper" + (f", part {piece}" if piece else "")
-        return f"{where} · {escape(subject)}" if BETWEEN in title else where
-    parts = app.env.get_doctree(app.config.root_doc).findall(addnodes.toctree)
-    return next((str(part["caption"]) for part in parts if page in part["includefiles"]), "")
+    else:
+        subject = name.partition(" ")[2]
+        parts = app.env.get_doctree(app.config.root_doc).findall(addnodes.toctree)
+        where = next((str(part["caption"]) for part in parts if page in part["includefiles"]), "")
+    return f"{where}{BETWEEN}{escape(subject)}" if BETWEEN in title else where
 
 
 def write_notebooks(app: Sphinx) -> None:

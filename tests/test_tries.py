@@ -129,9 +129,8 @@ SHOWN: dict[str, dict[str, dict[str, str]]] = {
     },
     "mean_by_hand": {
         "give *q₃* the other sign": {
-            "apart": "0.3°",
+            "apart": "73.0°",
             "by_matrices": "37, 36, 42°",
-            "by_quaternions": "37, 36, 42°",
         },
         "no choice of signs helps": {"apart": "22.6°"},
         "thirds of a whole turn": {

@@ -24,13 +24,14 @@ INKS = {"matrices": MATRIX, "quaternions": QUATERNION}
 
 @explorable(
     tries={
-        "give *q₃* the other sign": {"flip": False},
-        "no choice of signs helps": {"poses": SPREAD, "flip": False},
-        "thirds of a whole turn": {"poses": THIRDS, "flip": False},
+        "give *q₃* the other sign": {"flip": True},
+        "no choice of signs helps": {"poses": SPREAD},
+        "thirds of a whole turn": {"poses": THIRDS},
     },
+    answer={"flip": True},
     constants={"no_mean": "no unique mean"},
     poses=Poses([f"spoon {k}" for k in (1, 2, 3)], start=GIVEN),
-    flip=Switch("−*q₃* in place of *q₃*, the same orientation", start=True),
+    flip=Switch("−*q₃* in place of *q₃*, the same orientation", start=False),
 )
 def mean_by_hand(state: State) -> pyvista.Plotter:
     """Draw the mean of three orientations by their matrices and by their quaternions.

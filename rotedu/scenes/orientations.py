@@ -96,14 +96,16 @@ CLOCKWISE = ((1, 0, 0), (0, 0, 1), (0, 1, 0))
 
 @explorable(
     tries={
-        "there and back": {"corners": NARROW},
-        "the arrow comes back reversed": {"corners": REVERSING},
-        "an even larger triangle": {"corners": LARGE},
-        "clockwise": {"corners": CLOCKWISE},
+        "once round": {"t": 1},
+        "there and back": {"corners": NARROW, "t": 1},
+        "the arrow comes back reversed": {"corners": REVERSING, "t": 1},
+        "an even larger triangle": {"corners": LARGE, "t": 1},
+        "clockwise": {"corners": CLOCKWISE, "t": 1},
     },
+    answer={"t": 1},
     constants={"just_inside": JUST_INSIDE},
     corners=Handles(["A", "B", "C"], start=((1, 0, 0), (0, 1, 0), (0, 0, 1))),
-    t=Slider(0, 1, "once round, *t*", plays=8, start=1),
+    t=Slider(0, 1, "once round, *t*", plays=8, start=0),
 )
 def carried_around_by_hand(state: State) -> pyvista.Plotter:
     """Draw an arrow carried around a triangle by the rotations of the arcs (5-3).

@@ -321,7 +321,7 @@ def test_a_chart_is_drawn_where_the_book_has_it(read: Callable[..., Reader]) -> 
         "code-8", "plt.imshow([[0, 1]])\nplt.show()\nplt.title('own').set_url('javascript:1')"
     )
     own = reader.cell("code-8").locator(".live-output .chart")
-    assert (own.get_attribute("aria-label"), own.locator("svg").count()) == ("Chart of cell 4", 2)
+    assert (own.get_attribute("aria-label"), own.locator("svg").count()) == ("Chart of cell 3", 2)
     assert own.locator("image").count() == 1
     assert own.locator("a").count() == 0
     assert reader.message("code-33") == ""

@@ -230,8 +230,8 @@ class TestWhatTheAnswersSay:
 
         page = pages()["beyond-averages.ipynb"]
         text = "\n".join(cell.source for cell in page.cells)
-        assert f"the means are {apart():.0f}° apart" in text
-        assert apart(flip=False) == pytest.approx(1 / 3, abs=0.05)
+        assert f"which turns no spoon, by {apart(flip=True):.0f}°" in text
+        assert apart() == pytest.approx(1 / 3, abs=0.05)
         least = apart(**scenes.mean_by_hand.tries["no choice of signs helps"])
         assert f"the best one misses it by {least:.1f}°" in text
 

@@ -47,7 +47,6 @@ SHOWN: dict[str, dict[str, dict[str, str]]] = {
         "just past it": {"angle": "172.5°", "way": "345.0°", "speed": "10.12"},
     },
     "carried_around_by_hand": {
-        "once round": {"twist": "90.0°", "area": "90.0°", "difference": "0°"},
         "there and back": {"twist": "−4.2°", "area": "−4.2°", "difference": "0°"},
         "the arrow comes back reversed": {"twist": "180.0°", "area": "180.0°", "difference": "0°"},
         "an even larger triangle": {"twist": "−120.1°", "area": "239.9°", "difference": "360°"},

@@ -96,7 +96,6 @@ CLOCKWISE = ((1, 0, 0), (0, 0, 1), (0, 1, 0))
 
 @explorable(
     tries={
-        "once round": {"t": 1},
         "there and back": {"corners": NARROW, "t": 1},
         "the arrow comes back reversed": {"corners": REVERSING, "t": 1},
         "an even larger triangle": {"corners": LARGE, "t": 1},

@@ -171,7 +171,7 @@ def once_round(state: State) -> pyvista.Plotter:
     turned : float
         How far it has been turned, in degrees.
     """
-    plotter = new_scene((2.6, -3.4, 2.2), (0, 0, 0), view_angle=17, size=LITTLE)
+    plotter = new_scene((2.6, -3.4, 2.2), (0, 0, 0.03), view_angle=18.5, size=LITTLE)
     looks: dict[str, Look] = {
         "spoon": Mesh(held_at_its_end(), RESULT, SOLID),
         "axis": Arrow(AXIS, 0.02),

@@ -313,11 +313,10 @@ def grab_the_spoon(state: State) -> pyvista.Plotter:
 
 @explorable(
     tries={f"{n} turn{'s' * (n > 1)}": {"turns": n, "passed": 0} for n in (1, 2, 3, 4)},
+    answer={"passed": 0.44},
     constants={"on_its_way": ON_ITS_WAY, "reach": REACH},
     turns=Slider(0, 4, "turns of the spoon", step=0.05, stride=1, plays=16, start=2),
-    passed=Slider(
-        0, 2, "ribbon passed round it, times", step=0.02, stride=0.5, plays=12, start=0.44
-    ),
+    passed=Slider(0, 2, "ribbon passed round it, times", step=0.02, stride=0.5, plays=12, start=0),
 )
 def double_cover_by_hand(state: State) -> pyvista.Plotter:
     """Draw a spoon that has turned on a ribbon, and how the ribbon is passed round it.

@@ -29,7 +29,7 @@ THIRD = 0.75**0.5
 SPECIAL: dict[str, list[dict[str, Any]]] = {
     "animate": [{"poses": SIX[2:], "t": 1.0}, {"poses": SIX}],
     "camera_by_hand": [{"path": "curve", "roll": "kept upright", "u": 0.54}, {"u": 0.0}],
-    "carried_around_by_hand": [{"t": 0.0}],
+    "carried_around_by_hand": [{"t": 0.0}, {"t": 1.0}],
     "closed_curve_by_hand": [
         *({"points": round_about(n), "u": u} for n, u in ((3, 1.0), (5, 1.0), (8, 0.5))),
         {"points": [*OPPOSITE, [0, 1, 0]]},

@@ -78,7 +78,12 @@ export function carriedAroundByHand({ corners, t }, { just_inside }) {
       t: { path: roundOnce.map((x) => head(carried(x))), holds: ["arrow"] },
       corners: { holds: ["A", "B", "C"] },
     },
-    outputs: { twist: DEGREES * twist, area: DEGREES * area, difference: DEGREES * (area - twist) },
+    outputs: {
+      // Nobody knows it before the arrow is back.
+      twist: t === 1 ? DEGREES * twist : "",
+      area: DEGREES * area,
+      difference: t === 1 ? DEGREES * (area - twist) : "",
+    },
   };
 }
 

@@ -32,7 +32,8 @@ def carried_around_by_hand(corners: Any, t: float) -> dict[str, Any]:
     # The angles inside, less 180 degrees.
     area = 360 - np.degrees(angle_between(axes, np.roll(axes, 1, axis=0))).sum()
     area *= np.sign(np.linalg.det(p))
-    return {"twist": twist, "area": area, "difference": area - twist}
+    known = {"twist": twist, "difference": area - twist}
+    return {"area": area, **(known if t == 1 else dict.fromkeys(known, ""))}
 
 
 def routes_by_hand(poses: Any, u: float) -> dict[str, Any]:

@@ -39,6 +39,18 @@ def test_no_note_stands_on_another(name: str, browser: Any, site: str) -> None:
     page.close()
 
 
+def test_a_note_on_paper_stands_on_the_sheet(browser: Any, site: str) -> None:
+    # 170 mm of text and margin
+    page = browser.new_page(viewport={"width": 642, "height": 900})
+    page.goto(f"{site}/book/05-control-points.html")
+    page.emulate_media(media="print")
+    page.evaluate("document.querySelectorAll('.misprint').forEach((note) => { note.open = true })")
+    notes = [box for words, box in page.evaluate(NOTES) if not words.startswith("Picture")]
+    assert len(notes) > 3
+    assert all(box["left"] > 480 and box["right"] < 644 for box in notes)
+    page.close()
+
+
 @pytest.mark.parametrize("width", [1000, 1440])
 def test_two_pictures_of_a_figure_stand_apart(width: int, browser: Any, site: str) -> None:
     page = browser.new_page(viewport={"width": width, "height": 900})

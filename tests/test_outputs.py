@@ -39,9 +39,6 @@ SPECIAL: dict[str, list[dict[str, Any]]] = {
         *({"step": step, "printed_double": step > 3} for step in (1.0, 3.5)),
         {"printed_axis": True},
     ],
-    "double_cover_by_hand": [
-        {"turns": n, "passed": passed} for n, passed in ((0, 0), (1, 0.3), (2, 1), (3, 1), (4, 2))
-    ],
     "euler_angles_by_hand": [{"v": -90.0, "t": 0.25}, {"u": 180.0, "v": 90.0, "w": 0.0}],
     "figure_1_by_hand": [{"theta": 0.0}],
     "grab_the_spoon": [{"way": "by hand", "spoon": [-1.0, 0.0, 0.0, 0.0]}],

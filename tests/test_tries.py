@@ -85,11 +85,10 @@ SHOWN: dict[str, dict[str, dict[str, str]]] = {
         "a wobbling full turn": {"q": "−1.00, 0.00, 0.00, 0.00", "angle": "360°", "home": "yes"},
         "home by Euler angles": {"q": "−1.00, 0.00, 0.00, 0.00", "angle": "360°", "home": "yes"},
     },
-    "double_cover_by_hand": {
-        "1 turn": {"twists": "1.00", "q_back": "no"},
-        "2 turns": {"twists": "2.00", "q_back": "yes"},
-        "3 turns": {"twists": "3.00", "q_back": "no"},
-        "4 turns": {"twists": "4.00", "q_back": "yes"},
+    "plate_and_arm": {
+        "one turn": {"spoon_back": "yes", "arm_straight": "no", "q": "−1.00, 0.00, 0.00, 0.00"},
+        "one and a half": {"spoon_back": "no", "arm_straight": "no"},
+        "two turns": {"spoon_back": "yes", "arm_straight": "yes"},
     },
     "three_turns_by_hand": {
         "*W* *V* *U*, axes carried along": {

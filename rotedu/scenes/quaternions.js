@@ -17,6 +17,7 @@ import {
 } from "./parts.js";
 import {
   combine,
+  cross,
   dot,
   eulerAngles,
   length,
@@ -57,12 +58,12 @@ const [LETTER, DIAL] = [30, 1.3];
 const ON_SKIN = 0.97;
 // A vector part without a direction, and a step of a path that is a jump through the skin.
 const [NO_AXIS, JUMP] = [1e-6, 0.35];
-// The place of the spoon on the ribbon, and the radius of the ring about it.
-const HOME = scaled(-2.35, ACROSS);
-const RING = 0.6;
 // The ribbon reaches from a bar down to a spoon about the middle of shells that turn.
-const [SPOON, BAR, WIDTH, STEM] = [0.42, 1.26, 0.11, 0.06];
-const MIDDLE_OF_BAR = combine(1, HOME, BAR, W);
+const [SPOON, BAR, WIDTH, STEM, REACH] = [0.5, [0, 0, 1.45], 0.13, 0.06, 0.46];
+// The middle of the plate, the direction of the arm at rest, and where it yields first.
+const TRAY = scaled(-2.42, ACROSS);
+const ARM = unit(combine(-1, ACROSS, -0.15, W));
+const [WRIST, THICK, SIDES] = [0.55, 0.09, 16];
 const TINY = 1e-12;
 
 /** A point off the axis. */
@@ -291,150 +292,136 @@ function quaternionFromEulerAngles(angles) {
   return quaternionProduct(qw, quaternionProduct(qv, qu));
 }
 
-/** A spoon that has turned on a ribbon, and how the ribbon is passed round it. */
-export function doubleCoverByHand({ turns, passed: wanted }, { on_its_way, reach }) {
-  const passed = Math.min(wanted, passes(turns));
-  const hangs = Number.isInteger(passed);
-  const angle = 2 * Math.PI * turns;
-  const matrix = rotationMatrix(W, angle);
-
-  const bar = [-2.5, 2.5].map((far) => combine(1, MIDDLE_OF_BAR, far * WIDTH, U));
+/** A spoon that turns twice on a ribbon, which is then passed round it. */
+export function theRibbon({ done }) {
+  const [turns, passed] = [Math.min(done, 2), Math.max(done - 2, 0)];
+  const bar = [-2.5, 2.5].map((far) => combine(1, BAR, far * WIDTH, U));
   const edges = [-WIDTH, 0, WIDTH].map((width) => sideOfRibbon(turns, passed, width));
-  const onRing = (theta, side) => combine(1, HOME, RING, onBand(theta, side));
-  const rounds = spread(97).map((t) => 2 * Math.PI * t);
-  const [q, opposite] = [1, -1].map((side) => onRing(angle, side));
-  const { axes, shares } = turnsOf(alongRibbon(turns, passed, spread(161)));
-  const path = axes.map((axis, i) => scaled(shares[i], axis));
-  const end = path.at(-1);
-  const drawn = pieces(path);
-  const way = spread(97).map((t) => onRing(t * angle, 1));
-
+  const rim = turning([REACH, 0, 0], W, 4 * Math.PI, 96);
   return {
-    inputs: wanted > passed ? { passed } : {},
     parts: {
       bar: { paths: [bar] },
-      spoon: { matrix: placing(matrix, HOME) },
+      spoon: { matrix: placing(rotationMatrix(W, 2 * Math.PI * turns), ORIGIN) },
       "one half": { points: [...edges[0], ...edges[1]] },
       "other half": { points: [...edges[1], ...edges[2]] },
       borders: { paths: [edges[0], edges[2]].map(everyOther) },
-      band: {
-        points: rounds.flatMap((theta) => [1, 0, -1].map((side) => onRing(theta, side))),
-        hidden: !hangs,
-      },
-      ring: { paths: [everyOther(rounds).map((theta) => onRing(theta, 0))], hidden: !hangs },
-      way: shown(hangs && turns > 0 && { paths: [way] }),
-      stick: { paths: [[q, opposite]], hidden: !hangs },
-      q: { at: q, hidden: !hangs },
-      "-q": { at: opposite, hidden: !hangs },
-      path: shown(drawn.length && { paths: drawn }),
-      end: { at: end },
-      skin: { hidden: shares.at(-1) <= ON_SKIN },
     },
-    labels: {
-      q: hangs ? onRing(angle, 1.6) : null,
-      "-q": hangs ? onRing(angle, -1.6) : null,
-      end: beside(end),
-    },
-    grips: {
-      turns: { path: onceForEachTurn(reach), holds: ["spoon"] },
-      passed: { path: wayOfRibbon(turns), holds: ["one half", "other half"] },
-    },
-    outputs: {
-      twists: hangs ? turns - 2 * passed : on_its_way,
-      spoon_back: lamp(isBack(360 * turns, 360)),
-      q_back: lamp(isBack(360 * turns, 720)),
-      q: quaternionFromAxisAngle(W, angle),
-      matrix,
-    },
+    labels: { spoon: null },
+    grips: { done: { path: [...rim, ...wayOfRibbon()], holds: ["spoon", "one half"] } },
+    outputs: { twists: passed % 1 ? "on its way" : turns - 2 * passed },
   };
 }
 
-/** How often a ribbon must be passed round the spoon to lose all twists but one. */
-const passes = (turns) => (turns <= 2 ? 1 : 2);
-
 const everyOther = (list) => list.filter((_, i) => i % 2 === 0);
-
-/**
- * Rotations of the ribbon at fractions of its way from the bar to the spoon, which goes at constant
- * speed.
- */
-function alongRibbon(turns, passed, fractions) {
-  const { axis, radius, length, side, staying } = movingArc(turns, passed);
-  return fractions.map((s) => {
-    const gone = s * (length + Math.PI * staying);
-    const turned = Math.min(gone, length) / Math.max(radius, TINY);
-    const [w, along, aside] = rotate([1, 0, 0], axis, turned);
-    const moved = [w, ...combine(along, W, aside, side)];
-    return quaternionProduct(quaternionFromAxisAngle(W, 2 * Math.max(gone - length, 0)), moved);
-  });
-}
-
-/**
- * The arc of unit quaternions to which the ribbon is a path, beside turns that stay next to the
- * spoon: a part of a circle about an axis, whose coordinates are along 1, W and a direction to the
- * side. The quaternion of so many turns about W, which stay as they are, follows the arc.
- *
- * Its ends are held: 1 at the bar, a quaternion about W at the other end. Two turns are a great
- * circle from 1 to 1, which shrinks to a point. Fewer are an arc of it, which goes over to the
- * other arc between its ends, with two turns less. On the way the circle is that through the ends
- * and the middle of the arc, which moves evenly from one side to the other.
- */
-function movingArc(turns, passed) {
-  const done = Math.min(Math.floor(passed), passes(turns) - 1);
-  const [left, tau] = [turns - 2 * done, passed - done];
-  const [moving, staying] = [Math.min(left, 2), Math.max(left - 2, 0)];
-  const half = (Math.PI * moving) / 2;
-  const rise = Math.cos(Math.PI * tau) - Math.cos(half);
-  const out = Math.sin(Math.PI * tau);
-  const tilt = Math.atan2(out, rise);
-  const axis = [-Math.sin(tilt) * Math.cos(half), -Math.sin(tilt) * Math.sin(half), Math.cos(tilt)];
-  const radius = Math.hypot(axis[1], axis[2]);
-  const arc = radius * 4 * Math.atan2(Math.hypot(rise, out), Math.sin(half));
-  const side = rotate(ACROSS, W, (Math.PI / 6) * (2 - moving));
-  return { axis, radius, length: arc, side, staying };
-}
 
 /**
  * A line of the ribbon, which is so far from its middle, from spoon to bar. Shells about the spoon
  * turn as the ribbon does. So it crosses neither itself nor the spoon.
  */
 function sideOfRibbon(turns, passed, width) {
-  const radii = spread(201).map((t) => STEM + t * (BAR - STEM));
-  const places = radii.map((r) => {
-    const x = Math.min(1, Math.max(0, (r - SPOON) / (BAR - SPOON)));
-    return 1 - x * x * (3 - 2 * x);
-  });
-  const turned = alongRibbon(turns, passed, places);
-  return turned.map((q, i) =>
-    combine(1, HOME, 1, rotateByQuaternion(q, combine(width, U, radii[i], W))),
+  const radii = spread(201).map((t) => STEM + t * (BAR[2] - STEM));
+  return shells(turns, passed, ACROSS, radii, [SPOON, BAR[2]]).map((q, i) =>
+    rotateByQuaternion(q, combine(width, U, radii[i], W)),
   );
 }
 
-/**
- * Where the middle of what moves is, for all values of `passed`. At the end the way goes on to the
- * bar: a path that ended where it begins would have no end.
- */
-function wayOfRibbon(turns) {
-  const most = passes(turns);
-  const middle = (passed) => {
-    const { length, staying } = movingArc(turns, passed);
-    const s = staying ? length / (length + Math.PI * staying) / 2 : 0.5;
-    // The inverse of the smooth step by which a shell's radius gives its place on the way.
-    const x = 0.5 - Math.sin(Math.asin(2 * s - 1) / 3);
-    const [q] = alongRibbon(turns, passed, [s]);
-    return combine(1, HOME, SPOON + x * (BAR - SPOON), rotateByQuaternion(q, W));
-  };
-  return spread(97).map((t) => {
-    const beyond = Math.max(2 * t - most, 0);
-    const there = middle(Math.min(2 * t, most));
-    return beyond ? combine(1 - beyond, there, beyond, MIDDLE_OF_BAR) : there;
+/** Where the middle of the ribbon is on its way round the spoon; it ends at the bar. */
+function wayOfRibbon() {
+  const middle = (SPOON + BAR[2]) / 2;
+  return spread(49).map((passed) => {
+    const [q] = shells(2, passed, ACROSS, [middle], [SPOON, BAR[2]]);
+    return scaled(middle, rotateByQuaternion(q, W));
   });
 }
 
-/** The way of the tip of the spoon, which opens a little: four turns have two ends. */
-function onceForEachTurn(reach) {
-  return spread(97).map((t) => {
-    return combine(1, HOME, reach * (1 + 0.01 * t), rotate(U, W, 8 * Math.PI * t));
+/** A plate on a hand, turned about the upright, and the striped arm that holds it. */
+export function plateAndArm({ turns }, { plate, reach }) {
+  const places = spread(81).map((t) => reach * t);
+  const turned = shells(turns, turns / 2, ACROSS, places, [WRIST, reach]);
+  const skin = roundArm(turned, places);
+  const stripes = (first) =>
+    [0, 1, 2, 3].flatMap((k) =>
+      [0, 1, 2].flatMap((side) => skin.map((ring) => ring[(4 * k + first + side) % SIDES])),
+    );
+  const { axes, shares } = turnsOf(turned);
+  const path = axes.map((axis, i) => scaled(shares[i], axis));
+  const drawn = pieces(path);
+  const angle = 2 * Math.PI * turns;
+  return {
+    parts: {
+      plate: { matrix: placing(rotationMatrix(W, angle), TRAY) },
+      spoon: { matrix: placing(rotationMatrix(W, angle), TRAY) },
+      "one half": { points: stripes(0) },
+      "other half": { points: stripes(2) },
+      shoulder: { at: combine(1, TRAY, reach, ARM) },
+      path: shown(drawn.length && { paths: drawn }),
+      end: { at: path[0] },
+      skin: { hidden: shares[0] <= ON_SKIN },
+    },
+    labels: { end: beside(path[0]) },
+    grips: { turns: { path: twiceRound(plate), holds: ["plate", "spoon"] } },
+    outputs: {
+      angle: 360 * turns,
+      q: turned[0],
+      spoon_back: lamp(isBack(360 * turns, 360)),
+      arm_straight: lamp(isBack(360 * turns, 720)),
+    },
+  };
+}
+
+/**
+ * Rings of points about a line from the plate outwards that turns with shells, shape
+ * (n, SIDES, 3). Each ring stands across the line, turned there from its shell by the smallest turn.
+ */
+function roundArm(turned, places) {
+  const middle = turned.map((q, i) => combine(1, TRAY, places[i], rotateByQuaternion(q, ARM)));
+  const across = cross(W, ARM);
+  const sides = turning(across, ARM, 2 * Math.PI, SIDES).slice(1);
+  return middle.map((point, i) => {
+    const [before, after] = [middle[i - 1] ?? point, middle[i + 1] ?? point];
+    const tangent = unit(combine(1, after, -1, before));
+    const outwards = rotateByQuaternion(turned[i], ARM);
+    const onto = smallestTurn(outwards, tangent);
+    return sides.map((side) => combine(1, point, THICK, onto(rotateByQuaternion(turned[i], side))));
+  });
+}
+
+/** The smallest turn that takes a direction to another, which is not opposite. */
+function smallestTurn(from, to) {
+  const [cos, axis] = [dot(from, to), cross(from, to)];
+  return (v) => combine(1, combine(cos, v, 1, cross(axis, v)), dot(axis, v) / (1 + cos), axis);
+}
+
+/** Twice round the rim of the plate, a little wider at the end: two turns have two ends. */
+const twiceRound = (radius) =>
+  spread(97).map((t) => {
+    return combine(1, TRAY, radius * (1 + 0.01 * t), rotate(U, W, 4 * Math.PI * t));
+  });
+
+/**
+ * Unit quaternions of shells, by their radii: those within the first radius have turned about W so
+ * often, those beyond the second not at all, and between them a path goes at constant speed, which is
+ * passed round the inner ones up to once.
+ *
+ * The path is an arc of a circle. Its ends are held. Two turns are a great circle from 1 to 1, which
+ * shrinks to a point. Fewer are an arc of it, which goes over to the other arc between its ends, with
+ * two turns less. On the way the circle is that through the ends and the middle of the arc, which
+ * moves evenly from one side to the other, through a direction aside.
+ */
+function shells(turns, passed, aside, radii, [inner, outer]) {
+  const half = (Math.PI * turns) / 2;
+  const rise = Math.cos(Math.PI * passed) - Math.cos(half);
+  const out = Math.sin(Math.PI * passed);
+  const tilt = Math.atan2(out, rise);
+  const axis = [-Math.sin(tilt) * Math.cos(half), -Math.sin(tilt) * Math.sin(half), Math.cos(tilt)];
+  const radius = Math.hypot(axis[1], axis[2]);
+  const whole = 4 * Math.atan2(Math.hypot(rise, out), Math.sin(half));
+  const side = rotate(aside, W, (Math.PI / 6) * (2 - turns));
+  return radii.map((r) => {
+    const x = Math.min(1, Math.max(0, (r - inner) / (outer - inner)));
+    const share = radius > TINY ? 1 - x ** 3 * (10 - 15 * x + 6 * x * x) : 0;
+    const [w, along, across] = rotate([1, 0, 0], axis, share * whole);
+    return [w, ...combine(along, W, across, side)];
   });
 }
 
@@ -469,15 +456,6 @@ function pieces(path) {
   const parts = cuts.slice(1).map((end, i) => path.slice(cuts[i], end));
   const extent = (values) => Math.max(...values) - Math.min(...values);
   return parts.filter((part) => transpose(part).some((values) => extent(values) > NO_AXIS));
-}
-
-/**
- * Where the quaternion (side 1) or its opposite (side -1) of a turn about the W axis is on the
- * band; other sides are fractions of the way from the ring, which has radius 1, to q.
- */
-function onBand(theta, side) {
-  const [w, s] = [Math.cos(theta / 2), Math.sin(theta / 2)].map((x) => 0.33 * side * x);
-  return [(1 + s) * Math.cos(theta), (1 + s) * Math.sin(theta), w];
 }
 
 /** Whether a turn, in degrees, ends where it began: after whole laps. */

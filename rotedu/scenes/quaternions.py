@@ -23,11 +23,12 @@ from rotedu.scenes.parts import (
 from rotedu.scenes.shapes import ORIGIN, U, W, teaspoon, triangle_mesh
 
 __all__ = [
-    "double_cover_by_hand",
     "grab_the_spoon",
     "half_the_work",
     "letter_f",
     "mirrors_in_the_plane",
+    "plate_and_arm",
+    "the_ribbon",
     "two_mirrors_by_hand",
 ]
 
@@ -36,8 +37,10 @@ OUTER = 1.05
 # Spoon and ball lie side by side: the camera looks at the point between.
 EYE = 9 * np.array([4.4, 2.6, 2.4]) / np.linalg.norm([4.4, 2.6, 2.4])
 ACROSS = np.array([-2.6, 4.4, 0.0]) / np.hypot(2.6, 4.4)
-# Half the length of the spoon that is turned by hand, and of the one on the ribbon.
-LENGTH, REACH = 0.75, 0.4
+# Half the length of the spoon that is turned by hand, and of those on the ribbon and on the plate.
+LENGTH, REACH = 0.75, 0.46
+# Radius of the plate, and length of the arm.
+PLATE, ARM_LENGTH = 0.54, 1.92
 # Where the first is turned, and how far below it its shadow lies.
 TABLE = -2.2 * ACROSS
 BELOW = 0.82
@@ -55,7 +58,7 @@ UNDER_WAY = tuple(Quaternion.from_axis_angle([0, 1, 0], 1.55 * np.pi).components
 LEFT = tuple(Quaternion.from_axis_angle([0.1, 1, -0.15], np.deg2rad(140)).components.tolist())
 # The other side of the ribbon: a light `VECTOR`.
 PALE = "#8fc1e3"
-ON_ITS_WAY = "on its way"
+CHINA = "#d3d7dc"
 SOLID = {"smooth_shading": True}
 UNTOUCHED = SOLID | {"pickable": False}
 
@@ -312,75 +315,110 @@ def grab_the_spoon(state: State) -> pyvista.Plotter:
 
 
 @explorable(
-    tries={f"{n} turn{'s' * (n > 1)}": {"turns": n, "passed": 0} for n in (1, 2, 3, 4)},
-    answer={"passed": 0.44},
-    constants={"on_its_way": ON_ITS_WAY, "reach": REACH},
-    turns=Slider(0, 4, "turns of the spoon", step=0.05, stride=1, plays=16, start=2),
-    passed=Slider(0, 2, "ribbon passed round it, times", step=0.02, stride=0.5, plays=12, start=0),
+    small=True,
+    answer={"done": 2.4},
+    done=Slider(0, 3, "two turns, and the ribbon round", step=0.02, stride=1, plays=9, start=0),
 )
-def double_cover_by_hand(state: State) -> pyvista.Plotter:
-    """Draw a spoon that has turned on a ribbon, and how the ribbon is passed round it.
+def the_ribbon(state: State) -> pyvista.Plotter:
+    """Draw a spoon that has turned on a ribbon, up to twice, and the ribbon passed round it.
 
-    From its bar to the spoon the ribbon is a path of rotations, which is drawn in a ball as well.
-    While nothing is on its way, a band about the spoon shows its two quaternions: q lies
-    cos(theta / 2) up from a ring and sin(theta / 2) out, -q opposite.
+    Parameters
+    ----------
+    done : float
+        How often the spoon has turned, up to 2; beyond, how far the ribbon has come round it.
+    """
+    plotter = new_scene((4.6, 2.7, 3.0), (0, 0, 0.24), view_angle=25, size=LITTLE)
+    looks: dict[str, Look] = {
+        "bar": Lines(NEUTRAL, 0.025),
+        "spoon": Mesh(little_spoon(), VECTOR, SOLID),
+        "one half": Mesh(strip, VECTOR, UNTOUCHED),
+        "other half": Mesh(strip, PALE, UNTOUCHED),
+        "borders": Lines(NEUTRAL, 0.006),
+    }
+    draw(plotter, state, looks, {"spoon": Text()})
+    read_out(plotter, "twists", "twists of the ribbon", 2, where="picture")
+    twists = state["outputs"]["twists"]
+    describe(
+        plotter,
+        "A spoon hangs on a ribbon from a fixed bar, blue on one side of its middle and pale on"
+        f" the other. The spoon has turned {min(state['inputs']['done'], 2):g} times, and the"
+        " ribbon "
+        + (
+            "is on its way round below the spoon."
+            if isinstance(twists, str)
+            else f"has {twists:g} twists."
+        ),
+    )
+    return plotter
+
+
+@explorable(
+    tries={
+        "one turn": {"turns": 1},
+        "one and a half": {"turns": 1.5},
+        "two turns": {"turns": 2},
+    },
+    answer={"turns": 0.62},
+    constants={"plate": PLATE, "reach": ARM_LENGTH},
+    turns=Slider(0, 2, "turns of the plate", step=0.01, stride=0.25, plays=12, start=0),
+)
+def plate_and_arm(state: State) -> pyvista.Plotter:
+    """Draw a plate with a spoon on it, turned on a hand at the end of a striped arm.
+
+    The turns of the arm, from the shoulder to the plate, are a path in the ball of turns.
 
     Parameters
     ----------
     turns : float
-        How often the spoon has turned, from 0 to 4.
-    passed : float
-        How often the ribbon has been passed round the spoon: up to once, and from more than 2 turns
-        on up to twice.
+        How often the plate has turned about the upright, from 0 to 2.
     """
-    middle = -1.13 * ACROSS + [0, 0, 0.1]
-    stack = (5, 4, 335, 382, 0.6), (336, 48, 407, 332, 1)
+    middle = -1.71 * ACROSS / np.linalg.norm(ACROSS) + [0, 0, 0.06]
+    stack = (2, 30, 440, 342, 1), (444, 74, 263, 266, 0.8)
     plotter = new_scene(
-        middle + EYE, middle, view_angle=16.05, size=(720, 400), swing=20, stack=stack
+        middle + EYE, middle, view_angle=20, size=(720, 400), swing=20, stack=stack
     )
-    spoon = teaspoon(stations=61, around=20)
-    spoon.points = REACH * (spoon.points - [0, 0, 0.05])
+    spoon = little_spoon()
+    spoon.points = 1.05 * spoon.points + [0, 0, 0.24]
     looks: dict[str, Look] = {
-        "bar": Lines(NEUTRAL, 0.025),
-        "spoon": Mesh(spoon, VECTOR, SOLID),
-        "one half": Mesh(strip, VECTOR, UNTOUCHED),
-        "other half": Mesh(strip, PALE, UNTOUCHED),
-        "borders": Lines(NEUTRAL, 0.006),
-        "band": Mesh(band, NEUTRAL, UNTOUCHED | {"opacity": 0.5}),
-        "ring": Lines(VECTOR, 0.007),
-        "way": Lines(RESULT, 0.014),
-        "stick": Lines(NEUTRAL, 0.009),
-        "q": Ball(RESULT, 0.04),
-        "-q": Ball(CROSS, 0.04),
+        "one half": Mesh(stripes, VECTOR, UNTOUCHED),
+        "other half": Mesh(stripes, PALE, UNTOUCHED),
+        "shoulder": Ball(NEUTRAL, 0.13),
+        "plate": Mesh(round_plate(PLATE), CHINA, SOLID),
+        "spoon": Mesh(spoon, VECTOR, UNTOUCHED),
         "path": Lines(RESULT, 0.016),
         "end": Ball(RESULT, 0.05),
     }
-    texts = {"q": Text(RESULT), "-q": Text(CROSS), "end": Text(RESULT, "$q$")}
-    draw(plotter, state, looks, texts)
+    draw(plotter, state, looks, {"end": Text(RESULT, "$q$")})
     add_ball_of_turns(plotter, state)
-
-    read_out(plotter, "twists", "twists of the ribbon", where="picture")
-    read_out(plotter, "spoon_back", "spoon is back", loud="yes")
-    read_out(plotter, "q_back", "*q* is back", loud="yes")
+    read_out(plotter, "angle", "turned by", 0, "°", where="picture")
     read_out(plotter, "q", "*q* (*w* *x* *y* *z*)")
-    read_out(plotter, "matrix", "matrix", where="folded")
-    twists = state["outputs"]["twists"]
-    hangs = twists != ON_ITS_WAY
+    read_out(plotter, "spoon_back", "spoon is back", loud="yes")
+    read_out(plotter, "arm_straight", "arm is straight", loud="yes")
     describe(
         plotter,
-        "A spoon hangs on a ribbon from a fixed bar, which is blue on one side of its middle"
-        f" and pale on the other. The spoon has turned {state['inputs']['turns']:g} times, and the"
-        " ribbon"
-        + (f" has {twists:g} twists." if hangs else " is on its way round below the spoon.")
-        + " Beside it, a see-through ball. A green path leads in it from the middle, 1, to q: the"
-        " rotations of the ribbon from the bar to the spoon."
-        + (
-            " A band with half a twist lies about the spoon, with q on its edge and -q opposite."
-            if hangs
-            else ""
-        ),
+        "A spoon lies on a plate, at the end of an arm with blue and pale stripes. The plate has"
+        f" turned by {state['outputs']['angle']:.0f} degrees about the upright, and the arm follows"
+        " it: straight at first, below the plate in the first turn, over it in the second. Beside"
+        " them, a see-through ball in which a green path, the turns along the arm, leads from the"
+        " middle, 1, to q.",
     )
     return plotter
+
+
+def little_spoon() -> pyvista.PolyData:
+    """Model a teaspoon of few points, as long as the plate is wide."""
+    spoon = teaspoon(stations=61, around=20)
+    spoon.points = REACH * (spoon.points - [0, 0, 0.05])
+    return spoon
+
+
+def round_plate(radius: float) -> pyvista.PolyData:
+    """Model a plate with a raised rim, whose bottom is a little above the origin."""
+    up = [0.11, 0.11, 0.16, 0.19, 0.2, 0.14, 0.14]
+    out = radius * np.array([0, 0.62, 0.95, 1, 0.96, 0.6, 0])
+    profile = pyvista.MultipleLines(np.column_stack([out, np.zeros(7), up]))
+    plate: pyvista.PolyData = profile.extrude_rotate(resolution=48, capping=False)
+    return plate
 
 
 def add_ball_of_turns(plotter: pyvista.Plotter, state: State) -> None:
@@ -412,9 +450,9 @@ def strip(sides: ArrayLike) -> pyvista.PolyData:
     return triangle_mesh(sides, triangles)
 
 
-def band(rungs: ArrayLike) -> pyvista.PolyData:
-    """Span a surface across rungs of three points each, shape (3 n, 3)."""
-    lines = np.reshape(rungs, (-1, 3, 3)).swapaxes(0, 1)
-    grid = pyvista.StructuredGrid(*np.moveaxis(lines, -1, 0))
-    surface: pyvista.PolyData = grid.extract_surface(algorithm=None)
+def stripes(sides: ArrayLike) -> pyvista.PolyData:
+    """Span four surfaces across three lines each, one after the other, shape (12 n, 3)."""
+    lines = np.reshape(sides, (4, 3, -1, 3))
+    pairs = np.stack([lines[:, :2], lines[:, 1:]], axis=2).reshape(8, -1, 3)
+    surface: pyvista.PolyData = pyvista.merge([strip(pair) for pair in pairs])
     return surface

@@ -3,7 +3,6 @@
 from typing import Any
 
 import numpy as np
-from scipy.spatial.transform import Rotation
 
 from rotedu.arcs import nlerp, slerp
 from rotedu.general_rotation import euler_angles, quaternion_from_euler_angles
@@ -62,12 +61,15 @@ def on_way(way: str, along: float, left: Any) -> Any:
     return {"home by slerp": slerp, "home by nlerp": nlerp}[way](left, home, along)
 
 
-def double_cover_by_hand(turns: float, passed: float) -> dict[str, Any]:
-    passed = min(passed, 1 if turns <= 2 else 2)
+def the_ribbon(done: float) -> dict[str, Any]:
+    turns, passed = min(done, 2), max(done - 2, 0)
+    return {"twists": "on its way" if 0 < passed < 1 else turns - 2 * passed}
+
+
+def plate_and_arm(turns: float) -> dict[str, Any]:
     return {
-        "twists": turns - 2 * passed if passed in (0, 1, 2) else "on its way",
-        "spoon_back": is_back(360 * turns, 360),
-        "q_back": is_back(360 * turns, 720),
+        "angle": 360 * turns,
         "q": Quaternion.from_axis_angle(W, 2 * np.pi * turns).components,
-        "matrix": Rotation.from_euler("z", 360 * turns, degrees=True).as_matrix(),
+        "spoon_back": is_back(360 * turns, 360),
+        "arm_straight": is_back(360 * turns, 720),
     }

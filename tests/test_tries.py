@@ -138,6 +138,17 @@ SHOWN: dict[str, dict[str, dict[str, str]]] = {
             "singular": "1.000, 0.000, 0.000",
         },
     },
+    "the_balance": {
+        "two points": {"matrix": "51", "quaternion": "55"},
+        "ten points": {"matrix": "171", "quaternion": "247"},
+        "10 000 points": {"matrix": "150021", "quaternion": "240007", "spoon": "1000"},
+    },
+    "the_balance_of_works": {
+        "many points": {"matrix": "15021", "quaternion": "24007"},
+        "turns in a row": {"matrix": "390", "quaternion": "280"},
+        "one arc, 60 times": {"matrix": "2113", "quaternion": "791"},
+        "worn turns": {"matrix": "2800", "quaternion": "700"},
+    },
     "figure_1_by_hand": {
         "all three arrows": {"first": "0.50", "across": "0.87"},
         "*θ* = 90°": {"first": "0.00", "across": "1.00"},

@@ -28,6 +28,7 @@ COMPONENT_TYPES = {
     "uint32": 5125,
 }
 VERTEX_DATA, INDICES = 34962, 34963
+INSTANCES = "EXT_mesh_gpu_instancing"
 STRIP = 5
 # glTF reserves the largest index of a type.
 USHORT_POINTS = 65535
@@ -43,13 +44,19 @@ def scene_gltf(plotter: pyvista.Plotter) -> bytes:
     recorded = getattr(plotter, "record", None)
     for name, actor in part_names(plotter):
         place = recorded.parts.get(name) if recorded else None
-        nodes.append(_node(actor, len(meshes), name, place))
-        meshes.append({"name": name, "primitives": [_primitive(actor, binary, len(materials))]})
+        node = _node(actor, len(meshes), name, place)
+        surface = surface_of(actor)
+        if place and "heap" in place:
+            surface, places = place["heap"]
+            node["extensions"] = {INSTANCES: {"attributes": _places(binary, *places)}}
+        nodes.append(node)
+        primitive = _primitive(actor, surface, binary, len(materials))
+        meshes.append({"name": name, "primitives": [primitive]})
         materials.append(_material(actor))
     camera, camera_node = _camera(plotter)
     document = {
         "asset": {"version": "2.0", "generator": "rotedu.figures.gltf"},
-        "extensionsUsed": ["KHR_materials_unlit", "KHR_mesh_quantization"],
+        "extensionsUsed": ["KHR_materials_unlit", "KHR_mesh_quantization", INSTANCES],
         "extensionsRequired": ["KHR_mesh_quantization"],
         "scene": 0,
         "scenes": [{"nodes": list(range(len(nodes) + 1)), "extras": _surroundings(plotter)}],
@@ -106,7 +113,7 @@ class _Binary:
                 "bufferView": len(self.views) - 1,
                 "componentType": COMPONENT_TYPES[array.dtype.name],
                 "count": count,
-                "type": {1: "SCALAR", 3: "VEC3"}[components],
+                "type": {1: "SCALAR", 3: "VEC3", 4: "VEC4"}[components],
             }
             | properties
         )
@@ -124,9 +131,17 @@ def surface_of(actor: pyvista.Actor) -> pyvista.PolyData:
     return cast(pyvista.PolyData, dataset.extract_surface(algorithm=None))
 
 
-def _primitive(actor: pyvista.Actor, binary: _Binary, material: int) -> dict[str, Any]:
-    """Store the surface of an actor."""
-    surface = surface_of(actor)
+def _places(binary: _Binary, points: ArrayLike, turns: ArrayLike) -> dict[str, int]:
+    """Store where equal surfaces are: points, shape (n, 3), and quaternions, shape (n, 4)."""
+    # glTF writes the scalar last.
+    arrays = {"TRANSLATION": points, "ROTATION": np.roll(turns, -1, axis=1)}
+    return {name: binary.add(np.asarray(a, np.float32), VERTEX_DATA) for name, a in arrays.items()}
+
+
+def _primitive(
+    actor: pyvista.Actor, surface: pyvista.PolyData, binary: _Binary, material: int
+) -> dict[str, Any]:
+    """Store a surface as an actor shows it."""
     points = np.asarray(surface.points, np.float32)
     low, high = (extreme(axis=0).tolist() for extreme in (points.min, points.max))
     attributes = {"POSITION": binary.add(points, VERTEX_DATA, min=low, max=high)}
@@ -205,7 +220,9 @@ def _node(
         extras["hidden"] = True
     if place:
         extras |= {
-            k: np.asarray(place[k], float).tolist() for k in ("at", "radius", "tip") if k in place
+            k: np.asarray(place[k], float).tolist()
+            for k in ("at", "radius", "tip", "count")
+            if k in place
         }
     node: dict[str, Any] = {"mesh": mesh, "name": name, "extras": extras}
     matrix = pyvista.array_from_vtkmatrix(actor.GetMatrix())

@@ -8,6 +8,7 @@ what they share, and `rotedu.colors` lists what the colours mean. To show a scen
 from rotedu.scenes import (
     arcs,
     averages,
+    balance,
     closed_curve,
     conclusions,
     control_points,
@@ -22,6 +23,7 @@ from rotedu.scenes import (
 )
 from rotedu.scenes.arcs import *
 from rotedu.scenes.averages import *
+from rotedu.scenes.balance import *
 from rotedu.scenes.closed_curve import *
 from rotedu.scenes.conclusions import *
 from rotedu.scenes.control_points import *
@@ -37,6 +39,7 @@ from rotedu.scenes.shapes import *
 __all__ = [
     *arcs.__all__,
     *averages.__all__,
+    *balance.__all__,
     *closed_curve.__all__,
     *conclusions.__all__,
     *control_points.__all__,

@@ -10,6 +10,7 @@ import pyvista
 from numpy.typing import ArrayLike, NDArray
 
 from rotedu.figures.state import State, place_part
+from rotedu.quaternions import Quaternion
 from rotedu.scenes.parts import TIP, add_arrow, add_label, add_lines, add_point, add_thin
 from rotedu.scenes.shapes import ORIGIN, W
 
@@ -82,6 +83,38 @@ class Mesh:
 
 
 @dataclass(frozen=True)
+class Heap:
+    """Equal meshes in many places, of which a state shows a ``count``, all moved by its ``matrix``.
+
+    The places are points, shape (n, 3), and unit quaternions, shape (n, 4).
+    """
+
+    shape: pyvista.PolyData
+    places: tuple[NDArray[np.float64], NDArray[np.float64]]
+    color: str
+
+    def add(self, plotter: pyvista.Plotter, name: str, place: State) -> pyvista.Actor:
+        """Add the part to a scene, as `Ball` does."""
+        mesh = heaped(self.shape, self.places, place["count"])
+        name = place_part(plotter, name, heap=(self.shape, self.places), **place)
+        actor = add_thin(plotter, mesh, self.color, name)
+        actor.user_matrix = np.reshape(place["matrix"], (4, 4)).T
+        return actor
+
+
+def heaped(
+    shape: pyvista.PolyData, places: tuple[NDArray[np.float64], NDArray[np.float64]], count: int
+) -> pyvista.PolyData:
+    """Put a mesh into the first of many places."""
+    copies = []
+    for point, (w, *v) in zip(*(place[:count] for place in places), strict=True):
+        copies.append(shape.copy())
+        copies[-1].points = Quaternion(w, v).rotate(shape.points) + point
+    heap: pyvista.PolyData = pyvista.merge(copies)
+    return heap
+
+
+@dataclass(frozen=True)
 class Text:
     """A label that a state places; ``{}`` in its text stands for its name."""
 
@@ -94,7 +127,7 @@ class Text:
         add_label(plotter, place, self.text.replace("{}", name), self.color, name, self.view)
 
 
-Look = Ball | Arrow | Lines | Mesh
+Look = Ball | Arrow | Lines | Mesh | Heap
 T = TypeVar("T")
 
 

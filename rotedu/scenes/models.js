@@ -1,6 +1,7 @@
 /* The models of the scenes that answer the hand, by the names that `explorable` gives them. */
 export * from "./arcs.js";
 export * from "./averages.js";
+export * from "./balance.js";
 export * from "./closed_curve.js";
 export * from "./conclusions.js";
 export * from "./control_points.js";

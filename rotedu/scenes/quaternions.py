@@ -374,9 +374,7 @@ def plate_and_arm(state: State) -> pyvista.Plotter:
     """
     middle = -1.71 * ACROSS / np.linalg.norm(ACROSS) + [0, 0, 0.06]
     stack = (2, 30, 440, 342, 1), (444, 74, 263, 266, 0.8)
-    plotter = new_scene(
-        middle + EYE, middle, view_angle=20, size=(720, 400), swing=20, stack=stack
-    )
+    plotter = new_scene(middle + EYE, middle, view_angle=20, size=(720, 400), swing=20, stack=stack)
     spoon = little_spoon()
     spoon.points = 1.05 * spoon.points + [0, 0, 0.24]
     looks: dict[str, Look] = {

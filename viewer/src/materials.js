@@ -2,6 +2,7 @@
 import {
   ColorManagement,
   DoubleSide,
+  InstancedMesh,
   Matrix3,
   Mesh,
   NoBlending,
@@ -37,13 +38,19 @@ const VERTEX = /* glsl */ `
   varying vec3 ballPlace;
 
   void main() {
-    vec4 seen = modelViewMatrix * vec4(position, 1.0);
+    vec4 point = vec4(position, 1.0);
+    vec3 outwards = normal;
+    #ifdef USE_INSTANCING
+      point = instanceMatrix * point;
+      outwards = mat3(instanceMatrix) * outwards;
+    #endif
+    vec4 seen = modelViewMatrix * point;
     place = seen.xyz;
-    direction = normalMatrix * normal;
+    direction = normalMatrix * outwards;
     isInside = _inside;
     gl_Position = projectionMatrix * seen;
     ballEye = (cameraPosition - ball.xyz) / ball.w;
-    ballPlace = ((modelMatrix * vec4(position, 1.0)).xyz - ball.xyz) / ball.w;
+    ballPlace = ((modelMatrix * point).xyz - ball.xyz) / ball.w;
   }
 `;
 
@@ -129,6 +136,16 @@ function shader({ material, geometry }, sides) {
   });
 }
 
+/** A mesh, or as many equal ones in their places. */
+function like({ geometry, instanceMatrix, userData }, material) {
+  if (!instanceMatrix) return new Mesh(geometry, material);
+  const heap = new InstancedMesh(geometry, material, instanceMatrix.count);
+  heap.instanceMatrix = instanceMatrix;
+  heap.count = userData.count;
+  heap.frustumCulled = false;
+  return heap;
+}
+
 /**
  * Make the objects that draw one part of a glTF scene: a see-through surface in two steps, because
  * its contents come in between.
@@ -136,7 +153,7 @@ function shader({ material, geometry }, sides) {
  */
 export function dress(part) {
   return (part.material.transparent ? [BACK, FRONT] : [BOTH]).map((sides) => {
-    const drawn = new Mesh(part.geometry, shader(part, sides));
+    const drawn = like(part, shader(part, sides));
     drawn.matrix.copy(part.matrixWorld);
     drawn.matrixAutoUpdate = false;
     return drawn;

@@ -9,7 +9,7 @@ import { arrow, tubes } from "./shapes.js";
  * @param {Part} part
  * @param {Change} change
  */
-export function move(part, { at, color, from, hidden, matrix, paths, points, to }) {
+export function move(part, { at, color, count, from, hidden, matrix, paths, points, to }) {
   const { objects, place, surface } = part;
   const { radius = 0, tip = 0 } = place;
   if (hidden !== undefined) for (const object of objects) object.visible = !hidden;
@@ -18,6 +18,7 @@ export function move(part, { at, color, from, hidden, matrix, paths, points, to 
   if (paths) dress(part, (part.tubes = tubes(paths, radius, part.tubes)));
   if (from && to) dress(part, arrow(from, to, radius, tip));
   if (points) bend(part, points);
+  if (count) for (const object of objects) object.count = count;
   if (matrix) {
     for (const object of objects) object.matrix.fromArray(matrix);
     if (surface) carry(surface, objects[0].matrix);

@@ -75,7 +75,7 @@
  * @typedef {Record<string, Model>} Models by name
  * @typedef {string | number | number[] | number[][]} Told
  * @typedef {{at?: Point, from?: Point, to?: Point, paths?: Point[][], points?: Point[],
- *   matrix?: number[], color?: Point, hidden?: boolean}} Change of one part
+ *   matrix?: number[], count?: number, color?: Point, hidden?: boolean}} Change of one part
  * @typedef {{path?: Point[] | null, body?: Point[], at?: Point | Point[], size?: number,
  *   turn?: number[][], holds?: string[]}} Grip of an input, and the parts that it holds, one for each
  *   point or body

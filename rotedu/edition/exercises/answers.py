@@ -121,6 +121,26 @@ def parts(*readers: Callable[[Any], Any]) -> Callable[[Any], tuple[Any, ...]]:
     return read
 
 
+def outcomes(cases: Sequence[tuple[Any, ...]]) -> Callable[[Any], Array]:
+    """Return a reader of what a function makes of cases, shape (n, k): its numbers in a row."""
+
+    def read(function: Any) -> Array:
+        found = [function(*case) for case in cases]
+        return np.array([np.hstack([as_row(part) for part in listed(one)]) for one in found])
+
+    return read
+
+
+def as_row(numbers: Any) -> Array:
+    """Return finite numbers, one or some in a row."""
+    return as_array(numbers, (None,) * np.ndim(numbers))
+
+
+def listed(answer: Any) -> list[Any]:
+    """Return the parts of what a function returns, or all of it as the only one."""
+    return answer if isinstance(answer, list) else [answer]
+
+
 def close(a: npt.ArrayLike, b: npt.ArrayLike, within: float = WITHIN) -> bool:
     """Tell whether arrays have one shape and differ nowhere by more than a bound."""
     a, b = np.asarray(a, np.float64), np.asarray(b, np.float64)

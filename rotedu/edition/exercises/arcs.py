@@ -7,7 +7,14 @@ import numpy as np
 
 from rotedu._vectors import Array
 from rotedu.arcs import angle_between, arc_axis, nlerp, slerp
-from rotedu.edition.exercises.answers import along_equator, close, numbers, on_equator
+from rotedu.edition.exercises.answers import (
+    along_equator,
+    close,
+    normalised,
+    numbers,
+    on_equator,
+    outcomes,
+)
 from rotedu.edition.exercises.judging import Part, exercise, in_radians, otherwise, when
 from rotedu.quaternions import Quaternion
 
@@ -239,3 +246,45 @@ def even_sweep() -> Iterator[Part]:
         ),
     }
     yield Part(right, hints, within=1e-9)
+
+
+ENDS = [
+    (np.array([1.0, 0, 0]), np.array([0, 1.0, 0]), 1 / 3),
+    (np.array([0.6, 0.8, 0]), np.array([0, -0.6, 0.8]), 0.8),
+    (np.array([0, 0, 1.0]), np.array([2, 1, 2]) / 3, 0.1),
+]
+
+
+@exercise(
+    "5.23",
+    "a function of two points and a number that returns a point",
+    read=outcomes(ENDS),
+)
+def arc_in_two_lines() -> Iterator[Part]:
+    """Two sines for the weights, and one to divide by."""
+
+    def rows(swapped: bool = False, divided: bool = True) -> Array:
+        found = []
+        for p, q, t in ENDS:
+            theta = np.arccos(p @ q)
+            first, second = np.sin([(1 - t) * theta, t * theta])
+            first, second = (second, first) if swapped else (first, second)
+            found.append((first * p + second * q) / (np.sin(theta) if divided else 1))
+        return np.array(found)
+
+    chord = np.array([(1 - t) * p + t * q for p, q, t in ENDS])
+    hints = {
+        "Your point starts at the wrong end.": when(
+            rows(swapped=True), "At t = 0 all the weight belongs to the first point."
+        ),
+        "Your points are not on the sphere.": when(
+            rows(divided=False), "By what does (5-2) divide?", also=chord
+        ),
+        "That is the share of the chord.": when(
+            normalised(chord), "A third of the chord is not a third of the angle."
+        ),
+        "Your points are elsewhere.": otherwise(
+            "From (1, 0, 0) to (0, 1, 0), a third of the way is at 30°."
+        ),
+    }
+    yield Part(rows(), hints)

@@ -1,6 +1,6 @@
 """Checks of the exercises of page 5 III."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 import numpy as np
 
@@ -13,6 +13,7 @@ from rotedu.edition.exercises.answers import (
     normalised,
     numbers,
     on_equator,
+    outcomes,
     parts,
     unit,
     word,
@@ -273,3 +274,38 @@ def energy_of_one_half() -> Iterator[Part]:
         )
     }
     yield Part(lambda best: best in ("false", "no"), hints, item=1)
+
+
+CONTROLS = [
+    (np.array([[1, 0, 0], [0.5**0.5, 0.5**0.5, 0], [0.5**0.5, 0.5**0.5, 0], [0, 1.0, 0]]), 0.5),
+    (np.array([[1, 0, 0], [0.6, 0.8, 0], [0, 0.6, 0.8], [0, 0, 1.0]]), 0.3),
+]
+
+
+@exercise(
+    "5.26",
+    "a function of four points and a number that returns a point",
+    read=outcomes(CONTROLS),
+)
+def arcs_of_arcs_of_arcs() -> Iterator[Part]:
+    """Three arcs, two, and one, each at the same fraction."""
+
+    def levels(points: Array, u: float, count: int) -> Array:
+        for _ in range(count):
+            points = slerp(points[:-1], points[1:], u)
+        return points
+
+    def rows(fraction: Callable[[float], float] = lambda u: u) -> Array:
+        return np.array([levels(points, fraction(u), 3)[0] for points, u in CONTROLS])
+
+    hints = {
+        "Your point comes from the other end.": when(
+            rows(lambda u: 1 - u), "At u = 0 it is the first of the four points."
+        ),
+        "You stopped a level too early.": when(
+            np.array([levels(points, u, 2)[0] for points, u in CONTROLS]),
+            "Three arcs make two, two make one, and one makes a point.",
+        ),
+        "Your point is elsewhere.": otherwise("`slerp(points[:-1], points[1:], u)` is a level."),
+    }
+    yield Part(rows(), hints)

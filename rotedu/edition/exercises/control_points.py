@@ -1,6 +1,6 @@
 """Checks of the exercises of page 5 II."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 import numpy as np
 import numpy.typing as npt
@@ -8,7 +8,14 @@ import numpy.typing as npt
 from rotedu._vectors import Array
 from rotedu.arcs import angle_between, arc_axis
 from rotedu.control_points import bisect, control_points, double
-from rotedu.edition.exercises.answers import along_equator, close, normalised, numbers, on_equator
+from rotedu.edition.exercises.answers import (
+    along_equator,
+    close,
+    normalised,
+    numbers,
+    on_equator,
+    outcomes,
+)
 from rotedu.edition.exercises.judging import Part, exercise, in_radians, otherwise, usual, when
 from rotedu.ordinary_rotation import rotate
 
@@ -256,3 +263,49 @@ def rule_for_two_gaps() -> Iterator[Part]:
         "Your rule is not even right for gaps that differ by less than 180°.": otherwise(follow),
     }
     yield Part(right, hints, within=0.01)
+
+
+PAIRS = [
+    (np.array([1.0, 0, 0]), np.array([0.5, 0.75**0.5, 0])),
+    (np.array([0, 0.6, 0.8]), np.array([2, -1, 2]) / 3),
+]
+
+
+def of_pairs(rule: Callable[[Array, Array], Array]) -> Array:
+    """Apply a rule to all pairs."""
+    return np.array([rule(p, q) for p, q in PAIRS])
+
+
+@exercise("5.24", "a function of two points that returns a point", read=outcomes(PAIRS))
+def going_on() -> Iterator[Part]:
+    """The point and its reflection add up to twice the shadow on the middle."""
+    hints = {
+        "You went back beyond p.": when(
+            of_pairs(lambda p, q: double(q, p)), "Which of the two is halfway between the others?"
+        ),
+        "That is the shadow of p on q.": when(
+            of_pairs(lambda p, q: (p @ q) * q), "You need a point on the other side of it."
+        ),
+        "On a straight line, that would be right.": when(
+            of_pairs(lambda p, q: 2 * q - p), "How long is your vector? The two add up along q."
+        ),
+        "Your point is not as far beyond q as p is before it.": otherwise(
+            "Take p from twice its shadow on q."
+        ),
+    }
+    yield Part(of_pairs(double), hints)
+
+
+@exercise("5.25", "a function of two points that returns a point", read=outcomes(PAIRS))
+def halfway_between() -> Iterator[Part]:
+    """A diagonal of a rhombus halves its angle."""
+    hints = {
+        "Your point is inside the ball.": when(
+            of_pairs(lambda p, q: (p + q) / 2), "How long is your vector?"
+        ),
+        "Your point is outside the ball.": when(
+            of_pairs(lambda p, q: p + q), "How long is your vector?"
+        ),
+        "Your point is not in the middle.": otherwise("Start with the sum of the two."),
+    }
+    yield Part(of_pairs(bisect), hints)

@@ -34,6 +34,7 @@ from rotedu.general_rotation import (
     shearing,
     translation,
 )
+from rotedu.ordinary_rotation import rotation_matrix
 
 
 @exercise("4.1", "a point, three numbers", fields={"U": "", "V": "", "W": ""})
@@ -443,3 +444,35 @@ def ends_of(corners: Array) -> Array:
     """Return the least and the greatest coordinates of triangles."""
     points = corners.reshape(-1, 3)
     return np.stack([points.min(axis=0), points.max(axis=0)])
+
+
+TRIPLES = [(0.3, -0.8, 2.0), (np.pi / 2, np.pi / 2, 0.0), (-1.0, 0.4, 0.7)]
+
+
+@exercise(
+    "4.8",
+    "a function of three angles that returns a matrix, shape (3, 3)",
+    read=lambda rule: [numbers(3, 3)(rule(*triple)) for triple in TRIPLES],
+)
+def three_turns_in_order() -> Iterator[Part]:
+    """What acts first stands next to the point, on the right."""
+
+    def rows(order: str) -> list[Array]:
+        axes = dict(zip("uvw", np.eye(3), strict=True))
+        found = []
+        for triple in TRIPLES:
+            angles = dict(zip("uvw", triple, strict=True))
+            first, second, third = (rotation_matrix(axes[k], angles[k]) for k in order)
+            found.append(third @ second @ first)
+        return found
+
+    hints = {
+        "Your turns come in the opposite order.": when(
+            rows("wvu"), "A product of matrices acts from right to left."
+        ),
+        "Your turns come in another order.": when(
+            rows("vuw"), "First about U, then about V.", also=rows("uwv")
+        ),
+        "That is another turn.": otherwise("Multiply three matrices, with `@` between them."),
+    }
+    yield Part(rows("uvw"), hints)

@@ -9,6 +9,7 @@ from rotedu._vectors import Array
 from rotedu.edition.exercises.answers import (
     close,
     numbers,
+    outcomes,
     parts,
     radians_for_degrees,
     same_rotation,
@@ -274,3 +275,46 @@ def rotation_of_a_spoon() -> Iterator[Part]:
     yield Part(lambda axis, angle: unit(axis, 1e-2) and right(axis, angle), hints)
     hints = {**the_truth(example=(n, turn))}
     yield Part(lambda *turn: not same_rotation(turn, truth, 1e-5), hints)
+
+
+TURNED = [
+    (np.array([3.0, 0, 0]), np.array([1, 2, 2]) / 3, np.pi / 2),
+    (np.array([1.0, -2, 0.5]), np.array([2, -1, 2]) / 3, -0.7),
+    (np.array([0.2, 1, 1]), np.array([0, 0, 1.0]), 2.5),
+]
+
+
+@exercise(
+    "3.7",
+    "a function of a vector, a unit vector and an angle that returns a vector",
+    read=outcomes(TURNED),
+)
+def rodrigues_formula() -> Iterator[Part]:
+    """One line, and it is the whole of ordinary rotation."""
+
+    def rows(whole: float = 1, kept: float = 1, across: float = 1, scale: float = 1) -> Array:
+        found = []
+        for r, n, theta in TURNED:
+            cos, sin = np.cos(scale * theta), across * np.sin(scale * theta)
+            found.append(cos * r + (whole - kept * cos) * (r @ n) * n + sin * np.cross(n, r))
+        return np.array(found)
+
+    hints = {
+        "Your vectors turn clockwise.": when(
+            rows(across=-1), "Is it n before r in the cross product, or r before n?"
+        ),
+        "Did you count the part along the axis twice?": when(
+            rows(kept=0),
+            "cos θ r contains cos θ times that part already.",
+        ),
+        "The part along the axis is lost.": when(
+            rows(whole=0), "How much of r lies along n, and how much of it should remain?"
+        ),
+        "Are your angles in degrees?": when(
+            rows(scale=np.pi / 180), "The functions of this book take radians."
+        ),
+        "Your vectors go elsewhere.": otherwise(
+            "Try a quarter turn of (3, 0, 0) about (1, 2, 2)/3, as in the first section."
+        ),
+    }
+    yield Part(rows(), hints)

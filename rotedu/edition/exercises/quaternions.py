@@ -9,6 +9,7 @@ from rotedu._vectors import Array
 from rotedu.edition.exercises.answers import (
     close,
     numbers,
+    outcomes,
     parts,
     radians_for_degrees,
     same_turn,
@@ -309,3 +310,43 @@ def average_of_orientations() -> Iterator[Part]:
         ),
     }
     yield Part(nearer(0.5, truth), hints)
+
+
+FACTORS = (
+    (1, [2, 3, 4], 5, [0, 1, -1]),
+    (0, [1, 0, 0], 0, [0, 1, 0]),
+    (2, [1, -1, 2], -1, [0, 3, 1]),
+)
+
+
+@exercise(
+    "2.7",
+    "a function of two numbers and two vectors that returns a number and a vector",
+    read=outcomes([(w1, np.array(v1), w2, np.array(v2)) for w1, v1, w2, v2 in FACTORS]),
+)
+def product_of_quaternions() -> Iterator[Part]:
+    """The sixteen products of numbers and units stand in these two lines."""
+
+    def rows(sign: int, crossed: int, own: bool = False) -> Array:
+        found = []
+        for w1, v1, w2, v2 in FACTORS:
+            first, second = np.array(v1), np.array(v2)
+            mixed = w1 * first + w2 * second if own else w1 * second + w2 * first
+            vector = mixed + crossed * np.cross(first, second)
+            found.append([w1 * w2 + sign * first @ second, *vector])
+        return np.array(found)
+
+    hints = {
+        "Your dot product is added.": when(rows(1, 1), "What is the square of each unit?"),
+        "Your factors have changed places.": when(
+            rows(-1, -1), "Which vector comes first in the cross product?"
+        ),
+        "Where is the product of two different units?": when(
+            rows(-1, 0), "Six of the sixteen products make a cross product."
+        ),
+        "Each number stands with its own vector.": when(
+            rows(-1, 1, own=True), "Multiply every term of the first by every term of the second."
+        ),
+        "That is another product.": otherwise("Try it on the example above the exercise."),
+    }
+    yield Part(rows(-1, 1), hints)

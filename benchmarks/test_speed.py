@@ -21,7 +21,7 @@ from threadpoolctl import threadpool_limits
 
 from rotedu.closed_curve import closed_curve
 from rotedu.ordinary_rotation import rotate, rotation_matrix, transform
-from rotedu.orientations import closed_rotation_curve
+from rotedu.orientation_curves import closed_rotation_curve
 from rotedu.quaternions import Quaternion
 
 AXIS, ANGLE = np.array([1.0, 2.0, 2.0]) / 3, 1.0

@@ -17,7 +17,7 @@ from rotedu.cost import OperationCount, count
 from rotedu.errors import DegenerateError
 from rotedu.general_rotation import perspective
 from rotedu.ordinary_rotation import axis_angle, rotate, rotation_matrix
-from rotedu.orientations import closed_rotation_curve
+from rotedu.orientation_curves import closed_rotation_curve
 from rotedu.quaternions import Quaternion
 
 # The warnings about unstable curves have tests of their own.
@@ -33,6 +33,7 @@ MODULES = [
         "arcs",
         "control_points",
         "closed_curve",
+        "orientation_curves",
         "orientations",
         "motion",
         "averages",

@@ -21,14 +21,8 @@ from spheres import (
 
 from rotedu.closed_curve import closed_curve
 from rotedu.ordinary_rotation import axis_angle, rotation_matrix
-from rotedu.orientations import (
-    closed_rotation_curve,
-    nearest_rotation,
-    one_turn,
-    periodic_spline,
-    slerp_rotations,
-    squad,
-)
+from rotedu.orientation_curves import closed_rotation_curve, one_turn, periodic_spline, squad
+from rotedu.orientations import nearest_rotation, slerp_rotations
 from rotedu.quaternions import Quaternion
 
 # The warnings about unstable curves have tests of their own.

@@ -294,17 +294,17 @@ SHOWN = "all => all.map((chart) => [chart.checkVisibility(), chart.ariaLabel])"
 
 
 def test_a_chart_is_drawn_where_the_book_has_it(read: Callable[..., Reader]) -> None:
-    reader = read("05-orientations", quiet=False)
-    charts = reader.cell("code-33").locator("figure .chart")
+    reader = read("05-closed-curve", quiet=False)
+    charts = reader.cell("code-39").locator("figure .chart")
     [[_, alt]] = charts.evaluate_all(SHOWN)
-    fold(reader, "code-33")
+    fold(reader, "code-39")
     reader.page.route("**/matplotlib.zip*", lambda route: route.abort())
-    assert "Matplotlib could not be fetched (the server does not" in reader.run("code-33")
+    assert "Matplotlib could not be fetched (the server does not" in reader.run("code-39")
     reader.page.unroute("**/matplotlib.zip*")
-    assert reader.run("code-33") == ""
+    assert reader.run("code-39") == ""
     assert charts.evaluate_all(SHOWN) == [[False, alt], [True, alt]]
     before = charts.last.inner_html()
-    reader.run("code-33", f"swing = 1\n{reader.code('code-33')}")
+    reader.run("code-39", f"u = 1\n{reader.code('code-39')}")
     changed = f"Drawn with your changes. In the book: {alt}"
     assert charts.evaluate_all(SHOWN) == [[False, alt], [True, changed]]
     assert charts.last.inner_html() == before
@@ -312,19 +312,19 @@ def test_a_chart_is_drawn_where_the_book_has_it(read: Callable[..., Reader]) -> 
     reader.button("reset-all").click()
     assert charts.evaluate_all(SHOWN) == [[True, alt]]
     reader.page.context.set_offline(True)
-    assert reader.run("code-33") == ""
+    assert reader.run("code-39") == ""
     assert charts.last.inner_html() == before
-    reader.run("code-33", "1 / 0")
+    reader.run("code-39", "1 / 0")
     assert charts.evaluate_all(SHOWN) == [[False, alt]]
-    reader.press("code-33", "reset")
+    reader.press("code-39", "reset")
     reader.run(
-        "code-8", "plt.imshow([[0, 1]])\nplt.show()\nplt.title('own').set_url('javascript:1')"
+        "code-6", "plt.imshow([[0, 1]])\nplt.show()\nplt.title('own').set_url('javascript:1')"
     )
-    own = reader.cell("code-8").locator(".live-output .chart")
-    assert (own.get_attribute("aria-label"), own.locator("svg").count()) == ("Chart of cell 3", 2)
+    own = reader.cell("code-6").locator(".live-output .chart")
+    assert (own.get_attribute("aria-label"), own.locator("svg").count()) == ("Chart of cell 6", 2)
     assert own.locator("image").count() == 1
     assert own.locator("a").count() == 0
-    assert reader.message("code-33") == ""
+    assert reader.message("code-39") == ""
     # What a hostile cell draws neither runs nor loads anything.
     forged = (
         "<svg xmlns='http://www.w3.org/2000/svg' onload='x=1'><script>x=1</script>"
@@ -332,8 +332,8 @@ def test_a_chart_is_drawn_where_the_book_has_it(read: Callable[..., Reader]) -> 
         "<g class='x' style='position: fixed; fill: image-set(url(//x) 1x); color: red'/></svg>"
     )
     forge = f"charts.taken = lambda _: [{forged!r}]"
-    reader.run("code-8", f"import charts\nplt.gcf()\nplt.show()\n{forge}")
-    kept = reader.cell("code-8").locator(".live-output .chart").inner_html()
+    reader.run("code-6", f"import charts\nplt.gcf()\nplt.show()\n{forge}")
+    kept = reader.cell("code-6").locator(".live-output .chart").inner_html()
     assert kept.endswith('"><image></image><g style="color: red"></g></svg>')
 
 
@@ -341,7 +341,7 @@ def test_an_answer_is_judged_kept_and_handed_in(
     read: Callable[..., Reader], tmp_path: Path
 ) -> None:
     reader = read()
-    assert reader.solved() == "0 of 6 solved"
+    assert reader.solved() == "0 of 7 solved"
     assert reader.check("5.14") == ("Not answered yet.", None)
     wrong = "Not yet. Your point is not on the sphere."
     assert reader.check("5.14", "[1, 2, 3]") == (f"{wrong} {HINT}", "false")
@@ -354,7 +354,7 @@ def test_an_answer_is_judged_kept_and_handed_in(
     assert "For more" not in reader.output("start-5-14")
     assert reader.fill("5.12", "60", "30", "\u221290")[1] == "false"
     assert reader.fill("5.12", "60", "30", "180/2\u00b0")[1] == "true"
-    assert reader.solved() == "2 of 6 solved"
+    assert reader.solved() == "2 of 7 solved"
 
     saved = save(reader, tmp_path)
     sources = {cell.id: cell.source for cell in saved.cells}
@@ -364,23 +364,23 @@ def test_an_answer_is_judged_kept_and_handed_in(
     assert not any(name.startswith(("solution", "why")) for name in sources)
 
     reader.page.reload()
-    assert reader.solved() == "2 of 6 solved"
+    assert reader.solved() == "2 of 7 solved"
     assert reader.verdict("5.14") == (text, "true")
     assert "de_casteljau(wide, 0.4)" in reader.code("start-5-14")
     assert reader.exercise("5.12").locator("input").last.input_value() == "180/2\u00b0"
     reader.button("forget").click()
-    assert (reader.solved(), reader.page.evaluate(KEYS)) == ("0 of 6 solved", [])
+    assert (reader.solved(), reader.page.evaluate(KEYS)) == ("0 of 7 solved", [])
     assert reader.exercise("5.12").locator("input").last.input_value() == ""
     assert reader.page.locator(".live-head .live-message").inner_text().startswith("Your code")
     reader.button("undo").click()
-    assert reader.solved() == "2 of 6 solved"
+    assert reader.solved() == "2 of 7 solved"
     reader.button("reset-all").click()
     assert reader.page.locator(".live-head .live-message").inner_text().startswith("All cells are")
-    assert (reader.solved(), reader.verdict("5.14")) == ("2 of 6 solved", ("", None))
+    assert (reader.solved(), reader.verdict("5.14")) == ("2 of 7 solved", ("", None))
     reader.button("undo").click()
     assert reader.verdict("5.14") == (text, "true")
     reader.write("start-5-14", "answer = 0")
-    assert (reader.solved(), reader.verdict("5.14")) == ("2 of 6 solved", ("", None))
+    assert (reader.solved(), reader.verdict("5.14")) == ("2 of 7 solved", ("", None))
 
 
 def save(reader: Reader, folder: Path) -> NotebookNode:
@@ -402,7 +402,7 @@ def test_a_page_from_a_file_says_what_to_do(book: Path, open_page: Open) -> None
     assert "python -m http.server" in reader.message("code-6")
     assert reader.state("code-6") == "stored"
     assert reader.fill("5.12", "60", "30", "90")[1] == "true"
-    assert reader.solved() == "1 of 6 solved"
+    assert reader.solved() == "1 of 7 solved"
 
 
 # What only a worker bounds: its end, memory, stack and network.
@@ -489,11 +489,11 @@ def test_where_nothing_is_kept_the_page_says_so(
 ) -> None:
     reader = read(script=NOTHING_KEPT, quiet=False)
     assert reader.fill("5.12", "60", "30", "90")[1] == "true"
-    assert reader.solved() == "1 of 6 solved"
+    assert reader.solved() == "1 of 7 solved"
     assert "keeps nothing" in reader.page.locator(".live-head").inner_text()
     assert any("[60, 30, 90]" in cell.source for cell in save(reader, tmp_path).cells)
     reader.page.reload()
-    assert reader.solved() == "0 of 6 solved"
+    assert reader.solved() == "0 of 7 solved"
 
 
 @pytest.mark.slow
@@ -508,7 +508,7 @@ def test_what_an_older_edition_kept_is_not_lost(
         key_of = key.replace("start-5-12", name)
         reader.page.evaluate("([key, text]) => localStorage.setItem(key, text)", [key_of, text])
     reader.page.reload()
-    assert reader.solved() == "1 of 6 solved"
+    assert reader.solved() == "1 of 7 solved"
     assert reader.run("code-6") == stored_output("code-6")
     last = save(reader, tmp_path).cells[-1]
     assert (last.cell_type, "x = 1" in last.source) == ("markdown", True)

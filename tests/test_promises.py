@@ -29,8 +29,9 @@ from rotedu.general_rotation import quaternion_from_euler_angles as from_euler
 from rotedu.motion import angular_velocity, integrate
 from rotedu.motion import matrix_from_rotation_vector as exp
 from rotedu.motion import rotation_vector as log
-from rotedu.orientations import closed_rotation_curve as curve
-from rotedu.orientations import nearest_rotation, periodic_spline, slerp_rotations, squad
+from rotedu.orientation_curves import closed_rotation_curve as curve
+from rotedu.orientation_curves import periodic_spline, squad
+from rotedu.orientations import nearest_rotation, slerp_rotations
 from rotedu.quaternions import Quaternion
 
 

@@ -22,13 +22,8 @@ from rotedu.control_points import bisect, control_points, double
 from rotedu.errors import DegenerateError
 from rotedu.general_rotation import euler_angles, matrix_from_euler_angles
 from rotedu.ordinary_rotation import axis_angle, rotate, rotation_matrix, transform
-from rotedu.orientations import (
-    closed_rotation_curve,
-    nearest_rotation,
-    periodic_spline,
-    slerp_rotations,
-    squad,
-)
+from rotedu.orientation_curves import closed_rotation_curve, periodic_spline, squad
+from rotedu.orientations import nearest_rotation, slerp_rotations
 from rotedu.quaternions import Quaternion
 
 SEED = int(os.environ.get("ROTATIONS_SEED") or secrets.randbits(32))

@@ -18,17 +18,22 @@ from rotedu import scenes
 from rotedu.arcs import angle_between
 from rotedu.control_points import control_points
 from rotedu.figures.explorable import Explorable
-from rotedu.orientations import closed_rotation_curve, squad
+from rotedu.orientation_curves import closed_rotation_curve, squad
 from rotedu.quaternions import Quaternion
 
 # Of each figure, by the words on a chip, what its outputs are then.
 SHOWN: dict[str, dict[str, dict[str, str]]] = {
-    # In the order of the films: slerp, squad, spline of q, the paper's, spline of M.
+    # In the order of the films that are shown.
     "animate": {
-        "small turns": {"fastest": "39, 53, 51, 50, 53°/s", "corner": "62°/s"},
-        "one sign changed": {"fastest": "250, 749, 494, 188, 1720°/s"},
+        "small turns": {"fastest": "51, 53°/s", "corner": "62°/s"},
+        "wide turns": {"fastest": "238, 1720°/s"},
+        "one sign changed": {"fastest": "250, 188°/s"},
         "two poses alike": {"speed": "6, 56, 79, 82, 36°/s"},
-        "handles of one third": {"jumps": "478, 438°/s²"},
+    },
+    "the_swing": {
+        "the first place": {"route": "100°", "shortest": "100°"},
+        "where the other is farthest": {"route": "92°", "shortest": "127°"},
+        "the last place": {"route": "−60°", "shortest": "−60°"},
     },
     "arcs_of_arcs": {
         "close to the start": {"way_1": "3.1°", "way_2": "6.1°", "way_3": "8.9°"},
@@ -322,7 +327,7 @@ def test_a_spinning_body_is_drawn_where_scipy_has_it(words: str) -> None:
 
 def test_the_spline_of_matrices_whips_round_where_the_page_says() -> None:
     q = np.array(tried("animate")["poses"])
-    *_, fastest = outputs("animate")["fastest"]
+    *_, fastest = outputs("animate", films="both splines")["fastest"]
     assert round(fastest / 24) == 72
     assert round(np.degrees(2 * np.arccos(q[4] @ q[0]))) == 147
 

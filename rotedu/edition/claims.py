@@ -41,6 +41,7 @@ CHAPTERS = {
     "05-control-points": "Page\N{NO-BREAK SPACE}5\N{NO-BREAK SPACE}II",
     "05-closed-curve": "Page\N{NO-BREAK SPACE}5\N{NO-BREAK SPACE}III",
     "05-orientations": "Page\N{NO-BREAK SPACE}5\N{NO-BREAK SPACE}IV",
+    "05-orientation-curves": "Page\N{NO-BREAK SPACE}5\N{NO-BREAK SPACE}V",
     "06-conclusions": "Chapter\N{NO-BREAK SPACE}6",
 }
 
@@ -341,14 +342,16 @@ ON_PAGE = {
             "points leave the roll open, and an arc brings one that nobody chose; but there is"
             " another way, see 15",
         ),
-        (24, "not claimed"): does_not_hold(
-            "The construction is tied to points of $S^2$",
-            "with four components the same lines make a spline of rotations",
-        ),
         (64, "5"): holds(
             "For the task of Section 5, two vectors on $S^2$ will do instead of two quaternions on"
             " $S^3$",
             "the task as stated is to join points of a sphere; for rotations see 14",
+        ),
+    },
+    "05-orientation-curves": {
+        (24, "not claimed"): does_not_hold(
+            "The construction is tied to points of $S^2$",
+            "with four components the same lines make a spline of rotations",
         ),
     },
     "06-conclusions": {

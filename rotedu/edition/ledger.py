@@ -216,7 +216,7 @@ LEDGER = (
             "where the middle one is ±90°, only two count; the others jump at ±180°",
             "04-general-rotation",
         ),
-        Found(ROUTE, "05-orientations"),
+        Found(ROUTE, "05-orientation-curves"),
         "04-general-rotation",
         {
             "compose": (lean.compose_angles, ANGLES, NEXT_ANGLES),
@@ -232,7 +232,7 @@ LEDGER = (
             " over; up to 360°, everywhere, by two names",
             "03-ordinary-rotation",
         ),
-        Found(f"up to 180°, {ROUTE}; up to 360°, pairs of whole turns", "05-orientations"),
+        Found(f"up to 180°, {ROUTE}; up to 360°, pairs of whole turns", "05-orientation-curves"),
         "03-ordinary-rotation",
         {
             "compose": (lean.compose_turns, TURN, NEXT_TURN),
@@ -273,7 +273,7 @@ LEDGER = (
         (9, 6),
         "01-introduction",
         Found("nowhere", "03-ordinary-rotation"),
-        Found(ROUTE, "05-orientations"),
+        Found(ROUTE, "05-orientation-curves"),
         "03-ordinary-rotation",
         {
             "compose": (lean.compose_matrices, A, B),

@@ -17,6 +17,7 @@ from rotedu.scenes import (
     introduction,
     motion,
     ordinary_rotation,
+    orientation_curves,
     orientations,
     quaternions,
     shapes,
@@ -32,6 +33,7 @@ from rotedu.scenes.general_rotation import *
 from rotedu.scenes.introduction import *
 from rotedu.scenes.motion import *
 from rotedu.scenes.ordinary_rotation import *
+from rotedu.scenes.orientation_curves import *
 from rotedu.scenes.orientations import *
 from rotedu.scenes.quaternions import *
 from rotedu.scenes.shapes import *
@@ -48,6 +50,7 @@ __all__ = [
     *introduction.__all__,
     *motion.__all__,
     *ordinary_rotation.__all__,
+    *orientation_curves.__all__,
     *orientations.__all__,
     *quaternions.__all__,
     *shapes.__all__,

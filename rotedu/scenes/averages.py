@@ -8,7 +8,7 @@ from rotedu.figures import State, describe, explorable, read_out
 from rotedu.figures.inputs import Poses, Switch
 from rotedu.quaternions import Quaternion
 from rotedu.scenes.looks import Ball, Look, Text, draw
-from rotedu.scenes.orientations import spoon
+from rotedu.scenes.orientation_curves import spoon
 from rotedu.scenes.parts import add_sphere, new_scene
 from rotedu.scenes.shapes import U, V, W
 

@@ -9,5 +9,6 @@ export * from "./general_rotation.js";
 export * from "./introduction.js";
 export * from "./motion.js";
 export * from "./ordinary_rotation.js";
+export * from "./orientation_curves.js";
 export * from "./orientations.js";
 export * from "./quaternions.js";

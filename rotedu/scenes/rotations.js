@@ -112,7 +112,7 @@ export function closedCurve(points, samples = 100, fraction = 1 / 2) {
   return sampled(arcsOfArcs, [p, a, nextB, rolled(p, 1)], samples);
 }
 
-/** Points of Shoemake's closed curve, `samples` on each segment: `rotedu.orientations.squad`. */
+/** Points of Shoemake's closed curve, `samples` on each segment: `rotedu.orientation_curves.squad`. */
 export function squad(quaternions, samples = 100) {
   const q = units(quaternions);
   const [before, after] = [rolled(q, -1), rolled(q, 1)];
@@ -125,7 +125,7 @@ export function squad(quaternions, samples = 100) {
   return sampled(arcTowardsArc, [q, s, nextS, after], samples);
 }
 
-/** Points of the closed cubic curve through values: `rotedu.orientations.periodic_spline`. */
+/** Points of the closed cubic curve through values: `rotedu.orientation_curves.periodic_spline`. */
 export function periodicSpline(values, samples = 100) {
   const after = rolled(values, 1);
   const right = rolled(values, -1).map((before, i) => combine(3, after[i], -3, before));
@@ -216,7 +216,7 @@ export function slerpRotations(r1, r2, t) {
   return product(start, rotationMatrix(axis, t * angle));
 }
 
-/** Orientations of a closed curve: `rotedu.orientations.closed_rotation_curve`. */
+/** Orientations of a closed curve: `rotedu.orientation_curves.closed_rotation_curve`. */
 export function closedRotationCurve(rotations, samples = 100, fraction = 1 / 2) {
   const given = rotations.map(rotation);
   const turns = rolled(given, 1).map((after, i) => axisAngle(product(transpose(given[i]), after)));
@@ -392,7 +392,7 @@ function follow([start, ...route], u) {
   return angle ? product(start, rotationMatrix(turn, angle)) : start;
 }
 
-/** One turn in place of two: `rotedu.orientations.one_turn`. */
+/** One turn in place of two: `rotedu.orientation_curves.one_turn`. */
 function oneTurn(v, w) {
   const [a, b] = [length(v) / 2, length(w) / 2];
   const [n, m] = [scaled(1 / (2 * a || 1), v), scaled(1 / (2 * b || 1), w)];

@@ -49,7 +49,9 @@ export class Chart {
     const { box, lines, marks, plot, specs, over, x, y } = this;
     for (const [curve, heights] of Object.entries(curves)) {
       lines.get(curve)?.setAttribute("d", path(heights, y));
-      marks.forEach((mark, i) => (mark.hidden = i >= piecesOf(heights).length));
+      // A curve that is not shown has no pieces.
+      const pieces = heights && piecesOf(heights).length;
+      if (pieces) marks.forEach((mark, i) => (mark.hidden = i >= pieces));
     }
     const tops = nameTops(Object.assign(this.known, curves), y);
     for (const name of this.names) {

@@ -10,6 +10,7 @@ from rotedu.edition.exercises import (
     introduction,
     motion,
     ordinary_rotation,
+    orientation_curves,
     orientations,
     quaternions,
 )
@@ -27,6 +28,7 @@ __all__ = [
     "introduction",
     "motion",
     "ordinary_rotation",
+    "orientation_curves",
     "orientations",
     "quaternions",
 ]

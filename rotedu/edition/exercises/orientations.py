@@ -7,16 +7,13 @@ import numpy as np
 
 from rotedu._vectors import Array
 from rotedu.arcs import angle_between, arc_axis, slerp
-from rotedu.closed_curve import closed_curve
 from rotedu.edition.exercises.answers import (
     as_rotation,
-    close,
     normalised,
     numbers,
     radians_for_degrees,
 )
 from rotedu.edition.exercises.judging import Part, exercise, in_radians, otherwise, when
-from rotedu.errors import DegenerateError
 from rotedu.ordinary_rotation import axis_angle, rotation_matrix
 from rotedu.orientations import slerp_rotations
 from rotedu.quaternions import Quaternion
@@ -123,42 +120,6 @@ def carried_platform() -> Iterator[Part]:
         ),
     }
     yield Part(right, hints, within=0.1, period=360)
-
-
-@exercise("5.20", "two whole numbers from 0 to 32")
-def choices_of_signs() -> Iterator[Part]:
-    """After an odd number of full turns, signs agree only on a second round."""
-    quaternions = Quaternion.from_axis_angle([1, 2, 2], np.arange(5) * 2 * np.pi / 5).components
-    steady = rotation_matrix([1, 2, 2], np.arange(100) * 2 * np.pi / 100)
-    refused = turning = 0
-    for number in range(32):
-        signs = 1 - 2 * ((number >> np.arange(5)) & 1)
-        try:
-            curve = closed_curve(signs[:, np.newaxis] * quaternions, 20, 1 / 3)
-        except DegenerateError:
-            refused += 1
-        else:
-            turning += close(Quaternion(curve[:, 0], curve[:, 1:]).matrix(), steady)
-    drawn = 32 - refused
-    hints = {
-        "A curve that is drawn need not be the steady turn.": when(
-            [refused, drawn], "Convert its quaternions to matrices and compare them with `steady`."
-        ),
-        "You count the choices that are not refused.": when(
-            [drawn, turning], "A choice is refused if the function raises an error."
-        ),
-        "Some of the choices raise an error.": when(
-            [0, turning], "Catch DegenerateError and count it."
-        ),
-        "Have you tried all 32? If all signs change, the rotations stay the same.": when(
-            [refused / 2, turning], "Such a pair counts as two choices here."
-        ),
-        "These numbers do not count what happens.": otherwise(
-            "Let each sign agree with the one before. Does the fifth then agree with the first? And"
-            " what becomes of that if you change a single sign?"
-        ),
-    }
-    yield Part([refused, turning], hints, within=0)
 
 
 def columns_of_flights(answer: Any) -> tuple[Array, Array, Array]:

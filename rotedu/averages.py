@@ -1,18 +1,18 @@
-"""Beyond the paper, page B: how far rotations are apart, their mean, and two columns for a matrix.
+"""Beyond the paper, page B: how far rotations are apart, and their mean.
 
-To average measurements, or to learn orientations from data, matrices and quaternions have to answer
-new questions: how far two rotations are apart, and which numbers stand for them without a jump.
+To average measurements, matrices and quaternions have to answer a new question: how far two
+rotations are apart.
 """
 
 import numpy as np
 
-from rotedu._arguments import Number, Rotation, Rotations, Unit3, Weights, checked, place, rounding
-from rotedu._vectors import Array, cross, dot, length, product, transpose, unit
+from rotedu._arguments import Number, Rotation, Rotations, Weights, checked, place, rounding
+from rotedu._vectors import Array, product, transpose
 from rotedu.errors import DegenerateError
 from rotedu.ordinary_rotation import axis_angle
 from rotedu.orientations import nearest_rotation
 
-__all__ = ["angular_distance", "chordal_distance", "matrix_from_two_columns", "mean_rotation"]
+__all__ = ["angular_distance", "chordal_distance", "mean_rotation"]
 
 
 @checked
@@ -131,57 +131,6 @@ def mean_rotation(rotations: Rotations, weights: Weights = None) -> Rotation:
     mean = np.sum(weights * rotations, axis=-1)
     refuse_several(mean)
     return nearest_rotation(mean)
-
-
-@checked
-def matrix_from_two_columns(a: Unit3, b: Unit3) -> Rotation:
-    """Make the rotation matrix whose first column is along a, and whose second is towards b.
-
-    Parameters
-    ----------
-    a, b : array_like, shape (..., 3)
-        Vectors that are not parallel; their lengths do not matter. With the first two columns of a
-        rotation matrix, that matrix comes back.
-
-    Returns
-    -------
-    ndarray, shape (..., 3, 3)
-        Rotation matrices. The columns are the direction of a, that of the part of b perpendicular
-        to a, and their cross product.
-
-    Raises
-    ------
-    rotedu.errors.DegenerateError
-        If a and b are parallel (to half of the digits).
-
-    Notes
-    -----
-    This is the method of Gram and Schmidt. What is along a is taken away from b twice: if the two
-    are almost parallel, rounding leaves some of it, and the columns would not be perpendicular.
-
-    References
-    ----------
-    Zhou, Barnes, Lu, Yang and Li (2019), "On the continuity of rotation representations in neural
-    networks", CVPR 2019, 5738-5746
-
-    Examples
-    --------
-    >>> print(matrix_from_two_columns([0, 2, 0], [1, 7, 0]) + 0.0)
-    [[ 0.  1.  0.]
-     [ 1.  0.  0.]
-     [ 0.  0. -1.]]
-    """
-    refuse_parallel(a, b)
-    across = b - dot(a, b) * a
-    second = unit(across - dot(a, across) * a)
-    return np.stack(np.broadcast_arrays(a, second, cross(a, second)), axis=1)
-
-
-def refuse_parallel(a: Array, b: Array) -> None:
-    """Refuse unit vectors that are parallel, to half of the digits."""
-    parallel = length(cross(a, b)) <= rounding(a) ** 0.5
-    if np.any(parallel):
-        raise DegenerateError(f"a and b{place(parallel)} are parallel: no unique second column")
 
 
 def refuse_several(mean: Array) -> None:

@@ -37,6 +37,7 @@ MODULES = [
         "orientations",
         "motion",
         "averages",
+        "five_numbers",
     )
 ]
 PUBLIC = {name: getattr(module, name) for module in MODULES for name in module.__all__}
@@ -89,6 +90,8 @@ GOOD: dict[str, dict[str, Any]] = {
     "mean_rotation": {"rotations": THREE, "weights": [1, 2, 3]},
     **dict.fromkeys(["angular_distance", "chordal_distance"], TWO),
     "matrix_from_two_columns": {"a": E1, "b": [0, 0.6, 0.8]},
+    "five_numbers": {"rotation": np.eye(3)},
+    "matrix_from_five_numbers": {"numbers": [0, 0, 0, 1 + 2**0.5, 0]},
 }
 NEED_LAPACK = {"nearest_rotation", "mean_rotation", "periodic_spline"}
 ARGUMENTS = [(f, name) for f, arguments in GOOD.items() for name in arguments]
@@ -381,7 +384,7 @@ class TestRefusals:
     def test_wrong_number_of_components(self, f: str, name: str) -> None:
         shape = np.shape(GOOD[f][name])
         if shape and f not in OF_ANY_DIMENSION:
-            found = refusal(f, **{name: np.ones((*shape[:-1], 5))})
+            found = refusal(f, **{name: np.ones((*shape[:-1], 7))})
             assert found.startswith("ValueError: ")
             assert " must have shape (" in found
 

@@ -1,19 +1,16 @@
 """Averages: against scipy, eigenvectors of quaternions, sympy, and their own laws."""
 
-from typing import Any
-
 import numpy as np
 import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 from scipy.spatial.transform import Rotation
-from spheres import E1, E2, E3, Array, close, random_units, refuses
+from spheres import E1, E3, Array, close, random_units, refuses
 
 from rotedu.averages import (
     angular_distance,
     chordal_distance,
-    matrix_from_two_columns,
     mean_rotation,
 )
 from rotedu.ordinary_rotation import rotation_matrix
@@ -172,37 +169,3 @@ class TestSumsOfQuaternions:
     def test_mean_matrices_of_ten_random_rotations_often_reflect(self) -> None:
         random = Rotation.random(20000, rng=RNG).as_matrix().reshape(2000, 10, 3, 3)
         assert 0.25 < np.mean(np.linalg.det(random.mean(axis=1)) < 0) < 0.32
-
-
-class TestTwoColumns:
-    @given(LENGTHS, LENGTHS)
-    def test_against_qr_and_in_what_it_says(self, a: Array, b: Array) -> None:
-        across = np.linalg.norm(np.cross(a, b))
-        assume(across > 1e-3 * np.linalg.norm(a) * np.linalg.norm(b) > 1e-9)
-        found = matrix_from_two_columns(a, b)
-        close(found.T @ found, np.eye(3), 1e-12)
-        close(found[:, 2], np.cross(a, b) / across, 1e-12)
-        close(found[:, 0], a / np.linalg.norm(a))
-        q, r = np.linalg.qr(np.stack([a, b], axis=1))
-        close(found[:, :2], q * np.sign(np.diag(r)), 1e-12)
-
-    def test_gives_back_a_rotation(self) -> None:
-        a, b, _ = np.moveaxis(M1, -1, 0)
-        close(matrix_from_two_columns(3 * a, b / 7 - 5 * a), M1, 1e-12)
-
-    @pytest.mark.parametrize("b", [E1, -E1, [1, 1e-9, 0]])
-    def test_parallel(self, b: Any) -> None:
-        refuses("a and b are parallel: no unique second", matrix_from_two_columns, 2 * E1, b)
-        refuses("a and b at index (1,) are parallel", matrix_from_two_columns, E1, [E2, b])
-
-    def test_nearly_parallel(self) -> None:
-        close(matrix_from_two_columns(E1, [1, 1e-6, 0]), np.eye(3), 1e-9)
-
-    @pytest.mark.parametrize(("kind", "apart"), [(np.float64, 1e-6), (np.float32, 3e-3)])
-    def test_stays_a_rotation_where_they_are_nearly_parallel(self, kind: Any, apart: float) -> None:
-        a = RNG.normal(size=(300, 3))
-        b = a + apart * np.linalg.norm(a, axis=1, keepdims=True) * random_units(300, 3, rng=RNG)
-        across = np.linalg.norm(np.cross(a, b), axis=1) / np.linalg.norm(a, axis=1) ** 2
-        clear = across > apart / 2
-        found = matrix_from_two_columns(a[clear].astype(kind), b[clear].astype(kind))
-        close(found.swapaxes(1, 2) @ found - np.eye(3), 0, 10 * np.finfo(kind).eps)

@@ -21,9 +21,9 @@ from splines import quaternion as sq
 
 from rotedu.arcs import angle_between, slerp
 from rotedu.averages import angular_distance as distance
-from rotedu.averages import matrix_from_two_columns as columns
 from rotedu.averages import mean_rotation as mean
 from rotedu.closed_curve import de_casteljau
+from rotedu.five_numbers import matrix_from_two_columns as columns
 from rotedu.general_rotation import compose, euler_angles, rotation_u, rotation_v, rotation_w
 from rotedu.general_rotation import quaternion_from_euler_angles as from_euler
 from rotedu.motion import angular_velocity, integrate

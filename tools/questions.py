@@ -18,10 +18,11 @@ from notebook_language import ROOT
 
 from rotedu import general_rotation as general
 from rotedu.arcs import nlerp, slerp
-from rotedu.averages import matrix_from_two_columns, mean_rotation
+from rotedu.averages import mean_rotation
 from rotedu.closed_curve import de_casteljau
 from rotedu.control_points import bisect, double
 from rotedu.cost import count
+from rotedu.five_numbers import matrix_from_two_columns
 from rotedu.motion import matrix_from_rotation_vector, rotation_vector
 from rotedu.ordinary_rotation import axis_angle, transform
 from rotedu.orientations import slerp_rotations

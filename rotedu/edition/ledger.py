@@ -19,7 +19,7 @@ from rotedu.edition.notebook import Table
 
 __all__ = ["LEDGER", "TASKS", "Found", "Row", "cost_table", "ledger", "priced"]
 
-PAGES = (*CHAPTERS, "beyond-motion", "beyond-averages")
+PAGES = (*CHAPTERS, "beyond-motion", "beyond-averages", "beyond-five-numbers")
 
 TASKS = {
     "compose": "compose two",
@@ -318,16 +318,24 @@ LEDGER = (
     Row(
         "two columns",
         (6, 3),
-        "beyond-averages",
-        Found("nowhere", "beyond-averages"),
-        Found(ROUTE, "beyond-averages"),
-        "beyond-averages",
+        "beyond-five-numbers",
+        Found("nowhere", "beyond-five-numbers"),
+        Found(ROUTE, "beyond-five-numbers"),
+        "beyond-five-numbers",
         {
             "compose": (lean.turn_by_two_columns, A[:, :2], B[:, :2]),
             "point": (lean.turn_by_two_columns, A[:, :2], POINT),
             "many": (np.matmul, A, POINT),
             "repair": (lean.repair_two_columns, A[:, :2]),
         },
+    ),
+    Row(
+        "five numbers of a map",
+        (5, 2),
+        "beyond-five-numbers",
+        Found("nowhere", "beyond-five-numbers"),
+        Found(ROUTE, "beyond-five-numbers"),
+        "beyond-five-numbers",
     ),
 )
 """The rows, in the order of their numbers and of the pages."""

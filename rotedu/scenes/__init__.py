@@ -13,6 +13,7 @@ from rotedu.scenes import (
     conclusions,
     control_points,
     errata,
+    five_numbers,
     general_rotation,
     introduction,
     motion,
@@ -29,6 +30,7 @@ from rotedu.scenes.closed_curve import *
 from rotedu.scenes.conclusions import *
 from rotedu.scenes.control_points import *
 from rotedu.scenes.errata import *
+from rotedu.scenes.five_numbers import *
 from rotedu.scenes.general_rotation import *
 from rotedu.scenes.introduction import *
 from rotedu.scenes.motion import *
@@ -46,6 +48,7 @@ __all__ = [
     *conclusions.__all__,
     *control_points.__all__,
     *errata.__all__,
+    *five_numbers.__all__,
     *general_rotation.__all__,
     *introduction.__all__,
     *motion.__all__,

@@ -5,6 +5,7 @@ export * from "./balance.js";
 export * from "./closed_curve.js";
 export * from "./conclusions.js";
 export * from "./control_points.js";
+export * from "./five_numbers.js";
 export * from "./general_rotation.js";
 export * from "./introduction.js";
 export * from "./motion.js";

@@ -4,8 +4,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from rotedu._vectors import Array
-from rotedu.averages import angular_distance, matrix_from_two_columns, mean_rotation
+from rotedu.averages import angular_distance, mean_rotation
 from rotedu.edition.exercises.answers import as_array, as_rotation
 from rotedu.edition.exercises.judging import (
     Part,
@@ -16,7 +15,7 @@ from rotedu.edition.exercises.judging import (
     the_truth,
     when,
 )
-from rotedu.general_rotation import euler_angles, matrix_from_euler_angles
+from rotedu.five_numbers import matrix_from_two_columns
 from rotedu.ordinary_rotation import rotation_matrix
 from rotedu.quaternions import Quaternion
 
@@ -213,80 +212,3 @@ def by_two_columns() -> Iterator[Part]:
         ),
     }
     yield Part(right, hints, within=0.02)
-
-
-def halfway_errors() -> Array:
-    """Return the errors, in degrees, halfway between the rows: a row for each form.
-
-    The forms are the four of the exercise and, last, Euler angles without jumps.
-    """
-    table, truth = (
-        rotation_matrix([1, 2, 2], np.deg2rad(np.arange(*degrees)))
-        for degrees in [(5, 366, 10), (10, 361, 10)]
-    )
-    q = Quaternion.from_matrix(table).components
-    signs = np.cumprod(np.sign(np.sum(q[1:] * q[:-1], axis=1)))
-    followed = np.concatenate([q[:1], signs[:, np.newaxis] * q[1:]])
-
-    def middle(rows: Array) -> Array:
-        return (rows[1:] + rows[:-1]) / 2
-
-    def matrices(rows: Array) -> Array:
-        return Quaternion(rows[:, 0], rows[:, 1:]).matrix()
-
-    def from_angles(angles: Array) -> Array:
-        return matrix_from_euler_angles(*middle(angles).T)[:, :3, :3]
-
-    angles, columns = np.stack(euler_angles(table), axis=-1), middle(table)
-    found = [
-        from_angles(angles),
-        matrices(middle(q)),
-        matrices(middle(followed)),
-        matrix_from_two_columns(columns[..., 0], columns[..., 1]),
-        from_angles(np.unwrap(angles, axis=0)),
-    ]
-    return np.rad2deg([angular_distance(truth, way) for way in found])
-
-
-@exercise(
-    "B.6",
-    "four angles in degrees",
-    fields={
-        "Euler angles": "°",
-        "quaternions as they come": "°",
-        "quaternions followed": "°",
-        "two columns": "°",
-    },
-)
-def worst_of_a_table() -> Iterator[Part]:
-    """A sign that is followed is as good as two columns; a rule for the sign is not."""
-    errors = halfway_errors()
-    euler, rule, followed, columns, unwrapped = errors.max(axis=1)
-    right = np.array([euler, rule, followed, columns])
-    hints = {
-        **in_radians(np.deg2rad(right)),
-        "These are mean errors.": when(
-            errors[:4].mean(axis=1), "One bad row is enough to break a machine. Take the worst."
-        ),
-        "Your followed quaternions still jump.": when(
-            [euler, rule, rule, columns],
-            "Compare each with the one before it, as it is after its own sign has been chosen.",
-        ),
-        "Your second form has no jump.": when(
-            [euler, followed, followed, columns], "Leave the signs as `from_matrix` chooses them."
-        ),
-        "These are chords.": when(
-            2 * 2**0.5 * np.sin(np.deg2rad(right) / 2),
-            "The exercise asks for angles. Which function measures them?",
-        ),
-        "Your Euler angles do not jump.": when(
-            [unwrapped, rule, followed, columns],
-            "The machine knows nothing of full turns. Average the angles as `euler_angles` gives"
-            " them.",
-        ),
-        "In each form, take the mean of neighbouring rows, make a rotation,"
-        " and compare.": otherwise(
-            "The truth halfway is a turn about the same axis by 10°, 20°, 30° and so on."
-        ),
-    }
-    yield Part(right, hints, within=0.1)

@@ -434,7 +434,7 @@ def claim_table(numbers: Iterable[int]) -> Table:
     Parameters
     ----------
     numbers : iterable of int
-        Which claims; they are listed in the order of `CLAIMS`.
+        Which claims, in which order.
 
     Returns
     -------
@@ -448,7 +448,7 @@ def claim_table(numbers: Iterable[int]) -> Table:
     | --- | --- | --- | --- | --- |
     | [3]{#claim-3} | Four of the nine entries of a rotation matrix are independent | 1 | × **does not hold**, a slip: three are, [E6](#erratum-e6) | [Chapter\N{NO-BREAK SPACE}1](01-introduction.ipynb) |
     """  # noqa: E501
-    chosen = set(numbers)
+    known = {claim.number: claim for claim in CLAIMS}
     rows = [
         [
             f"[{claim.number}]{{#claim-{claim.number}}}",
@@ -457,8 +457,7 @@ def claim_table(numbers: Iterable[int]) -> Table:
             linked(claim.judgement),
             claim.link,
         ]
-        for claim in CLAIMS
-        if claim.number in chosen
+        for claim in map(known.__getitem__, numbers)
     ]
     return Table(["No.", "The claim", "In", "Verdict", "Shown in"], rows)
 

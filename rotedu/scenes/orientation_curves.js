@@ -215,12 +215,13 @@ export function animate({ poses, t, films: wanted, fraction }, { choices, jumpy,
   const count = PICTURES * q.length;
   const picture = Math.floor(count * t + 1 / 2) % count;
   const { parts, labels, grips } = timeline(q, most);
-  for (const [name, film] of Object.entries(films)) {
+  for (const [i, [name, film]] of Object.entries(films).entries()) {
     const hidden = !chosen.includes(name);
     const tips = film.map((rotation) => rotation.map(([x]) => radius * x));
     const round = [...tips, tips[0]].map((tip) => combine(1, MIDDLE, 1, tip));
     parts[`${name}, tip`] = { paths: [round], hidden };
-    parts[name] = { matrix: placing(film[picture], MIDDLE, radius), hidden };
+    // Of spoons in one pose the first is seen.
+    parts[name] = { matrix: placing(film[picture], MIDDLE, (1 - 0.01 * i) * radius), hidden };
   }
   const steps = mapped(films, filmSteps);
   const motions = mapped(steps, filmMotion);

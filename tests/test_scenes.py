@@ -194,13 +194,28 @@ def test_the_ribbon_meets_neither_itself_nor_the_spoon(done) -> None:
     distances = np.linalg.norm(ribbon[:, :, None, None] - ribbon[None, None], axis=-1)
     along = np.abs(far[:, None] - far)[None, :, None]
     apart = np.broadcast_to(along > 0.15, distances.shape)
-    assert distances[apart].min() > 0.1
+    assert distances[apart].min() > 0.13
     # The spoon turns with the ribbon's end: only farther out do they differ.
     spoon = np.linalg.norm(points_of("the_ribbon", "spoon"), axis=1).max()
     assert spoon < 0.5 < far[-1]
     held = far < 0.5
     width = 0.13 * rotate([-1, 0, 0], [0, 0, 1], 2 * np.pi * min(done, 2))
     np.testing.assert_allclose((border - middle)[held], np.tile(width, (held.sum(), 1)), atol=1e-6)
+
+
+@pytest.mark.parametrize("done", [0, 0.5, 1.25, 2, 2.25, 2.5, 3])
+def test_what_is_grabbed_is_the_spoon_and_then_the_ribbon(done) -> None:
+    [state] = states("the_ribbon", [{"done": done}])
+    path = np.array(state["grips"]["done"]["path"])
+    ring = path[round((len(path) - 1) * done / 3)]
+    if done <= 2:
+        np.testing.assert_allclose(
+            ring, rotate([0.46, 0, 0], [0, 0, 1], 2 * np.pi * done), atol=1e-6
+        )
+    else:
+        line = pyvista.MultipleLines(half_of_ribbon(done)[1])
+        _, nearest = line.find_closest_cell(ring, return_closest_point=True)
+        assert np.linalg.norm(nearest - ring) < 0.01
 
 
 def points_of(scene: str, part: str) -> np.ndarray:

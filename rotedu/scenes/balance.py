@@ -9,8 +9,8 @@ from rotedu.figures import State, describe, explorable, read_out
 from rotedu.figures.inputs import Choice, Slider
 from rotedu.quaternions import Quaternion
 from rotedu.scenes.looks import Heap, Lines, Look, Mesh, Text, draw
-from rotedu.scenes.parts import add_label, add_line, add_lines, new_scene
-from rotedu.scenes.shapes import U, V, W, teaspoon
+from rotedu.scenes.parts import add_label, add_lines, new_scene
+from rotedu.scenes.shapes import U, V, W, lathe, teaspoon
 
 __all__ = ["the_balance", "the_balance_of_works"]
 
@@ -27,13 +27,16 @@ Multiplications and additions together. Where there are two formulas, the cheape
 """
 MOST = 300
 """Spoons that a pan holds."""
-DECADES = Slider(
-    0, 4, "how many, as a power of ten", step=0.02, stride=0.3010299956639812, plays=9, start=0
-)
+TWICE = float(np.log10(2))
+DECADES = Slider(0, 4, "how many, as a power of ten", step=0.02, stride=TWICE, plays=9, start=0)
 RIGID = {"smooth_shading": True, "pickable": False}
-FLOOR, BEAM, DEPTH = -1.5, 1.25, 1.05
-"""Height of the ruler, half the length of the beam, and how far below it a pan hangs."""
-RULER = (-1.5, 1.5)
+RULER = (-1.5, 1.5, -1.5)
+"""Ends and height of the ruler."""
+SIZE = (1.25, 1.05)
+"""Half the length of the beam, and how far below it a pan hangs."""
+CONSTANTS = {"works": WORKS, "most": MOST, "ruler": RULER, "size": SIZE}
+PAN = [(0, 0), (0.42, 0), (0.52, 0.06), (0.54, 0.06), (0.44, -0.03), (0, -0.03)]
+"""Its profile, from the middle of the dish to that of its bottom."""
 
 
 def heap_of_spoons() -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -48,8 +51,11 @@ def heap_of_spoons() -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     return np.column_stack([out * np.cos(angle), out * np.sin(angle), up]), (w * v * u).components
 
 
-def balance(state: State) -> pyvista.Plotter:
-    """Draw a balance with two heaps of spoons, and a ruler on which numbers are powers of ten."""
+def balance(state: State, what: str) -> pyvista.Plotter:
+    """Draw a balance with two heaps of spoons, and a ruler on which numbers are powers of ten.
+
+    ``what`` says which number that is.
+    """
     plotter = new_scene((0, -9, 1.6), (0, 0, -0.12), view_angle=21, size=(720, 440))
     spoon = teaspoon(stations=17, around=8)
     spoon.points *= 0.18
@@ -58,7 +64,7 @@ def balance(state: State) -> pyvista.Plotter:
         "beam": Lines(NEUTRAL, 0.03),
         "pointer": Lines(AXIS, 0.02),
         "strings": Lines(NEUTRAL, 0.008),
-        "pan *": Mesh(pan(), NEUTRAL, RIGID),
+        "pan *": Mesh(lathe(PAN), NEUTRAL, RIGID),
         "left": Heap(spoon, places, RESULT),
         "right": Heap(spoon, places, VECTOR),
         "level": Lines(AXIS, 0.02),
@@ -71,25 +77,14 @@ def balance(state: State) -> pyvista.Plotter:
     draw(plotter, state, looks, texts)
     post = [[0, 0, -1.2], [0, 0, 1.05]], [[-0.3, 0, -1.2], [0.3, 0, -1.2]]
     add_lines(plotter, post, NEUTRAL, radius=0.035)
-    low, high = RULER
-    add_line(plotter, [[low, 0, FLOOR], [high, 0, FLOOR]], NEUTRAL, radius=0.008)
+    low, high, floor = RULER
+    ruler = [[[low, 0, floor], [high, 0, floor]]]
     for decade, x in enumerate(np.linspace(low, high, 5)):
-        add_line(plotter, [[x, 0, FLOOR], [x, 0, FLOOR + 0.07]], NEUTRAL, radius=0.008)
+        ruler.append([[x, 0, floor], [x, 0, floor + 0.07]])
         text = f"{10**decade:,}".replace(",", " ")
-        add_label(plotter, [x, 0, FLOOR - 0.13], text, name=f"10^{decade}")
-    return plotter
+        add_label(plotter, [x, 0, floor - 0.13], text, name=f"10^{decade}")
+    add_lines(plotter, ruler, NEUTRAL, radius=0.008)
 
-
-def pan() -> pyvista.PolyData:
-    """Model a shallow pan about the origin."""
-    profile = np.array([(0, 0), (0.42, 0.0), (0.52, 0.06), (0.54, 0.06), (0.44, -0.03), (0, -0.03)])
-    line = pyvista.MultipleLines(np.insert(profile, 1, 0, axis=1))
-    dish: pyvista.PolyData = line.extrude_rotate(resolution=40, capping=False)
-    return dish
-
-
-def tell(plotter: pyvista.Plotter, state: State, what: str) -> None:
-    """Read off what the pans hold, and describe it."""
     read_out(plotter, "number", what, 0, where="picture")
     read_out(plotter, "matrix", "matrix", 0, where="picture", color=RESULT)
     read_out(plotter, "quaternion", "quaternion", 0, where="picture", color=VECTOR)
@@ -102,16 +97,17 @@ def tell(plotter: pyvista.Plotter, state: State, what: str) -> None:
         f" the matrix, on the right one for the {told['quaternion']:.0f} of the quaternion; the"
         f" {heavier} pan is lower. Below, a ruler from 1 to 10 000.",
     )
+    return plotter
 
 
 @explorable(
     tries={
-        "two points": {"decades": float(np.log10(2))},
+        "two points": {"decades": TWICE},
         "ten points": {"decades": 1},
         "10 000 points": {"decades": 4},
     },
     answer={"decades": 1},
-    constants={"works": WORKS, "most": MOST, "ruler": [*RULER, FLOOR], "size": [BEAM, DEPTH]},
+    constants=CONSTANTS,
     decades=DECADES,
 )
 def the_balance(state: State) -> pyvista.Plotter:
@@ -122,9 +118,7 @@ def the_balance(state: State) -> pyvista.Plotter:
     decades : float
         How many points are turned, as a power of ten.
     """
-    plotter = balance(state)
-    tell(plotter, state, "points")
-    return plotter
+    return balance(state, "points")
 
 
 @explorable(
@@ -134,7 +128,7 @@ def the_balance(state: State) -> pyvista.Plotter:
         "one arc, 60 times": {"work": "orientations along one arc", "decades": 1.78},
         "worn turns": {"work": "repair turns", "decades": 2},
     },
-    constants={"works": WORKS, "most": MOST, "ruler": [*RULER, FLOOR], "size": [BEAM, DEPTH]},
+    constants=CONSTANTS,
     work=Choice("The work", tuple(WORKS), start="turn points by one turn"),
     decades=DECADES,
 )
@@ -148,6 +142,4 @@ def the_balance_of_works(state: State) -> pyvista.Plotter:
     decades : float
         How often, as a power of ten.
     """
-    plotter = balance(state)
-    tell(plotter, state, "how often")
-    return plotter
+    return balance(state, "how often")

@@ -57,17 +57,7 @@ def the_swing(state: State) -> pyvista.Plotter:
         )
     read_out(plotter, "route", "along the route", 0, "°", where="picture", color=RESULT)
     read_out(plotter, "shortest", "by shorter ways", 0, "°", where="picture", color=CROSS)
-    draw_chart(
-        plotter,
-        "angles",
-        over="t",
-        x=(0, 1),
-        y=(-90, 150),
-        label="turned, −90° to 150°",
-        colors={"route": RESULT, "shortest": CROSS, "marks": VECTOR},
-        marks=["*R₀*", "*R₁*", "*R₂*", "*R₃*"],
-        dashed=["shortest"],
-    )
+    draw_angles(plotter, "t", (-90, 150), "turned, −90° to 150°")
     describe(
         plotter,
         "A gate on a post, seen from above, with four marked places: at 0, 100, 10 and minus 60"
@@ -75,6 +65,21 @@ def the_swing(state: State) -> pyvista.Plotter:
         " stays between minus 60 and 100 degrees, that of the purple one swings out to 127.",
     )
     return plotter
+
+
+def draw_angles(plotter: pyvista.Plotter, over: str, y: tuple[float, float], label: str) -> None:
+    """Chart angles along both curves through four orientations."""
+    draw_chart(
+        plotter,
+        "angles",
+        over=over,
+        x=(0, 1),
+        y=y,
+        label=label,
+        colors={"route": RESULT, "shortest": CROSS, "marks": VECTOR},
+        marks=["*R₀*", "*R₁*", "*R₂*", "*R₃*"],
+        dashed=["shortest"],
+    )
 
 
 LOW, HIGH = 80, 120
@@ -178,17 +183,7 @@ def routes_by_hand(state: State) -> pyvista.Plotter:
         ("signs", "signs"),
     ):
         read_out(plotter, output, text, 1, "°", where="picture")
-    draw_chart(
-        plotter,
-        "angles",
-        over="u",
-        x=(0, 1),
-        y=(0, 180),
-        label="turned from *R₀*, degrees",
-        colors={"route": RESULT, "shortest": CROSS, "marks": VECTOR},
-        marks=["*R₀*", "*R₁*", "*R₂*", "*R₃*"],
-        dashed=["shortest"],
-    )
+    draw_angles(plotter, "u", (0, 180), "turned from *R₀*, degrees")
     describe(
         plotter,
         "Four blue teaspoons, R0 to R3, stand round a see-through ball and can be turned. On the"

@@ -325,13 +325,15 @@ function sideOfRibbon(turns, passed, width) {
   );
 }
 
-/** Where the middle of the ribbon is on its way round the spoon; it ends at the bar. */
+/** Where the middle of the ribbon is on its way round the spoon, half as many steps as two turns. */
 function wayOfRibbon() {
   const middle = (SPOON + BAR[2]) / 2;
-  return spread(49).map((passed) => {
-    const [q] = shells(2, passed, ACROSS, [middle], [SPOON, BAR[2]]);
-    return scaled(middle, rotateByQuaternion(q, W));
-  });
+  return spread(49)
+    .slice(1)
+    .map((passed) => {
+      const [q] = shells(2, passed, ACROSS, [middle], [SPOON, BAR[2]]);
+      return scaled(middle, rotateByQuaternion(q, W));
+    });
 }
 
 /** A plate on a hand, turned about the upright, and the striped arm that holds it. */

@@ -20,7 +20,7 @@ from rotedu.scenes.parts import (
     add_sphere,
     new_scene,
 )
-from rotedu.scenes.shapes import ORIGIN, U, W, teaspoon, triangle_mesh
+from rotedu.scenes.shapes import ORIGIN, U, W, lathe, teaspoon, triangle_mesh
 
 __all__ = [
     "grab_the_spoon",
@@ -414,9 +414,7 @@ def round_plate(radius: float) -> pyvista.PolyData:
     """Model a plate with a raised rim, whose bottom is a little above the origin."""
     up = [0.11, 0.11, 0.16, 0.19, 0.2, 0.14, 0.14]
     out = radius * np.array([0, 0.62, 0.95, 1, 0.96, 0.6, 0])
-    profile = pyvista.MultipleLines(np.column_stack([out, np.zeros(7), up]))
-    plate: pyvista.PolyData = profile.extrude_rotate(resolution=48, capping=False)
-    return plate
+    return lathe(np.column_stack([out, up]))
 
 
 def add_ball_of_turns(plotter: pyvista.Plotter, state: State) -> None:

@@ -36,6 +36,13 @@ def fan(center: ArrayLike, rim: ArrayLike) -> pyvista.PolyData:
     return triangle_mesh(points, triangles)
 
 
+def lathe(profile: ArrayLike) -> pyvista.PolyData:
+    """Turn a profile, distances from the W axis and heights, shape (n, 2), into a surface."""
+    line = pyvista.MultipleLines(np.insert(np.asarray(profile, float), 1, 0, axis=1))
+    surface: pyvista.PolyData = line.extrude_rotate(resolution=48, capping=False)
+    return surface
+
+
 def triangle_mesh(points: ArrayLike, triangles: ArrayLike) -> pyvista.PolyData:
     """Make a mesh from points, shape (n, 3), and triples of their indices, shape (m, 3)."""
     corners = np.asarray(triangles)

@@ -7,9 +7,6 @@ import numpy as np
 from rotedu.arcs import angle_between, arc_axis
 from rotedu.ordinary_rotation import axis_angle, rotation_matrix
 
-SAMPLES = 20
-PICTURES = 24
-
 
 def carried_around_by_hand(corners: Any, t: float) -> dict[str, Any]:
     p = np.divide(corners, np.linalg.norm(corners, axis=1, keepdims=True))

@@ -50,7 +50,7 @@ export class Chart {
     for (const [curve, heights] of Object.entries(curves)) {
       lines.get(curve)?.setAttribute("d", path(heights, y));
       // A curve that is not shown has no pieces.
-      const pieces = heights && piecesOf(heights).length;
+      const pieces = heights ? piecesOf(heights).length : 0;
       if (pieces) marks.forEach((mark, i) => (mark.hidden = i >= pieces));
     }
     const tops = nameTops(Object.assign(this.known, curves), y);

@@ -263,22 +263,17 @@ ENDS = [
 def arc_in_two_lines() -> Iterator[Part]:
     """Two sines for the weights, and one to divide by."""
 
-    def rows(swapped: bool = False, divided: bool = True) -> Array:
-        found = []
-        for p, q, t in ENDS:
-            theta = np.arccos(p @ q)
-            first, second = np.sin([(1 - t) * theta, t * theta])
-            first, second = (second, first) if swapped else (first, second)
-            found.append((first * p + second * q) / (np.sin(theta) if divided else 1))
-        return np.array(found)
-
-    chord = np.array([(1 - t) * p + t * q for p, q, t in ENDS])
+    rows = outcomes(ENDS)
+    chord = rows(lambda p, q, t: (1 - t) * p + t * q)
     hints = {
         "Your point starts at the wrong end.": when(
-            rows(swapped=True), "At t = 0 all the weight belongs to the first point."
+            rows(lambda p, q, t: slerp(q, p, t)),
+            "At t = 0 all the weight belongs to the first point.",
         ),
         "Your points are not on the sphere.": when(
-            rows(divided=False), "By what does (5-2) divide?", also=chord
+            rows(lambda p, q, t: np.sin(np.arccos(p @ q)) * slerp(p, q, t)),
+            "By what does (5-2) divide?",
+            also=chord,
         ),
         "That is the share of the chord.": when(
             normalised(chord), "A third of the chord is not a third of the angle."
@@ -287,4 +282,4 @@ def arc_in_two_lines() -> Iterator[Part]:
             "From (1, 0, 0) to (0, 1, 0), a third of the way is at 30°."
         ),
     }
-    yield Part(rows(), hints)
+    yield Part(rows(slerp), hints)

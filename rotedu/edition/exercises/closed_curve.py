@@ -1,6 +1,6 @@
 """Checks of the exercises of page 5 III."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 
 import numpy as np
 
@@ -290,22 +290,23 @@ CONTROLS = [
 def arcs_of_arcs_of_arcs() -> Iterator[Part]:
     """Three arcs, two, and one, each at the same fraction."""
 
-    def levels(points: Array, u: float, count: int) -> Array:
-        for _ in range(count):
+    def first(points: Array, u: float, levels: int = 3) -> Array:
+        for _ in range(levels):
             points = slerp(points[:-1], points[1:], u)
-        return points
+        found: Array = points[0]
+        return found
 
-    def rows(fraction: Callable[[float], float] = lambda u: u) -> Array:
-        return np.array([levels(points, fraction(u), 3)[0] for points, u in CONTROLS])
+    rows = outcomes(CONTROLS)
 
     hints = {
         "Your point comes from the other end.": when(
-            rows(lambda u: 1 - u), "At u = 0 it is the first of the four points."
+            rows(lambda points, u: first(points, 1 - u)),
+            "At u = 0 it is the first of the four points.",
         ),
         "You stopped a level too early.": when(
-            np.array([levels(points, u, 2)[0] for points, u in CONTROLS]),
+            rows(lambda points, u: first(points, u, levels=2)),
             "Three arcs make two, two make one, and one makes a point.",
         ),
         "Your point is elsewhere.": otherwise("`slerp(points[:-1], points[1:], u)` is a level."),
     }
-    yield Part(rows(), hints)
+    yield Part(rows(first), hints)

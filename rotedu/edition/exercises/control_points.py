@@ -1,6 +1,6 @@
 """Checks of the exercises of page 5 II."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 
 import numpy as np
 import numpy.typing as npt
@@ -271,12 +271,10 @@ PAIRS = [
 ]
 
 
-def of_pairs(rule: Callable[[Array, Array], Array]) -> Array:
-    """Apply a rule to all pairs."""
-    return np.array([rule(p, q) for p, q in PAIRS])
+of_pairs = outcomes(PAIRS)
 
 
-@exercise("5.24", "a function of two points that returns a point", read=outcomes(PAIRS))
+@exercise("5.24", "a function of two points that returns a point", read=of_pairs)
 def going_on() -> Iterator[Part]:
     """The point and its reflection add up to twice the shadow on the middle."""
     hints = {
@@ -296,7 +294,7 @@ def going_on() -> Iterator[Part]:
     yield Part(of_pairs(double), hints)
 
 
-@exercise("5.25", "a function of two points that returns a point", read=outcomes(PAIRS))
+@exercise("5.25", "a function of two points that returns a point", read=of_pairs)
 def halfway_between() -> Iterator[Part]:
     """A diagonal of a rhombus halves its angle."""
     hints = {

@@ -1,6 +1,6 @@
 """Checks of the exercises of Chapter 3."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import Any
 
 import numpy as np
@@ -292,29 +292,30 @@ TURNED = [
 def rodrigues_formula() -> Iterator[Part]:
     """One line, and it is the whole of ordinary rotation."""
 
-    def rows(whole: float = 1, kept: float = 1, across: float = 1, scale: float = 1) -> Array:
-        found = []
-        for r, n, theta in TURNED:
-            cos, sin = np.cos(scale * theta), across * np.sin(scale * theta)
-            found.append(cos * r + (whole - kept * cos) * (r @ n) * n + sin * np.cross(n, r))
-        return np.array(found)
+    rows = outcomes(TURNED)
+
+    def with_along(factor: Callable[[float], float]) -> Array:
+        """Give the part along the axis another factor than 1."""
+        return rows(lambda r, n, t: rotate(r, n, t) + (factor(t) - 1) * (r @ n) * n)
 
     hints = {
         "Your vectors turn clockwise.": when(
-            rows(across=-1), "Is it n before r in the cross product, or r before n?"
+            rows(lambda r, n, t: rotate(r, n, -t)),
+            "Is it n before r in the cross product, or r before n?",
         ),
         "Did you count the part along the axis twice?": when(
-            rows(kept=0),
+            with_along(lambda t: 1 + np.cos(t)),
             "cos θ r contains cos θ times that part already.",
         ),
         "The part along the axis is lost.": when(
-            rows(whole=0), "How much of r lies along n, and how much of it should remain?"
+            with_along(lambda t: 0), "How much of r lies along n, and how much of it should remain?"
         ),
         "Are your angles in degrees?": when(
-            rows(scale=np.pi / 180), "The functions of this book take radians."
+            rows(lambda r, n, t: rotate(r, n, np.deg2rad(t))),
+            "The functions of this book take radians.",
         ),
         "Your vectors go elsewhere.": otherwise(
             "Try a quarter turn of (3, 0, 0) about (1, 2, 2)/3, as in the first section."
         ),
     }
-    yield Part(rows(), hints)
+    yield Part(rows(rotate), hints)

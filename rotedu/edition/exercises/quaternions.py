@@ -312,29 +312,30 @@ def average_of_orientations() -> Iterator[Part]:
     yield Part(nearer(0.5, truth), hints)
 
 
-FACTORS = (
-    (1, [2, 3, 4], 5, [0, 1, -1]),
-    (0, [1, 0, 0], 0, [0, 1, 0]),
-    (2, [1, -1, 2], -1, [0, 3, 1]),
-)
+FACTORS = [
+    (w1, np.array(v1), w2, np.array(v2))
+    for w1, v1, w2, v2 in (
+        (1, [2, 3, 4], 5, [0, 1, -1]),
+        (0, [1, 0, 0], 0, [0, 1, 0]),
+        (2, [1, -1, 2], -1, [0, 3, 1]),
+    )
+]
 
 
 @exercise(
     "2.7",
     "a function of two numbers and two vectors that returns a number and a vector",
-    read=outcomes([(w1, np.array(v1), w2, np.array(v2)) for w1, v1, w2, v2 in FACTORS]),
+    read=outcomes(FACTORS),
 )
 def product_of_quaternions() -> Iterator[Part]:
     """The sixteen products of numbers and units stand in these two lines."""
 
     def rows(sign: int, crossed: int, own: bool = False) -> Array:
-        found = []
-        for w1, v1, w2, v2 in FACTORS:
-            first, second = np.array(v1), np.array(v2)
-            mixed = w1 * first + w2 * second if own else w1 * second + w2 * first
-            vector = mixed + crossed * np.cross(first, second)
-            found.append([w1 * w2 + sign * first @ second, *vector])
-        return np.array(found)
+        def product(w1: float, v1: Array, w2: float, v2: Array) -> list[Any]:
+            mixed = w1 * v1 + w2 * v2 if own else w1 * v2 + w2 * v1
+            return [w1 * w2 + sign * v1 @ v2, mixed + crossed * np.cross(v1, v2)]
+
+        return outcomes(FACTORS)(product)
 
     hints = {
         "Your dot product is added.": when(rows(1, 1), "What is the square of each unit?"),

@@ -16,7 +16,7 @@ from spheres import close
 from rotedu.cost import count
 from rotedu.edition import lean
 from rotedu.edition.ledger import LEDGER, PAGES, ledger, priced
-from rotedu.five_numbers import five_numbers
+from rotedu.five_numbers import five_numbers, matrix_from_five_numbers
 from rotedu.general_rotation import euler_angles
 from rotedu.motion import rotation_vector
 from rotedu.ordinary_rotation import axis_angle, rotation_matrix
@@ -53,6 +53,10 @@ WRITTEN: dict[str, tuple[Callable[[Rotation], Any], Callable[[Any], Rotation]]] 
     "matrix": (lambda r: r.as_matrix(), Rotation.from_matrix),
     "quaternion": (quaternion, lambda q: Rotation.from_quat(q, scalar_first=True)),
     "two columns": (lambda r: r.as_matrix()[:, :2], of_columns),
+    "five numbers of a map": (
+        lambda r: five_numbers(r.as_matrix()),
+        lambda x: Rotation.from_matrix(matrix_from_five_numbers(x)),
+    ),
 }
 
 
@@ -77,6 +81,8 @@ class TestFormulas:
                 close(formulas["matrix"](*given), a.as_matrix(), 1e-13)
             if name == "axis and angle":
                 close(formulas["repair"](1.1 * p[:3]), p[:3])
+            elif name == "five numbers of a map":
+                agrees(read(formulas["repair"](1.1 * p)), read(1.1 * p))
             elif "repair" in formulas:
                 agrees(read(formulas["repair"](1.1 * p)), a)
 
@@ -143,9 +149,13 @@ class TestFormulas:
         # 4 + 3 for the cosine, 1 + 1 for the sine, 2 + 1 for the shares, 8 + 4 for the sum.
         ("quaternion", "between", "15 + 9, 1 division, 1 root, 3 functions"),
         # Halves: 2; vector: 12 + 9; scalar: 4 + 3; its length: 3 + 2; a doubling: 1.
-        ("axis and angle", "compose", "22 + 14, 5 divisions, 1 root, 3 functions"),
+        ("axis and angle", "compose", "21 + 14, 3 divisions, 1 root, 3 functions"),
         ("axis and angle", "matrix", "10 + 11, 2 functions"),
         ("three angles", "matrix", "14 + 4, 6 functions"),
+        # Ten products, six sums and a division to two columns, 15 + 9 there.
+        ("five numbers of a map", "point", "25 + 15, 1 division"),
+        # Four inner angles: 4 products and 1 sum shared, 15 + 6 for five entries; 2 outer sums.
+        ("three angles", "compose", "19 + 9, 11 functions"),
     ],
 )
 def test_as_counted_by_hand(name: str, task: str, cost: str) -> None:

@@ -163,10 +163,10 @@ def sine_of_unit(half: Array) -> Any:
 
 
 def compose_turns(a: Array, b: Array) -> Array:
-    """Replace two turns by one, of up to 360 degrees; halves are divided by their sines."""
-    (n, cot), (m, other) = ((turn[:3], 1 / np.tan(0.5 * turn[3])) for turn in (a, b))
-    vector = other * n + cot * m + np.cross(n, m)
-    return whole(np.array([cot * other - np.dot(n, m), *vector]), length(vector))
+    """Replace two turns by one, of up to 360 degrees; halves are divided by their cosines."""
+    v, w = (np.tan(0.5 * turn[3]) * turn[:3] for turn in (a, b))
+    vector = v + w + np.cross(v, w)
+    return whole(np.array([1 - np.dot(v, w), *vector]), length(vector))
 
 
 def turn_about_axis(turn: Array, point: Array) -> Array:
@@ -286,7 +286,7 @@ def vector_on_arc(p: Array, across: Array, theta: Any, t: Any) -> Array:
     return vector_whole(half, sine_of_unit(half))
 
 
-# Three angles, and two columns.
+# Three angles, two columns, and five numbers of a map.
 
 
 def matrix_of_angles(u: Any, v: Any, w: Any) -> Array:
@@ -303,12 +303,14 @@ def matrix_of_angles(u: Any, v: Any, w: Any) -> Array:
 
 
 def compose_angles(a: Array, b: Array) -> Array:
-    """Replace two triples by one, by five entries of the product of their matrices."""
-    a, b = matrix_of_angles(*a), matrix_of_angles(*b)
-    m11, m21, m31 = a @ b[:, 0]
-    m32, m33 = np.dot(a[2], b[:, 1]), np.dot(a[2], b[:, 2])
-    cos = np.sqrt(m11 * m11 + m21 * m21)
-    return np.array([np.arctan2(m32, m33), np.arctan2(-m31, cos), np.arctan2(m21, m11)])
+    """Replace two triples by one: the outer angles add to those of the matrix between them."""
+    sin, cos = np.sin([a[0], a[1], b[1], b[2]]), np.cos([a[0], a[1], b[1], b[2]])
+    (su, sv, sy, sz), (cu, cv, cy, cz) = sin, cos
+    x, y, both = cz * cy, sz * cy, su * sz
+    share = su * y - cu * sy
+    m11, m21, m31 = cv * x + sv * share, cu * y + su * sy, cv * share - sv * x
+    m32, m33 = sv * sz + cv * (su * cz), cv * (both * sy + cu * cy) - sv * (cz * sy)
+    return np.array([np.arctan2(m32, m33) + b[0], -np.arcsin(m31), np.arctan2(m21, m11) + a[2]])
 
 
 def turn_by_two_columns(a: Array, b: Array) -> Array:
@@ -320,3 +322,29 @@ def repair_two_columns(a: Array) -> Array:
     """Straighten two columns by the method of Gram and Schmidt."""
     first = unit(a[:, 0])
     return np.stack([first, unit(a[:, 1] - np.dot(first, a[:, 1]) * first)], axis=1)
+
+
+def five_of_columns(a: Array) -> Array:
+    """Map two columns, of length sqrt(2) together, to five numbers."""
+    return np.asarray(1 / (np.sqrt(2) - a[0, 0]) * np.array([a[1, 0], a[2, 0], *a[:, 1]]))
+
+
+def columns_of_five(x: Array) -> Array:
+    """Find the point of the map."""
+    share = np.sqrt(8) / (np.dot(x, x) + 1)
+    return np.stack([np.array([np.sqrt(2) - share, *(share * x[:2])]), share * x[2:]], axis=1)
+
+
+def compose_five(x: Array, y: Array) -> Array:
+    """Replace two rotations by one."""
+    return five_of_columns(turn_by_two_columns(columns_of_five(x), columns_of_five(y)))
+
+
+def turn_by_five(x: Array, point: Array) -> Array:
+    """Turn a point."""
+    return turn_by_two_columns(columns_of_five(x), point)
+
+
+def repair_five(x: Array) -> Array:
+    """Straighten the two columns."""
+    return five_of_columns(repair_two_columns(columns_of_five(x)))

@@ -197,7 +197,9 @@ ARC = P, lean.unit(Q - np.dot(P, Q) * P), 0.6, PLACE
 """Two quaternions at right angles, the angle to go, and a place."""
 ARC_OF_MATRICES = A, B, A, 0.6, PLACE
 
-ROUTE = "by which way, and how often round"
+FIVE, NEXT_FIVE = (lean.five_of_columns(m[:, :2]) for m in (A, B))
+
+ROUTE = "which way round, and how many times"
 
 LEDGER = (
     Row(
@@ -336,6 +338,12 @@ LEDGER = (
         Found("nowhere", "beyond-five-numbers"),
         Found(ROUTE, "beyond-five-numbers"),
         "beyond-five-numbers",
+        {
+            "compose": (lean.compose_five, FIVE, NEXT_FIVE),
+            "point": (lean.turn_by_five, FIVE, POINT),
+            "many": (np.matmul, A, POINT),
+            "repair": (lean.repair_five, FIVE),
+        },
     ),
 )
 """The rows, in the order of their numbers and of the pages."""

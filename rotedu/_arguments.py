@@ -188,6 +188,20 @@ def _rotation_part(name: str, matrices: Array) -> Array:
     return rotations(name, matrices[..., :3, :3])
 
 
+def _poses(name: str, matrices: Array) -> Array:
+    if matrices.dtype == object:
+        return matrices
+    askew = (matrices[..., 3, :] != (0, 0, 0, 1)).any(axis=-1)
+    if askew.any():
+        raise ValueError(
+            f"{name} must be a rigid motion: its fourth row must be 0, 0, 0, 1, but is"
+            f" {', '.join(f'{x:.6g}' for x in matrices[askew][0, 3])}{place(askew)}"
+        )
+    poses = matrices.copy()
+    poses[..., :3, :3] = rotations(f"the upper left part of {name}", matrices[..., :3, :3])
+    return poses
+
+
 NUMBER = Kind(((),))
 VECTOR = Kind((("d",),), 1)
 VECTOR3 = Kind(((3,),), 1)
@@ -212,6 +226,8 @@ HomogeneousMatrix = Annotated[Array, Kind(((4, 4),), 2)]
 Matrix3 = Annotated[Array, Kind(((3, 3),), 2)]
 Rotation = Annotated[Array, Kind(((3, 3),), 2, prepare=rotations)]
 RotationOrPose = Annotated[Array, Kind(((3, 3), (4, 4)), 2, prepare=_rotation_part)]
+Pose = Annotated[Array, Kind(((4, 4),), 2, prepare=_poses)]
+Poses = Annotated[Array, Kind((("n", 4, 4),), 2, at_least(1, -3, _poses))]
 Control = Annotated[Array, Kind((("m", "d"),), 2, at_least(1, -2, unit_vectors))]
 ClosedPoints = Annotated[Array, Kind((("n", "d"),), 1, at_least(3, -2, unit_vectors, TO_CLOSE))]
 ClosedValues = Annotated[Array, Kind((("n", "d"),), 1, at_least(3, -2, why=TO_CLOSE))]

@@ -19,6 +19,7 @@ from rotedu._arguments import (
     NotZero,
     Number,
     OneOrThree,
+    Rotation,
     RotationOrPose,
     Unit3,
     Vector,
@@ -27,7 +28,8 @@ from rotedu._arguments import (
     prepared,
     rounding,
 )
-from rotedu._vectors import Array, axis_and_length, length, product
+from rotedu._vectors import Array, axis_and_length, length, product, times, transpose
+from rotedu.arcs import angle_between, refuse_antipodal, smallest_turn
 from rotedu.quaternions import Quaternion, joined, parts
 
 __all__ = [
@@ -44,6 +46,7 @@ __all__ = [
     "rotation_w",
     "scaling",
     "shearing",
+    "swing_twist",
     "translation",
 ]
 
@@ -282,6 +285,44 @@ def euler_angles(matrix: RotationOrPose) -> tuple[Number, Number, Number]:
     cw, sw = np.cos(w), np.sin(w)
     u = np.arctan2(sw * m13 - cw * m23, cw * m22 - sw * m12)
     return u, np.arctan2(-m31, cv), w
+
+
+@checked
+def swing_twist(matrix: Rotation, axis: Unit3) -> tuple[Rotation, Rotation]:
+    """Split a rotation into a twist about an axis and a swing of this axis after it.
+
+    Parameters
+    ----------
+    matrix : array_like, shape (..., 3, 3)
+        Rotation matrices.
+    axis : array_like, shape (..., 3)
+        Unit vectors, such as the direction of an upper arm.
+
+    Returns
+    -------
+    swing, twist : ndarray, shape (..., 3, 3)
+        Rotation matrices with the product ``swing @ twist``. The twist is about the axis; the swing
+        is the smallest rotation that takes the axis to where the matrix takes it.
+
+    Raises
+    ------
+    rotedu.errors.DegenerateError
+        If the axis is turned to its opposite (to half of the digits), because many swings do that.
+
+    References
+    ----------
+    Dobrowolski (2015), "Swing-twist decomposition in Clifford algebra", arXiv:1506.05481
+
+    Examples
+    --------
+    >>> swing, twist = swing_twist(matrix_from_euler_angles(0, 0.5, 0.25)[:3, :3], [0, 0, 1])
+    >>> print(np.arctan2(twist[1, 0], twist[0, 0]).round(12), np.arccos(swing[2, 2]).round(12))
+    0.25 0.5
+    """
+    swung = times(matrix, axis)
+    refuse_antipodal(angle_between(axis, swung), "axis and what it is turned to")
+    swing = smallest_turn(axis, swung)
+    return swing, product(transpose(swing), matrix)
 
 
 @checked

@@ -5,6 +5,7 @@ from typing import Any
 import numpy as np
 import pytest
 from scipy.spatial import geometric_slerp
+from scipy.spatial.transform import Rotation
 from spheres import (
     E1,
     E2,
@@ -19,7 +20,14 @@ from spheres import (
 )
 from symbolic import symbolic, vanishes
 
-from rotedu.arcs import angle_between, arc_axis, nlerp, slerp, slerp_by_rotation
+from rotedu.arcs import (
+    angle_between,
+    arc_axis,
+    nlerp,
+    rotation_between,
+    slerp,
+    slerp_by_rotation,
+)
 from rotedu.control_points import bisect, bisect_by_rotation
 from rotedu.ordinary_rotation import rotate
 
@@ -148,3 +156,37 @@ class TestProofs(TwoPoints):
     def test_slerp_by_rotation_is_5_2(self) -> None:
         rotated = slerp_by_rotation(self.p, self.q, symbolic(self.t))
         assert vanishes(self.back(rotated) - self.of_5_2(self.t))
+
+
+class TestFromOneDirectionToAnother:
+    def test_is_the_turn_about_the_arc_s_axis(self) -> None:
+        a, b = PAIRS
+        found = rotation_between(a, b)
+        axis, angle = arc_axis(a, b), angle_between(a, b)
+        close(found, Rotation.from_rotvec(angle[:, None] * axis).as_matrix(), 1e-13)
+        close(np.einsum("nij,nj->ni", found, a), b, 1e-15)
+        close(rotation_between(a, b, axis=E1), found, 0)
+
+    @pytest.mark.parametrize("rest", [1e-12, 1e-7, 1e-6, 1e-3, 1])
+    def test_stays_a_rotation_near_0_and_pi(self, rest: float) -> None:
+        start = random_units(300, 3)
+        across = np.cross(start, random_units(300, 3))
+        across /= np.linalg.norm(across, axis=1, keepdims=True)
+        for sign in (1, -1):
+            if sign < 0 and rest < 1e-7:
+                continue
+            end = sign * np.cos(rest) * start + np.sin(rest) * across
+            found = rotation_between(start, end)
+            close(found.swapaxes(1, 2) @ found, np.broadcast_to(np.eye(3), found.shape), 3e-15)
+            close(np.einsum("nij,nj->ni", found, start), end, 2e-15)
+
+    def test_opposite_directions_need_an_axis(self) -> None:
+        close(rotation_between(E1, -E1, axis=[3, 0, 4]), np.diag([-1, -1, 1]))
+        almost = [-1, 1e-9, 2e-9]
+        found = rotation_between(E1, almost, axis=E3)
+        close(found @ E1, almost, 1e-16)
+        close(found, np.diag([-1, -1, 1]), 4e-9)
+        refuses("a and b are antipodal", rotation_between, E1, -E1)
+        refuses("a and b at index (1,) are antipodal", rotation_between, E1, [E2, -E1])
+        refuses("axis is along a: it leaves open", rotation_between, E1, -E1, E1)
+        refuses("axis at index (1,) is along a", rotation_between, E1, [E2, -E1], E1)

@@ -19,6 +19,7 @@ from rotedu.general_rotation import perspective
 from rotedu.ordinary_rotation import axis_angle, rotate, rotation_matrix
 from rotedu.orientation_curves import closed_rotation_curve
 from rotedu.quaternions import Quaternion
+from rotedu.rigid_motion import DualQuaternion
 
 # The warnings about unstable curves have tests of their own.
 pytestmark = pytest.mark.filterwarnings("ignore:.* are almost .*:UserWarning")
@@ -37,11 +38,13 @@ MODULES = [
         "orientations",
         "motion",
         "averages",
+        "rigid_motion",
         "five_numbers",
     )
 ]
 PUBLIC = {name: getattr(module, name) for module in MODULES for name in module.__all__}
 METHODS = {
+    "DualQuaternion.from_matrix": DualQuaternion.from_matrix,
     "from_axis_angle": Quaternion.from_axis_angle,
     "from_matrix": Quaternion.from_matrix,
     "Quaternion.rotate": Quaternion(np.float32(1), np.ones(3, "f4")).rotate,
@@ -51,6 +54,9 @@ TURN, THREE = {"matrix": np.eye(3)}, np.stack([np.eye(3)] * 3)
 TWO = {"r1": np.eye(3), "r2": np.eye(3)}
 PAIR = {"p": E1, "q": [0, 0.6, 0.8]}
 EULER = {"u": 1, "v": 1, "w": 1}
+POSE = {"matrix": np.array([[0.8, -0.6, 0, 0.1], [0.6, 0.8, 0, 0.2], [0, 0, 1, 0.3], [0, 0, 0, 1]])}
+MOTIONS = {"m1": np.eye(4), "m2": POSE["matrix"], "t": 0.5}
+BONES = {"matrices": np.stack([np.eye(4), POSE["matrix"]]), "weights": [0.25, 0.75]}
 ANGLE, VECTOR = {"angle": 1}, {"v": [1, 2, 3]}
 CURVE = {"points": np.eye(3), "fraction": 0.5}
 BEZIER = {"control": np.eye(3), "u": 0.5}
@@ -89,12 +95,19 @@ GOOD: dict[str, dict[str, Any]] = {
     "look_at": {"direction": E1, "up": [0, 0.6, 0.8]},
     "mean_rotation": {"rotations": THREE, "weights": [1, 2, 3]},
     **dict.fromkeys(["angular_distance", "chordal_distance"], TWO),
+    "rotation_between": {"a": E1, "b": [0, 0.6, 0.8], "axis": E3},
+    "swing_twist": TURN | {"axis": E3},
+    "DualQuaternion.from_matrix": POSE,
+    "screw": POSE,
+    **dict.fromkeys(["screw_motion", "straight_motion"], MOTIONS),
+    **dict.fromkeys(["blend_matrices", "blend_dual_quaternions"], BONES),
     "matrix_from_two_columns": {"a": E1, "b": [0, 0.6, 0.8]},
     "five_numbers": {"rotation": np.eye(3)},
     "matrix_from_five_numbers": {"numbers": [0, 0, 0, 1 + 2**0.5, 0]},
 }
 NEED_LAPACK = {"nearest_rotation", "mean_rotation", "periodic_spline"}
 ARGUMENTS = [(f, name) for f, arguments in GOOD.items() for name in arguments]
+OPTIONAL = [("mean_rotation", "weights"), ("rotation_between", "axis")]
 # Arguments whose length has no meaning, or which must be points of the sphere.
 DIRECTIONS = [
     (f, name)
@@ -113,6 +126,8 @@ def results(f: str, **arguments: Any) -> tuple[Any, ...]:
     result = FUNCTIONS[f](**GOOD[f] | arguments)
     if isinstance(result, Quaternion):
         result = result.components
+    if isinstance(result, DualQuaternion):
+        result = result.real.components, result.dual.components
     return tuple(map(np.asarray, result if isinstance(result, tuple | list) else (result,)))
 
 
@@ -132,6 +147,9 @@ class TestShapes:
     def test_a_leading_axis_is_a_loop(self, f: str, name: str) -> None:
         good = np.asarray(GOOD[f][name], float)
         other = np.roll(good, 1, axis=-1) if good.ndim else good + 0.25
+        if good.shape[-2:] == (4, 4):
+            other = np.concatenate([np.roll(good[..., :3], 1, axis=-1), good[..., 3:] / 2], -1)
+            other[..., 3, 3] = 1
         several = np.array([good, other, other])
         loop = zip(*(results(f, **{name: one}) for one in several), strict=True)
         for found, expected in zip(results(f, **{name: several}), loop, strict=True):
@@ -237,6 +255,7 @@ TAKE_ROTATIONS = [
     for f, name in ARGUMENTS
     if name in ("matrix", "r1", "r2", "rotation", "rotations")
     and f not in ("transform", "homogeneous", "nearest_rotation", "matrix_steps")
+    and "rigid_motion" not in FUNCTIONS[f].__module__
 ]
 
 
@@ -283,7 +302,7 @@ class TestListings:
 
     def test_every_public_function_is_checked_by_its_annotations(self) -> None:
         plain = {name for name, f in PUBLIC.items() if not hasattr(f, "__wrapped__")}
-        assert plain == {"Quaternion", "compose"}
+        assert plain == {"Quaternion", "DualQuaternion", "compose"}
 
     def test_what_was_checked_is_not_checked_again(self, monkeypatch: pytest.MonkeyPatch) -> None:
         seen = []
@@ -364,12 +383,12 @@ BAD: dict[str, list[tuple[dict[str, Any], str]]] = {
 
 class TestRefusals:
     def test_everything_public_is_tested_here(self) -> None:
-        assert FUNCTIONS.keys() - {"compose"} == GOOD.keys()
+        assert FUNCTIONS.keys() - {"compose", "DualQuaternion"} == GOOD.keys()
 
     @pytest.mark.parametrize(("f", "name"), ARGUMENTS)
     def test_neither_numbers_nor_finite(self, f: str, name: str) -> None:
         for value in NOT_NUMBERS:
-            if name == "weights" and value is None:
+            if (f, name) in OPTIONAL and value is None:
                 continue
             wanted = f"ValueError: {name} must be an array of real numbers; got "
             assert refusal(f, **{name: value}).startswith(wanted), value

@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 from scipy.spatial.transform import Rotation
-from spheres import E1, E2, E3, Array, close
+from spheres import E1, E2, E3, Array, close, random_units, refuses
 from symbolic import matrix, symbolic
 
 from rotedu.cost import OperationCount, count
@@ -29,6 +29,7 @@ from rotedu.general_rotation import (
     rotation_w,
     scaling,
     shearing,
+    swing_twist,
     translation,
 )
 from rotedu.ordinary_rotation import rotation_matrix, transform
@@ -285,3 +286,34 @@ class TestProofs:
         sums = matrix(quaternion_from_euler_angles(u, v, w).components)
         assert (matrix((qw * qv * qu).components) - sums).expand() == sp.zeros(4, 1)
         assert (matrix((qu * qv * qw).components) - sums).expand() != sp.zeros(4, 1)
+
+
+class TestSwingAndTwist:
+    turns = Rotation.random(500, rng=RNG)
+    axes = random_units(500, 3, rng=RNG)
+
+    def test_the_swing_has_no_twist_and_the_twist_no_swing(self) -> None:
+        m = self.turns.as_matrix()
+        swing, twist = swing_twist(m, self.axes)
+        close(swing @ twist, m, 1e-14)
+        close(np.einsum("nij,nj->ni", twist, self.axes), self.axes, 1e-13)
+        turned = Rotation.from_matrix(swing).as_rotvec()
+        close(np.sum(turned * self.axes, axis=1), 0, 1e-12)
+        again, rest = swing_twist(swing, self.axes)
+        close(again, swing, 1e-13)
+        close(rest, np.broadcast_to(np.eye(3), rest.shape), 1e-13)
+
+    def test_against_the_quaternion_whose_other_components_are_dropped(self) -> None:
+        q = self.turns.as_quat(scalar_first=True)
+        along = np.sum(q[:, 1:] * self.axes, axis=1, keepdims=True) * self.axes
+        twist = Rotation.from_quat(np.concatenate([q[:, :1], along], axis=1), scalar_first=True)
+        found = swing_twist(self.turns.as_matrix(), self.axes)
+        close(found[1], twist.as_matrix(), 1e-12)
+        close(found[0], (self.turns * twist.inv()).as_matrix(), 1e-12)
+
+    def test_half_a_turn_of_the_axis(self) -> None:
+        message = "axis and what it is turned to are antipodal"
+        refuses(message, swing_twist, np.diag([-1, -1, 1]), E1)
+        swing, twist = swing_twist(np.diag([-1, -1, 1]), E3)
+        close(swing, np.eye(3))
+        close(twist, np.diag([-1, -1, 1]))

@@ -16,7 +16,7 @@ from node import run_cases
 from oracles.averages import singular_values
 from spheres import Array, random_units, with_inner_control_points
 
-from rotedu.arcs import angle_between, arc_axis, nlerp, slerp
+from rotedu.arcs import angle_between, arc_axis, nlerp, rotation_between, slerp
 from rotedu.closed_curve import closed_curve, de_casteljau, de_casteljau_levels
 from rotedu.control_points import bisect, control_points, double
 from rotedu.errors import DegenerateError
@@ -25,6 +25,7 @@ from rotedu.ordinary_rotation import axis_angle, rotate, rotation_matrix, transf
 from rotedu.orientation_curves import closed_rotation_curve, periodic_spline, squad
 from rotedu.orientations import nearest_rotation, slerp_rotations
 from rotedu.quaternions import Quaternion
+from rotedu.rigid_motion import blend_dual_quaternions, blend_matrices
 
 SEED = int(os.environ.get("ROTATIONS_SEED") or secrets.randbits(32))
 DIMENSIONS = (2, 3, 4, 7)
@@ -39,6 +40,10 @@ def of_components(q: Any) -> Quaternion:
 
 def euler_matrix(u: float, v: float, w: float) -> Array:
     return matrix_from_euler_angles(u, v, w)[:3, :3]
+
+
+def with_last_row(poses: Any) -> Array:
+    return np.concatenate([poses, np.tile([[[0, 0, 0, 1]]], (len(poses), 1, 1))], axis=1)
 
 
 PYTHON: dict[str, Callable[..., Any]] = {
@@ -76,13 +81,14 @@ PYTHON: dict[str, Callable[..., Any]] = {
     "conjugate": lambda q: of_components(q).conjugate().components,
     "quaternionMatrix": lambda q: of_components(q).matrix(),
     "quaternionFromMatrix": lambda m: Quaternion.from_matrix(m).components,
+    "rotationBetween": rotation_between,
+    "blendMatrices": lambda m, *given: blend_matrices(with_last_row(m), *given)[:3],
+    "blendDualQuaternions": lambda m, w: blend_dual_quaternions(with_last_row(m), w)[:3],
     "rotateByQuaternion": lambda q, point: of_components(q).rotate(point),
 }
 # Where moving the arguments a little may move the result a lot.
-SENSITIVE = (
-    "slerp nlerp bisect arcAxis deCasteljau deCasteljauLevels controlPoints closedCurve squad"
-)
-SENSITIVE += " closedRotationCurve nearestRotation"
+SENSITIVE = "slerp nlerp bisect arcAxis rotationBetween deCasteljau deCasteljauLevels"
+SENSITIVE += " controlPoints closedCurve squad closedRotationCurve nearestRotation"
 
 
 @dataclass
@@ -186,7 +192,14 @@ def in_three_dimensions(rng: np.random.Generator) -> Iterator[Case]:
     yield Case("transform", [a, v])
     yield Case("product", [a, b])
     yield Case("transpose", [a])
-    yield from calls("arcAxis", *map(list, pairs(rng, 3)))
+    yield from calls("arcAxis rotationBetween", *map(list, pairs(rng, 3)))
+    turns = rotation_matrix(rng.normal(size=(3, 3)), rng.uniform(0, 1.4, 3))
+    poses, shares = (
+        np.concatenate([turns, rng.normal(size=(3, 3, 1))], axis=2),
+        rng.uniform(0, 1, 3),
+    )
+    yield from calls("blendMatrices blendDualQuaternions", [poses, shares], [poses[:2], [1, 0]])
+    yield Case("blendMatrices", [poses, shares, True])
     yield from calls("axisAngle", *([scale * np.eye(3)] for scale in (1, 1 + 1.4e-8, 1 + 4.9e-4)))
     # What rounding leaves of a component does not choose between the axes of half a turn.
     yield Case("axisAngle", [[[-1, -1e-17, 0], [-1e-17, 1, 0], [0, 0, -1]]])
@@ -224,8 +237,11 @@ def without_answer(rng: np.random.Generator) -> Iterator[Case]:
     m = rotation_matrix(r, rng.uniform(-3, 3))
     for opposite in (-p, partner(rng, p, np.pi - 1e-9)):
         yield from calls("slerp nlerp", [p, opposite, 0.5])
-        yield from calls("bisect arcAxis", [p, opposite])
+        yield from calls("bisect arcAxis rotationBetween", [p, opposite])
     yield Case("arcAxis", [p, 3 * p])
+    half = np.stack([np.eye(3, 4), np.eye(3, 4) * [[1], [-1], [-1]]])
+    yield Case("blendDualQuaternions", [half, [1, 1]])
+    yield Case("blendMatrices", [half, [1, 1], True])
     yield Case("slerpRotations", [m, m @ rotation_matrix(p, np.pi), 0.5])
     yield from calls("deCasteljau deCasteljauLevels", [[r, q, p, -p], 0.5], [[p, q, q], -1])
     back = [p, q, -double(p, q), r], [p, partner(rng, p, rng.uniform(1.7, 3)), p, r]

@@ -21,6 +21,7 @@ from rotedu.scenes import (
     orientation_curves,
     orientations,
     quaternions,
+    rigid_motion,
     shapes,
 )
 from rotedu.scenes.arcs import *
@@ -38,6 +39,7 @@ from rotedu.scenes.ordinary_rotation import *
 from rotedu.scenes.orientation_curves import *
 from rotedu.scenes.orientations import *
 from rotedu.scenes.quaternions import *
+from rotedu.scenes.rigid_motion import *
 from rotedu.scenes.shapes import *
 
 __all__ = [
@@ -56,5 +58,6 @@ __all__ = [
     *orientation_curves.__all__,
     *orientations.__all__,
     *quaternions.__all__,
+    *rigid_motion.__all__,
     *shapes.__all__,
 ]

@@ -13,3 +13,4 @@ export * from "./ordinary_rotation.js";
 export * from "./orientation_curves.js";
 export * from "./orientations.js";
 export * from "./quaternions.js";
+export * from "./rigid_motion.js";

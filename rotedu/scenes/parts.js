@@ -75,6 +75,16 @@ export function turning(point, axis, angle, steps) {
   return spread(steps + 1).map((x) => rotate(point, axis, x * angle));
 }
 
+/** Of how many sides a round skin is made, and two of which make a stripe. */
+export const SIDES = 16;
+
+/** Every second stripe along a skin of rings, for `shapes.stripes`. */
+export function stripes(rings, first) {
+  return [0, 1, 2, 3].flatMap((k) =>
+    [0, 1, 2].flatMap((side) => rings.map((ring) => ring[(4 * k + first + side) % SIDES])),
+  );
+}
+
 /** The sixteen numbers, by columns, that turn a part by a 3x3 matrix, enlarge it and put it in a place. */
 export function placing(matrix, place, size = 1) {
   const scaledColumns = transpose(matrix).map((column) => scaled(size, column));

@@ -7,9 +7,11 @@ import {
   lamp,
   ORIGIN,
   placing,
+  SIDES,
   scaled,
   shown,
   spread,
+  stripes,
   turning,
   U,
   V,
@@ -27,8 +29,10 @@ import {
   quaternionProduct,
   rotate,
   rotateByQuaternion,
+  rotationBetween,
   rotationMatrix,
   slerp,
+  transform,
   transpose,
   unit,
 } from "./rotations.js";
@@ -63,7 +67,7 @@ const [SPOON, BAR, WIDTH, STEM, REACH] = [0.5, [0, 0, 1.45], 0.13, 0.06, 0.46];
 // The middle of the plate, the direction of the arm at rest, and where it yields first.
 const TRAY = scaled(-2.42, ACROSS);
 const ARM = unit(combine(-1, ACROSS, -0.15, W));
-const [WRIST, THICK, SIDES] = [0.55, 0.09, 16];
+const [WRIST, THICK] = [0.55, 0.09];
 const TINY = 1e-12;
 
 /** A point off the axis. */
@@ -341,10 +345,6 @@ export function plateAndArm({ turns }, { plate, reach }) {
   const places = spread(81).map((t) => reach * t);
   const turned = shells(turns, turns / 2, ACROSS, places, [WRIST, reach]);
   const skin = roundArm(turned, places);
-  const stripes = (first) =>
-    [0, 1, 2, 3].flatMap((k) =>
-      [0, 1, 2].flatMap((side) => skin.map((ring) => ring[(4 * k + first + side) % SIDES])),
-    );
   const { axes, shares } = turnsOf(turned);
   const path = axes.map((axis, i) => scaled(shares[i], axis));
   const drawn = pieces(path);
@@ -353,8 +353,8 @@ export function plateAndArm({ turns }, { plate, reach }) {
     parts: {
       plate: { matrix: placing(rotationMatrix(W, angle), TRAY) },
       spoon: { matrix: placing(rotationMatrix(W, angle), TRAY) },
-      "one half": { points: stripes(0) },
-      "other half": { points: stripes(2) },
+      "one half": { points: stripes(skin, 0) },
+      "other half": { points: stripes(skin, 2) },
       shoulder: { at: combine(1, TRAY, reach, ARM) },
       path: shown(drawn.length && { paths: drawn }),
       end: { at: path[0] },
@@ -383,15 +383,10 @@ function roundArm(turned, places) {
     const [before, after] = [middle[i - 1] ?? point, middle[i + 1] ?? point];
     const tangent = unit(combine(1, after, -1, before));
     const outwards = rotateByQuaternion(turned[i], ARM);
-    const onto = smallestTurn(outwards, tangent);
-    return sides.map((side) => combine(1, point, THICK, onto(rotateByQuaternion(turned[i], side))));
+    const onto = rotationBetween(outwards, tangent);
+    const at = (side) => transform(onto, rotateByQuaternion(turned[i], side));
+    return sides.map((side) => combine(1, point, THICK, at(side)));
   });
-}
-
-/** The smallest turn that takes a direction to another, which is not opposite. */
-function smallestTurn(from, to) {
-  const [cos, axis] = [dot(from, to), cross(from, to)];
-  return (v) => combine(1, combine(cos, v, 1, cross(axis, v)), dot(axis, v) / (1 + cos), axis);
 }
 
 /** Twice round the rim of the plate, a little wider at the end: two turns have two ends. */

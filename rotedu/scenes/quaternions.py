@@ -20,7 +20,7 @@ from rotedu.scenes.parts import (
     add_sphere,
     new_scene,
 )
-from rotedu.scenes.shapes import ORIGIN, U, W, lathe, teaspoon, triangle_mesh
+from rotedu.scenes.shapes import ORIGIN, U, W, lathe, strip, stripes, teaspoon, triangle_mesh
 
 __all__ = [
     "grab_the_spoon",
@@ -434,21 +434,3 @@ def add_ball_of_turns(plotter: pyvista.Plotter, state: State) -> None:
 def rectangle(corners: ArrayLike) -> pyvista.PolyData:
     """Span a rectangle between its corners, shape (4, 3)."""
     return triangle_mesh(corners, [[0, 1, 2], [0, 2, 3]])
-
-
-def strip(sides: ArrayLike) -> pyvista.PolyData:
-    """Span a surface between two lines, one after the other, shape (2 n, 3)."""
-    n = len(np.asarray(sides)) // 2
-    k = np.arange(n - 1)
-    triangles = np.vstack(
-        [np.column_stack([k, k + 1, n + k]), np.column_stack([k + 1, n + k + 1, n + k])]
-    )
-    return triangle_mesh(sides, triangles)
-
-
-def stripes(sides: ArrayLike) -> pyvista.PolyData:
-    """Span four surfaces across three lines each, one after the other, shape (12 n, 3)."""
-    lines = np.reshape(sides, (4, 3, -1, 3))
-    pairs = np.stack([lines[:, :2], lines[:, 1:]], axis=2).reshape(8, -1, 3)
-    surface: pyvista.PolyData = pyvista.merge([strip(pair) for pair in pairs])
-    return surface

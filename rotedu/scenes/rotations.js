@@ -160,6 +160,24 @@ export function arcAxis(p, q) {
   return unit(cross(combine(1, p, 1, q), chord));
 }
 
+/** The smallest rotation that takes a direction to another: `rotedu.arcs.rotation_between`. */
+export function rotationBetween(a, b) {
+  [a, b] = units([a, b]);
+  refuseAntipodal(theta(a, b), "a and b");
+  const chord = combine(1, b, -1, a);
+  const sum = combine(1, a, 1, b);
+  // As in an arc.
+  const middle = combine(1, sum, -dot(sum, chord) / 4, chord);
+  const v = scaled(1 / 2, cross(middle, chord));
+  const [cos, share] = [1 - dot(chord, chord) / 2, 2 / dot(middle, middle)];
+  const skew = [
+    [cos, -v[2], v[1]],
+    [v[2], cos, -v[0]],
+    [-v[1], v[0], cos],
+  ];
+  return skew.map((row, i) => combine(1, row, share * v[i], v));
+}
+
 /** Rotate a point about an axis (3-1): `rotedu.ordinary_rotation.rotate`. */
 export function rotate(point, axis, angle) {
   const n = unit(axis);
@@ -330,6 +348,41 @@ export function rotateByQuaternion(q, point) {
   return combine(1, combine(1, point, w, twice), 1, cross(v, twice));
 }
 
+// Rigid motions, of which the fourth row is left out.
+
+/** Average poses entry by entry: `rotedu.rigid_motion.blend_matrices`. */
+export function blendMatrices(poses, weights, repair = false) {
+  const mean = weighted(
+    poses.map((pose) => pose.flat()),
+    shares(weights),
+  );
+  const rows = [mean.slice(0, 4), mean.slice(4, 8), mean.slice(8, 12)];
+  if (!repair) return rows;
+  const turn = nearestRotation(rows.map((row) => row.slice(0, 3)));
+  return rows.map((row, i) => [...turn[i], row[3]]);
+}
+
+/** Average poses as dual quaternions: `rotedu.rigid_motion.blend_dual_quaternions`. */
+export function blendDualQuaternions(poses, weights) {
+  const real = poses.map((pose) => quaternionFromMatrix(pose.map((row) => row.slice(0, 3))));
+  const dual = poses.map((pose, i) =>
+    scaled(1 / 2, quaternionProduct([0, ...pose.map((row) => row[3])], real[i])),
+  );
+  const leader = real[weights.indexOf(Math.max(...weights))];
+  const agreement = real.map((q) => dot(q, leader));
+  const apart = agreement.findIndex(
+    (cos, i) => weights[i] > 0 && Math.abs(cos) <= 32 * Number.EPSILON,
+  );
+  if (apart >= 0) {
+    const those = `matrices at index (${apart},) are half a turn from those of the largest weight`;
+    throw new DegenerateError(`${those}: no unique sign`);
+  }
+  const signed = shares(weights).map((share, i) => (agreement[i] < 0 ? -share : share));
+  const [q, d] = [real, dual].map((part) => weighted(part, signed));
+  const step = scaled(2 / dot(q, q), quaternionProduct(d, conjugate(q)).slice(1));
+  return quaternionMatrix(q).map((row, i) => [...row, step[i]]);
+}
+
 // What the exports share. Their points are of length 1 already.
 
 const theta = (p, q) => 2 * Math.atan2(length(combine(1, q, -1, p)), length(combine(1, p, 1, q)));
@@ -352,6 +405,12 @@ function arc(p, q, t) {
 const reflected = (p, q) => combine(2 * dot(p, q), q, -1, p);
 
 const scaled = (factor, v) => v.map((x) => factor * x);
+
+/** Scale weights to the sum 1. */
+const shares = (weights) => scaled(1 / weights.reduce((sum, x) => sum + x, 0), weights);
+
+const weighted = (vectors, weights) =>
+  vectors.reduce((sum, v, i) => combine(1, sum, weights[i], v), scaled(0, vectors[0]));
 
 const nextLevel = (level, u) => level.slice(1).map((q, j) => arc(level[j], q, u));
 

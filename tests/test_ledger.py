@@ -10,17 +10,18 @@ import pytest
 from bs4 import BeautifulSoup
 from docutils import nodes
 from docutils.core import publish_doctree, publish_from_doctree
-from scipy.spatial.transform import Rotation, RotationSpline, Slerp
+from scipy.spatial.transform import RigidTransform, Rotation, RotationSpline, Slerp
 from spheres import close
 
 from rotedu.cost import count
 from rotedu.edition import lean
 from rotedu.edition.ledger import LEDGER, PAGES, ledger, priced
 from rotedu.five_numbers import five_numbers, matrix_from_five_numbers
-from rotedu.general_rotation import euler_angles
+from rotedu.general_rotation import euler_angles, homogeneous
 from rotedu.motion import rotation_vector
 from rotedu.ordinary_rotation import axis_angle, rotation_matrix
 from rotedu.quaternions import Quaternion
+from rotedu.rigid_motion import DualQuaternion, blend_dual_quaternions, blend_matrices
 
 sys.path.append(str(Path(__file__).parents[1] / "book" / "_ext"))
 from listings_and_tables import MarkLedger
@@ -129,6 +130,44 @@ class TestFormulas:
         assert (cost.multiplications, cost.additions) == (51, 33)
 
 
+class TestRigidMotions:
+    def test_formulas(self) -> None:
+        for a, b in PAIRS:
+            steps, r = RNG.normal(size=(2, 3)), RNG.normal(size=3)
+            m, n = (
+                RigidTransform.from_components(t, x) for t, x in zip(steps, (a, b), strict=True)
+            )
+            p, q = (dual_numbers(x.as_matrix()).reshape(2, 4) for x in (m, n))
+            both = lean.compose_dual_quaternions(p, q)
+            close(lean.move_by_dual_quaternion(both, r), (m * n).apply(r), 1e-13)
+            rows = [x.as_matrix()[:3] for x in (m, n)]
+            close(lean.compose_poses(*rows), (m * n).as_matrix()[:3], 1e-14)
+            bones, share = np.stack([m.as_matrix(), n.as_matrix()]), RNG.uniform()
+            for skin, given, blend in (
+                (lean.skin_by_poses, rows, blend_matrices),
+                (lean.skin_by_dual_quaternions, (p, q), blend_dual_quaternions),
+            ):
+                pose = blend(bones, [share, 1 - share])
+                close(skin(*given, share, 1 - share, r), pose[:3, :3] @ r + pose[:3, 3], 1e-12)
+
+    def test_costs_that_page_c_names(self) -> None:
+        """Of 12 entries two products and a sum each; of 8 numbers the same, and their sign."""
+        rows, dual = np.ones((3, 4)), np.ones((2, 4))
+        for formula, given, cost in (
+            (lean.compose_poses, (rows, rows), "33 + 24"),
+            (lean.move_by_pose, (rows, np.ones(3)), "9 + 9"),
+            (lean.compose_dual_quaternions, (dual, dual), "48 + 40"),
+            (lean.move_by_dual_quaternion, (dual, np.ones(3)), "24 + 21"),
+            (lean.skin_by_poses, (rows, rows, 0.5, 0.5, np.ones(3)), "33 + 21"),
+            (
+                lean.skin_by_dual_quaternions,
+                (dual, dual, 0.5, 0.5, np.ones(3)),
+                "48 + 35, 1 division",
+            ),
+        ):
+            assert priced(count(formula, *given)).replace("\N{NO-BREAK SPACE}", " ") == cost
+
+
 @pytest.mark.parametrize(
     ("name", "task", "cost"),
     [
@@ -189,7 +228,13 @@ NUMBERS: dict[str, Callable[[Array], Array]] = {
     "direction": lambda m: m[..., 0],
     "two columns": lambda m: m[..., :2].reshape(*m.shape[:-2], 6),
     "five numbers of a map": five_numbers,
+    "dual quaternion, of a turn and a step": lambda m: dual_numbers(homogeneous(m)),
 }
+
+
+def dual_numbers(poses: Array) -> Array:
+    d = DualQuaternion.from_matrix(poses)
+    return np.concatenate([d.real.components, d.dual.components], axis=-1)
 
 
 def largest_jump(name: str, matrices: Array) -> float:
@@ -212,6 +257,7 @@ JUMPS = [
     ("axis and angle", about([1, 2, 2], 179.9, 180.1)),
     ("rotation vector", about([1, 2, 2], 179.9, 180.1)),
     ("quaternion", about([1, 2, 2], 179.9, 180.1)),
+    ("dual quaternion, of a turn and a step", about([1, 2, 2], 179.9, 180.1)),
 ]
 
 

@@ -348,3 +348,49 @@ def turn_by_five(x: Array, point: Array) -> Array:
 def repair_five(x: Array) -> Array:
     """Straighten the two columns."""
     return five_of_columns(repair_two_columns(columns_of_five(x)))
+
+
+# Rigid motions: dual quaternions are two quaternions, poses are three rows of four.
+
+
+def compose_dual_quaternions(a: Array, b: Array) -> Array:
+    """Multiply two dual quaternions, shape (2, 4), with eps^2 = 0."""
+    (p, c), (q, d) = a, b
+    real = compose_quaternions(p, q)
+    return np.stack([real, compose_quaternions(p, d) + compose_quaternions(c, q)])
+
+
+def move_by_dual_quaternion(a: Array, point: Array) -> Array:
+    """Move a point: r + 2 (v x (v x r + w r + d) + w d - d_0 v), [d_0, d] the dual part."""
+    (w, *v), (d0, *d) = a
+    return np.asarray(point + 2 * moved_aside(w, np.array(v), d0, np.array(d), point))
+
+
+def moved_aside(w: Any, v: Array, d0: Any, d: Array, point: Array) -> Array:
+    """Find half of what a dual quaternion of length 1 adds to a point."""
+    return np.asarray(np.cross(v, np.cross(v, point) + w * point + d) + w * d - d0 * v)
+
+
+def move_by_pose(pose: Array, point: Array) -> Array:
+    """Move a point by three rows of a 4x4 matrix."""
+    return np.asarray(pose[:, :3] @ point + pose[:, 3])
+
+
+def compose_poses(a: Array, b: Array) -> Array:
+    """Multiply two rigid motions."""
+    return np.concatenate(
+        [compose_matrices(a[:, :3], b[:, :3]), move_by_pose(a, b[:, 3])[:, np.newaxis]], axis=1
+    )
+
+
+def skin_by_poses(a: Array, b: Array, share: Any, other: Any, point: Array) -> Array:
+    """Move a vertex by the mean of two bones' matrices."""
+    return move_by_pose(share * a + other * b, point)
+
+
+def skin_by_dual_quaternions(a: Array, b: Array, share: Any, other: Any, point: Array) -> Array:
+    """Move a vertex by the mean of two bones' dual quaternions, which may have any signs."""
+    other = other if np.dot(a[0], b[0]) > 0 else -other
+    (w, *v), (d0, *d) = mean = share * a + other * b
+    half = moved_aside(w, np.array(v), d0, np.array(d), point)
+    return np.asarray(point + 2 / np.dot(mean[0], mean[0]) * half)

@@ -19,7 +19,13 @@ from rotedu.edition.notebook import Table
 
 __all__ = ["LEDGER", "TASKS", "Found", "Row", "cost_table", "ledger", "priced"]
 
-PAGES = (*CHAPTERS, "beyond-motion", "beyond-averages", "beyond-five-numbers")
+PAGES = (
+    *CHAPTERS,
+    "beyond-motion",
+    "beyond-averages",
+    "beyond-rigid-motion",
+    "beyond-five-numbers",
+)
 
 TASKS = {
     "compose": "compose two",
@@ -198,6 +204,7 @@ ARC = P, lean.unit(Q - np.dot(P, Q) * P), 0.6, PLACE
 ARC_OF_MATRICES = A, B, A, 0.6, PLACE
 
 FIVE, NEXT_FIVE = (lean.five_of_columns(m[:, :2]) for m in (A, B))
+DUAL, NEXT_DUAL = (np.stack([q, lean.compose_quaternions(np.array([0, *V]), q)]) for q in (P, Q))
 
 ROUTE = "which way round, and how many times"
 
@@ -316,6 +323,18 @@ LEDGER = (
         Found("the roll", "05-orientations"),
         "05-arcs",
         {"between": (lean.quaternion_between, lean.unit(V), lean.unit(W), PLACE)},
+    ),
+    Row(
+        "dual quaternion, of a turn and a step",
+        (8, 2),
+        "beyond-rigid-motion",
+        Found("everywhere, by two names, as the quaternion", "beyond-rigid-motion"),
+        Found("pairs of whole turns", "beyond-rigid-motion"),
+        "beyond-rigid-motion",
+        {
+            "compose": (lean.compose_dual_quaternions, DUAL, NEXT_DUAL),
+            "point": (lean.move_by_dual_quaternion, DUAL, POINT),
+        },
     ),
     Row(
         "two columns",

@@ -4,14 +4,34 @@ import numpy as np
 import pyvista
 from numpy.typing import NDArray
 
-from rotedu.colors import AXIS, NEUTRAL, RESULT, VECTOR
+from rotedu.arcs import rotation_between
+from rotedu.colors import AXIS, CROSS, NEUTRAL, RESULT, VECTOR, WRONG
 from rotedu.figures import State, describe, explorable, read_out
 from rotedu.figures.inputs import Choice, Handles, Slider
+from rotedu.general_rotation import compose, rotation_w, swing_twist, translation
+from rotedu.ordinary_rotation import axis_angle, rotate, rotation_matrix, transform
+from rotedu.rigid_motion import screw_motion, straight_motion
 from rotedu.scenes.looks import Arrow, Ball, Lines, Look, Mesh, Text, draw
-from rotedu.scenes.parts import LITTLE, add_sphere, new_scene
-from rotedu.scenes.shapes import stripes, teaspoon
+from rotedu.scenes.parts import (
+    LITTLE,
+    add_label,
+    add_line,
+    add_sphere,
+    new_scene,
+    sphere_scene,
+)
+from rotedu.scenes.shapes import ORIGIN, fan, stripes, teaspoon, turning
 
-__all__ = ["from_a_to_b", "the_arm", "the_wrist"]
+__all__ = [
+    "SHOULDER",
+    "SHOULDER_LIMIT",
+    "from_a_to_b",
+    "screw_and_straight",
+    "swing_held_back",
+    "the_arm",
+    "the_wrist",
+    "trackball_loop",
+]
 
 ELBOW, WRIST = 1.7, 3.0
 BANDS = (0.45, 0.45)
@@ -52,6 +72,10 @@ ARM = {
     "bands": BANDS,
     "half": "half a turn apart: the average could go either way",
 }
+SHOULDER = rotation_matrix([1, 2, -2], np.deg2rad(100))
+"""Where an upper arm is asked to go, along U at rest."""
+SHOULDER_LIMIT = 60
+"""How far it can swing, in degrees."""
 SKIN = {"smooth_shading": True, "pickable": False}
 PALE = "#8fc1e3"
 SKINS = ("matrices, averaged", "the same, repaired", "dual quaternions")
@@ -170,5 +194,94 @@ def from_a_to_b(state: State) -> pyvista.Plotter:
         "A see-through ball with a blue arrow a and a green arrow b, the arc between their tips,"
         f" and the axis of the smallest turn from a to b, by {state['outputs']['angle']:.0f}"
         " degrees. Beside it, a grey spoon that points along a, and the same, turned, along b.",
+    )
+    return plotter
+
+
+def screw_and_straight() -> pyvista.Plotter:
+    """Draw two motions of a spoon from pose to pose: on a screw, and with a straight step."""
+    start = translation([-1.1, 0, -0.75])
+    end = compose(rotation_w(np.deg2rad(150)), translation([-1.1, 0, 0.75]))
+    plotter = new_scene((2.4, -5.2, 6.4), (0, -0.3, 0.25), view_angle=19, size=(720, 440))
+    add_line(plotter, [[0, 0, -1.25], [0, 0, 1.25]], AXIS, radius=0.012)
+    add_label(plotter, [0, 0, 1.4], "axis of the screw", AXIS)
+    t = np.linspace(0, 1, 97)
+    for motion, color, name, place in (
+        (screw_motion, RESULT, "screw", [-1.05, -0.9, -0.4]),
+        (straight_motion, CROSS, "straight", [-0.45, 0.6, 0.2]),
+    ):
+        path = motion(start, end, t)[:, :3, 3]
+        add_line(plotter, path, color, radius=0.014)
+        add_label(plotter, place, name, color)
+        for k, pose in enumerate(motion(start, end, np.linspace(0, 1, 5))):
+            spoon = teaspoon(stations=41, around=16)
+            spoon.points = transform(pose, 0.5 * spoon.points)
+            plotter.add_mesh(spoon, color=VECTOR if k in (0, 4) else color, smooth_shading=True)
+    describe(
+        plotter,
+        "Two blue teaspoons, one below on the left, one above on the right. Between them three"
+        " green ones on a green helix about an upright orange line, and three purple ones whose"
+        " middles lie on a straight purple line, which passes close to the orange one.",
+    )
+    return plotter
+
+
+def swing_held_back() -> pyvista.Plotter:
+    """Draw the cone in which an upper arm may swing, an arm beyond it, and the same held back."""
+    swing, twist = swing_twist(SHOULDER, [1, 0, 0])
+    axis, angle = axis_angle(swing)
+    limit = np.deg2rad(SHOULDER_LIMIT)
+    held = rotation_matrix(axis, limit)
+
+    plotter = new_scene((2.4, -6, 2.6), (0.4, 0, -0.12), view_angle=21)
+    rim = turning([np.cos(limit), np.sin(limit), 0], [1, 0, 0], 2 * np.pi, 72)
+    plotter.add_mesh(fan(ORIGIN, rim), color=NEUTRAL, opacity=0.25, pickable=False)
+    add_line(plotter, rim, NEUTRAL, radius=0.008)
+    add_line(plotter, np.outer([0, 1.25], [1, 0, 0]), NEUTRAL, radius=0.006)
+    for turn, color, text, aside in (
+        (SHOULDER, WRONG, "asked for", [-0.1, 0, 0]),
+        (held @ twist, RESULT, "held back", [0.16, 0, 0]),
+    ):
+        spoon = teaspoon(stations=61, around=20)
+        spoon.points = transform(turn, 0.5 * spoon.points + [0.5, 0, 0])
+        plotter.add_mesh(spoon, color=color, smooth_shading=True)
+        add_label(plotter, 1.16 * turn[:, 0] + aside, text, color)
+    path = turning([1, 0, 0], axis, angle, 48)
+    add_line(plotter, path, AXIS, radius=0.012)
+    add_label(plotter, 1.14 * path[12], "swing", AXIS)
+    describe(
+        plotter,
+        f"A wide cone about a horizontal line, {SHOULDER_LIMIT} degrees to each side, with its tip"
+        " at a shoulder. A red spoon, for the arm, points out of it. An orange arc leads from the"
+        " middle of the cone to the tip of this spoon; where the arc meets the rim, a green spoon"
+        " ends, turned about its own length as the red one is.",
+    )
+    return plotter
+
+
+def trackball_loop() -> pyvista.Plotter:
+    """Draw a ball that a finger has rolled once round a circle, and how it is turned by that."""
+    eye = np.array([2.6, -3.6, 2.2])
+    ahead = eye / np.linalg.norm(eye)
+    start = rotate(ahead, [0, 0, 1], np.deg2rad(30))
+    loop = turning(start, ahead, 2 * np.pi, 90)
+    left = np.eye(3)
+    for turn in rotation_between(loop[:-1], loop[1:]):
+        left = turn @ left
+    plotter = sphere_scene(eye=tuple(eye))
+    plotter.add_mesh(fan(ahead, loop), color=RESULT, opacity=0.3, lighting=False, pickable=False)
+    add_line(plotter, 1.005 * loop, RESULT, radius=0.016)
+    add_label(plotter, 1.14 * loop[10], "finger", RESULT)
+    for turn, color in ((np.eye(3), NEUTRAL), (left, VECTOR)):
+        spoon = teaspoon(stations=61, around=20)
+        spoon.points = transform(turn, 0.9 * spoon.points)
+        plotter.add_mesh(
+            spoon, color=color, smooth_shading=True, opacity=0.4 if color == NEUTRAL else 1
+        )
+    describe(
+        plotter,
+        "A see-through ball with a green circle on its front, which a finger has followed once."
+        " In the ball a grey teaspoon, as it lay before, and a blue one, turned by about 48 degrees"
+        " against it.",
     )
     return plotter

@@ -14,6 +14,7 @@ from rotedu.edition.exercises import (
     orientation_curves,
     orientations,
     quaternions,
+    rigid_motion,
 )
 from rotedu.edition.exercises.judging import Verdict, check
 
@@ -33,4 +34,5 @@ __all__ = [
     "orientation_curves",
     "orientations",
     "quaternions",
+    "rigid_motion",
 ]

@@ -70,13 +70,12 @@ def a_corkscrew() -> Iterator[Part]:
             [1, 1 / root, -1], "A small turn has its axis far away. Is yours?"
         ),
         "Look at your slide.": when(
-            lambda answer: np.allclose(answer[:2], [1, root], atol=5e-3),
+            [1, root, 1],
             "It is the part of the step along the axis, with its sign.",
-            example=[1, root, 1],
+            also=[1, root, 5**0.5],
         ),
         "Find the point that comes home.": otherwise(
-            "Seen from above: which point is taken by a turn of 60° to 2 less along U?",
-            example=[0, 0, 0],
+            "Seen from above: which point is taken by a turn of 60° to 2 less along U?"
         ),
     }
     yield Part(np.array([1, root, -1]), hints, within=5e-3)

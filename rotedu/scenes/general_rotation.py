@@ -12,8 +12,11 @@ from rotedu.figures import State, describe, draw_chart, explorable, read_out
 from rotedu.figures.inputs import Choice, Poses, Slider
 from rotedu.general_rotation import (
     axis_angle_from_euler_angles,
+    compose,
     perspective,
+    rotation_u,
     rotation_v,
+    rotation_w,
     scaling,
     shearing,
     translation,
@@ -34,7 +37,14 @@ from rotedu.scenes.parts import (
 )
 from rotedu.scenes.shapes import ORIGIN, U, normalised, shade, teaspoon, turning
 
-__all__ = ["euler_angles_by_hand", "one_degree", "one_for_three", "stages", "three_turns_by_hand"]
+__all__ = [
+    "euler_angles_by_hand",
+    "one_degree",
+    "one_for_three",
+    "same_three_numbers",
+    "stages",
+    "three_turns_by_hand",
+]
 
 ORDERS = [" ".join(f"*{letter}*" for letter in order) for order in permutations("UVW")]
 FIXED, CARRIED = AXES = ["fixed", "carried along"]
@@ -240,6 +250,32 @@ def euler_angles_by_hand(state: State) -> pyvista.Plotter:
         " W, V' and U''. Beside it, inside a glass ball, two spoons are on their way from a level"
         " start to the same pose, one by its three angles and one by a single turn. Lines on the"
         " ball show the paths of their tips, which part and meet again.",
+    )
+    return plotter
+
+
+def same_three_numbers() -> pyvista.Plotter:
+    """Draw a spoon turned by 90, 0, 90 degrees in the orders of two programs, and not at all."""
+    about_x, about_z = rotation_u(np.pi / 2), rotation_w(np.pi / 2)
+    plotter = new_scene((9, -9, 5.2), (0, 0, -0.05), view_angle=14.5, size=(720, 300))
+    for aside, turn, color, name in (
+        (-2.2, np.eye(4), NEUTRAL, "at rest"),
+        (0, compose(about_z, about_x), VECTOR, "Blender"),
+        (2.2, compose(about_x, about_z), RESULT, "Godot"),
+    ):
+        middle = aside * normalised((1, 1, 0))
+        for letter, axis in zip("XYZ", np.eye(3), strict=True):
+            add_arrow(plotter, middle, middle + 1.15 * axis, NEUTRAL, radius=0.008)
+            add_label(plotter, middle + 1.27 * axis, f"${letter}$")
+        spoon = teaspoon(stations=61, around=20)
+        spoon.points = transform(turn, spoon.points) + middle
+        plotter.add_mesh(spoon, color=color, smooth_shading=True)
+        add_label(plotter, middle - (0, 0, 1.35), name, color)
+    describe(
+        plotter,
+        "Three spoons, each at the origin of axes X, Y and Z, of which Z points up. The grey one"
+        " lies along X with its bowl up. The blue one, Blender's, lies along Y on its side, with"
+        " its bowl towards X. The green one, Godot's, stands upright, with its bowl away from Y.",
     )
     return plotter
 

@@ -31,7 +31,7 @@ def table(heading: str) -> list[list[str]]:
     return [[cell.replace("**", "").strip() for cell in row] for row in cells[2:]]
 
 
-PLANS = {"Three weeks": 1, "Six weeks": 1, "One week more": 7}
+PLANS = {"Three weeks": 1, "Six weeks": 1, "Two weeks more": 7}
 NOTEBOOKS = {repr(page): page for page in chapters()}
 EXERCISES = {n: e for page in NOTEBOOKS.values() for n, e in page.exercises.items()}
 
@@ -94,7 +94,7 @@ def test_a_lab_takes_the_minutes_of_its_exercises(name: str) -> None:
 @pytest.mark.parametrize("weeks", PLANS)
 def test_the_weeks_add_up(weeks: str) -> None:
     *plan, total = table(weeks)
-    assert weeks.startswith({1: "One", 3: "Three", 6: "Six"}[len(plan)])
+    assert weeks.startswith({2: "Two", 3: "Three", 6: "Six"}[len(plan)])
     for number, row in enumerate(plan, start=PLANS[weeks]):
         taken = [units()[unit] for unit in row[1].split()]
         lab = sum(unit.lab for unit in taken)
@@ -105,7 +105,7 @@ def test_the_weeks_add_up(weeks: str) -> None:
         assert int(total[column]) == sum(int(row[column]) for row in plan)
 
 
-@pytest.mark.parametrize("weeks", ["Six weeks", "One week more"])
+@pytest.mark.parametrize("weeks", ["Six weeks", "Two weeks more"])
 def test_what_is_done_at_home_is_about_right(weeks: str) -> None:
     """Pages to read, which may grow by some lines, and exercises that are not for choice."""
     *plan, total = table(weeks)

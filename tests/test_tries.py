@@ -20,6 +20,7 @@ from rotedu.control_points import control_points
 from rotedu.figures.explorable import Explorable
 from rotedu.orientation_curves import closed_rotation_curve, squad
 from rotedu.quaternions import Quaternion
+from rotedu.scenes.rigid_motion import SKINS
 
 # Of each figure, by the words on a chip, what its outputs are then.
 SHOWN: dict[str, dict[str, dict[str, str]]] = {
@@ -39,6 +40,17 @@ SHOWN: dict[str, dict[str, dict[str, str]]] = {
         "close to the start": {"way_1": "3.1°", "way_2": "6.1°", "way_3": "8.9°"},
         "even closer": {"way_1": "0.6°", "way_2": "1.2°", "way_3": "1.8°"},
         "half of every arc": {"way_1": "30.7°", "way_2": "52.7°", "way_3": "62.9°"},
+    },
+    "the_arm": {
+        "a door handle": {"wrist": "9%", "volume": "89.5%"},
+        "the same, repaired": {"wrist": "100%", "volume": "100.9%"},
+        "an elbow that bulges": {"wrist": "100%", "volume": "99.9%"},
+        "past half a turn": {"wrist": "100%", "volume": "99.6%"},
+    },
+    "from_a_to_b": {
+        "a quarter turn": {"angle": "90.0°", "share": "1.00"},
+        "almost opposite": {"angle": "171.9°", "share": "99.51"},
+        "from the other side": {"angle": "171.9°", "share": "99.51"},
     },
     "routes_by_hand": {
         "a swing to 90°": {"turn": "170.0°", "apart": "0.0°", "signs": "can agree"},
@@ -374,3 +386,22 @@ def test_the_longest_way_is_the_sum_of_many_small_turns() -> None:
     turned = np.degrees((path[:-1].inv() * path[1:]).magnitude().sum())
     assert turned == pytest.approx(304.8, abs=0.1)
     assert np.degrees(path[-1].magnitude()) == pytest.approx(119.5, abs=0.05)
+
+
+def test_past_half_a_turn_the_wrist_goes_the_other_way_round() -> None:
+    """In the middle it is turned by half of 200 degrees less a whole turn; repaired, as well."""
+    inputs = tried("the_arm", "past half a turn") | {"bend": 0}
+    cases = [inputs | {"skin": skin, "twist": x} for skin in SKINS[1:] for x in (0, 200)]
+    rest, moved, *again = (x["parts"]["vertex"]["at"] for x in states("the_arm", cases))
+    for start, end in ((rest, moved), again):
+        turned = np.degrees(np.arctan2(end[2], end[1]) - np.arctan2(start[2], start[1]))
+        assert (turned + 180) % 360 - 180 == pytest.approx(-80)
+
+
+def test_two_arrows_close_together_can_have_spoons_that_are_not() -> None:
+    """Either is nearly half a turn, about axes at right angles to each other."""
+    ends = [tried("from_a_to_b", words) for words in ("almost opposite", "from the other side")]
+    assert np.degrees(angle_between(ends[0]["b"], ends[1]["b"])) < 12
+    spoons = [x["parts"]["spoon after"]["matrix"] for x in states("from_a_to_b", ends)]
+    turns = [Rotation.from_matrix(np.reshape(m, (4, 4))[:3, :3].T) for m in spoons]
+    assert np.degrees((turns[0].inv() * turns[1]).magnitude()) > 175

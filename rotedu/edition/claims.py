@@ -217,7 +217,7 @@ ON_PAGE = {
             "shears, uneven scalings or projections are among them, and the quaternion stays a"
             " quaternion",
             "one of any length, with a sign, merges turns with even scalings and mirrors, a dual"
-            " one (the paper's reference [2]) with translations",
+            " one (the paper's reference [2], page C) with translations",
         ),
         (9, "1, 4, 6"): does_not_hold(
             "Axis and angle are found in a more general way than with quaternions",

@@ -103,6 +103,8 @@ def the_wrist(state: State) -> pyvista.Plotter:
     """
     plotter = new_scene((3.3, -6, 2.2), (3.3, 0, 0), view_angle=10.5, size=LITTLE)
     draw(plotter, state, LOOKS)
+    add_label(plotter, [2.45, 0, -0.42], "forearm")
+    add_label(plotter, [3.95, 0, -0.42], "hand")
     read_out(plotter, "wrist", "wrist as thick as", 0, "%", where="picture")
     describe(
         plotter,
@@ -135,7 +137,7 @@ def the_arm(state: State) -> pyvista.Plotter:
     twist, bend : float
         How far the hand is turned and the elbow bent, in degrees.
     """
-    plotter = new_scene((2.1, -13, 3.4), (2.15, 0, 1.1), view_angle=15.5, size=(720, 440))
+    plotter = new_scene((2.1, -13, 3.4), (2.15, 0, 1.25), view_angle=17, size=(720, 440))
     draw(plotter, state, LOOKS, {"bend": Text(NEUTRAL, "elbow")})
     read_out(plotter, "wrist", "wrist as thick as", 0, "%", where="picture")
     read_out(plotter, "volume", "skin encloses", 1, "%")
@@ -151,13 +153,13 @@ def the_arm(state: State) -> pyvista.Plotter:
 
 @explorable(
     tries={
-        "a quarter turn": {"a": [1, 0, 0], "b": [0, 1, 0]},
+        "a quarter turn": {"a": [1, 0, 0], "b": [0, -0.6, 0.8]},
         "almost opposite": {"a": [1, 0, 0], "b": [-0.99, 0.1, 0.1]},
         "from the other side": {"a": [1, 0, 0], "b": [-0.99, 0.1, -0.1]},
     },
     constants={"beside": [2.3, 0, 0]},
-    a=Handles("a", start=(0.832, -0.49, 0.26)),
-    b=Handles("b", start=(0.2, 0.84, 0.505)),
+    a=Handles("a", start=(0.9, -0.41, 0.15)),
+    b=Handles("b", start=(-0.3, -0.75, 0.59)),
 )
 def from_a_to_b(state: State) -> pyvista.Plotter:
     """Draw the smallest turn from a direction to another, and what it does to a spoon.
@@ -167,7 +169,7 @@ def from_a_to_b(state: State) -> pyvista.Plotter:
     a, b : array_like, shape (3,)
         The directions.
     """
-    stack = (44, 10, 370, 380, 1), (385, 60, 300, 280, 0.8)
+    stack = (55, 15, 348, 370, 1), (385, 110, 300, 180, 0.66)
     plotter = new_scene((1, -9, 3), (1, 0, 0), view_angle=18, size=(720, 400), stack=stack)
     spoon = teaspoon(stations=61, around=20)
     looks: dict[str, Look] = {

@@ -143,27 +143,31 @@ class TestRigidMotions:
             rows = [x.as_matrix()[:3] for x in (m, n)]
             close(lean.compose_poses(*rows), (m * n).as_matrix()[:3], 1e-14)
             bones, share = np.stack([m.as_matrix(), n.as_matrix()]), RNG.uniform()
+            weights = np.array([share, 1 - share])
             for skin, given, blend in (
-                (lean.skin_by_poses, rows, blend_matrices),
-                (lean.skin_by_dual_quaternions, (p, q), blend_dual_quaternions),
+                (lean.skin_by_poses, np.stack(rows), blend_matrices),
+                (lean.skin_by_dual_quaternions, np.stack([p, q]), blend_dual_quaternions),
             ):
-                pose = blend(bones, [share, 1 - share])
-                close(skin(*given, share, 1 - share, r), pose[:3, :3] @ r + pose[:3, 3], 1e-12)
+                pose = blend(bones, weights)
+                close(skin(given, weights, r), pose[:3, :3] @ r + pose[:3, 3], 1e-12)
+            turned, moved = lean.compose_with_steps(p[0], steps[0], q[0], steps[1])
+            close(lean.move_by_quaternion_and_step(turned, moved, r), (m * n).apply(r), 1e-13)
 
     def test_costs_that_page_c_names(self) -> None:
-        """Of 12 entries two products and a sum each; of 8 numbers the same, and their sign."""
-        rows, dual = np.ones((3, 4)), np.ones((2, 4))
+        """A bone more is moved by, 9 + 9, weighed, 3, and added, 3; or eight numbers and a sign."""
+        rows, dual, step = np.ones((4, 3, 4)), np.ones((4, 2, 4)), np.ones(3)
+        q, two, four = dual[0, 0], np.ones(2), np.ones(4)
         for formula, given, cost in (
-            (lean.compose_poses, (rows, rows), "33 + 24"),
-            (lean.move_by_pose, (rows, np.ones(3)), "9 + 9"),
-            (lean.compose_dual_quaternions, (dual, dual), "48 + 40"),
-            (lean.move_by_dual_quaternion, (dual, np.ones(3)), "24 + 21"),
-            (lean.skin_by_poses, (rows, rows, 0.5, 0.5, np.ones(3)), "33 + 21"),
-            (
-                lean.skin_by_dual_quaternions,
-                (dual, dual, 0.5, 0.5, np.ones(3)),
-                "48 + 35, 1 division",
-            ),
+            (lean.compose_poses, rows[:2], "33 + 24"),
+            (lean.move_by_pose, (rows[0], step), "9 + 9"),
+            (lean.compose_with_steps, (q, step, q, step), "34 + 27"),
+            (lean.move_by_quaternion_and_step, (q, step, step), "18 + 15"),
+            (lean.compose_dual_quaternions, dual[:2], "48 + 40"),
+            (lean.move_by_dual_quaternion, (dual[0], step), "21 + 18"),
+            (lean.skin_by_poses, (rows[:2], two, step), "24 + 21"),
+            (lean.skin_by_poses, (rows, four, step), "48 + 45"),
+            (lean.skin_by_dual_quaternions, (dual[:2], two, step), "45 + 32, 1 division"),
+            (lean.skin_by_dual_quaternions, (dual, four, step), "69 + 54, 1 division"),
         ):
             assert priced(count(formula, *given)).replace("\N{NO-BREAK SPACE}", " ") == cost
 

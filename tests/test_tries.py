@@ -49,8 +49,8 @@ SHOWN: dict[str, dict[str, dict[str, str]]] = {
     },
     "from_a_to_b": {
         "a quarter turn": {"angle": "90.0°", "share": "1.00"},
-        "almost opposite": {"angle": "171.9°", "share": "99.51"},
-        "from the other side": {"angle": "171.9°", "share": "99.51"},
+        "almost opposite": {"angle": "172.0°", "share": "101.50"},
+        "from the other side": {"angle": "172.0°", "share": "101.50"},
     },
     "routes_by_hand": {
         "a swing to 90°": {"turn": "170.0°", "apart": "0.0°", "signs": "can agree"},

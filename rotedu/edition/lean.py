@@ -232,10 +232,10 @@ def vector_whole(half: Array, sin: Any) -> Array:
 
 
 def compose_vectors(v: Array, w: Array) -> Array:
-    """Replace two turns by one, of up to 360 degrees; halves are divided by sine over angle."""
-    cot, other = (theta / np.tan(0.5 * theta) for theta in (length(v), length(w)))
-    vector = other * v + cot * w + np.cross(v, w)
-    return vector_whole(np.array([cot * other - np.dot(v, w), *vector]), length(vector))
+    """Replace two turns by one, of up to 360 degrees; halves are divided by their cosines."""
+    v, w = (np.tan(0.5 * theta) / theta * u for u, theta in ((v, length(v)), (w, length(w))))
+    vector = v + w + np.cross(v, w)
+    return vector_whole(np.array([1 - np.dot(v, w), *vector]), length(vector))
 
 
 def turn_by_vector(v: Array, point: Array) -> Array:
@@ -361,19 +361,25 @@ def compose_dual_quaternions(a: Array, b: Array) -> Array:
 
 
 def move_by_dual_quaternion(a: Array, point: Array) -> Array:
-    """Move a point: r + 2 (v x (v x r + w r + d) + w d - d_0 v), [d_0, d] the dual part."""
-    (w, *v), (d0, *d) = a
-    return np.asarray(point + 2 * moved_aside(w, np.array(v), d0, np.array(d), point))
+    """Move a point, by twice what moves it aside."""
+    return np.asarray(point + 2 * moved_aside(a, point))
 
 
-def moved_aside(w: Any, v: Array, d0: Any, d: Array, point: Array) -> Array:
-    """Find half of what a dual quaternion of length 1 adds to a point."""
-    return np.asarray(np.cross(v, np.cross(v, point) + w * point + d) + w * d - d0 * v)
+def moved_aside(a: Array, point: Array) -> Array:
+    """Find w u + v x u - d_0 v, where u = v x r + d, and [d_0, d] is the dual part."""
+    w, v, d0, d = a[0, 0], a[0, 1:], a[1, 0], a[1, 1:]
+    u = np.cross(v, point) + d
+    return np.asarray(w * u + np.cross(v, u) - d0 * v)
 
 
-def move_by_pose(pose: Array, point: Array) -> Array:
-    """Move a point by three rows of a 4x4 matrix."""
-    return np.asarray(pose[:, :3] @ point + pose[:, 3])
+def compose_with_steps(p: Array, s: Array, q: Array, t: Array) -> tuple[Array, Array]:
+    """Replace a quaternion q and a step t, and then p and s, by one of each."""
+    return compose_quaternions(p, q), move_by_quaternion_and_step(p, s, t)
+
+
+def move_by_quaternion_and_step(q: Array, step: Array, point: Array) -> Array:
+    """Turn a point, and move it on."""
+    return np.asarray(turn_by_quaternion(q, point) + step)
 
 
 def compose_poses(a: Array, b: Array) -> Array:
@@ -383,14 +389,20 @@ def compose_poses(a: Array, b: Array) -> Array:
     )
 
 
-def skin_by_poses(a: Array, b: Array, share: Any, other: Any, point: Array) -> Array:
-    """Move a vertex by the mean of two bones' matrices."""
-    return move_by_pose(share * a + other * b, point)
+def move_by_pose(pose: Array, point: Array) -> Array:
+    """Move a point by three rows of a 4x4 matrix."""
+    return np.asarray(pose[:, :3] @ point + pose[:, 3])
 
 
-def skin_by_dual_quaternions(a: Array, b: Array, share: Any, other: Any, point: Array) -> Array:
-    """Move a vertex by the mean of two bones' dual quaternions, which may have any signs."""
-    other = other if np.dot(a[0], b[0]) > 0 else -other
-    (w, *v), (d0, *d) = mean = share * a + other * b
-    half = moved_aside(w, np.array(v), d0, np.array(d), point)
-    return np.asarray(point + 2 / np.dot(mean[0], mean[0]) * half)
+def skin_by_poses(bones: Array, weights: Array, point: Array) -> Array:
+    """Move a vertex by the mean of bones' matrices: to the mean of where each moves it."""
+    return np.asarray(weights @ np.stack([move_by_pose(bone, point) for bone in bones]))
+
+
+def skin_by_dual_quaternions(bones: Array, weights: Array, point: Array) -> Array:
+    """Move a vertex by the mean of bones' dual quaternions, which may have any signs."""
+    first, *others = bones[:, 0]
+    agree = [True, *(np.dot(first, other) > 0 for other in others)]
+    signed = np.array([w if same else -w for w, same in zip(weights, agree, strict=True)])
+    mean = (signed @ bones.reshape(-1, 8)).reshape(2, 4)
+    return np.asarray(point + 2 / np.dot(mean[0], mean[0]) * moved_aside(mean, point))

@@ -41,10 +41,10 @@ SHADOW = "fragOutput0 = lightShadow(ballPlace.xy, mat3(LYING));"
 
 
 def gleam_of(actor: pyvista.Actor, surface: pyvista.DataSet) -> float:
-    """How much of the room a part mirrors; what is seen through, nothing."""
+    """How much of the room a part mirrors; what is seen through, nothing. `specular` sets it."""
     if actor.prop.opacity < 1:
         return 0.0
-    return GLEAM if INSIDE in surface.point_data else 0.35
+    return float(actor.prop.specular) or (GLEAM if INSIDE in surface.point_data else 0.35)
 
 
 def shade(

@@ -7,7 +7,6 @@ import {
   blendMatrices,
   combine,
   cross,
-  DegenerateError,
   dot,
   length,
   product,
@@ -26,7 +25,7 @@ const SKINS = {
   "dual quaternions": blendDualQuaternions,
 };
 const HALF = 180;
-// Closer to half a turn than this, in degrees, there is no average.
+// At half a turn there are two averages: those of turns that are less or more by this, in degrees.
 const NEAR = 0.01;
 // On top of a ring.
 const TOP = SIDES / 4 - 1;
@@ -35,18 +34,22 @@ const [STEP, PALM] = [5, 3.9];
 
 /** An arm of three bones, bent at the elbow and turned at the wrist, and a vertex of its skin. */
 export function theArm({ skin, twist, bend }, arm) {
-  if (skin !== AVERAGED && Math.abs(twist - HALF) < NEAR) throw new DegenerateError(arm.half);
   const bones = bonesOf(arm, twist, bend);
   const palm = arm.rings.find(([x]) => x >= PALM);
   const round = spread(97).map((t) => at(bonesOf(arm, 360 * t, bend)[2], ringOf(palm)[TOP]));
-  const lifted = spread(49).map((t) => at(bonesOf(arm, 0, 140 * t)[1], [arm.wrist, 0, 0]));
+  const forearm = [(arm.elbow + arm.wrist) / 2, 0, 0];
+  const lifted = spread(49).map((t) => at(bonesOf(arm, 0, 140 * t)[1], forearm));
+  const state = skinned(skin, arm, arm.rings, twist, bend);
+  const other = state.parts["or here"];
   return {
-    ...skinned(skin, arm, arm.rings, twist, bend),
-    grips: {
-      twist: { path: round, holds: ["one half", "other half"] },
-      bend: { path: lifted, holds: ["one half", "other half"] },
+    ...state,
+    grips: { twist: { path: round, holds: ["vertex"] }, bend: { path: lifted, holds: ["vertex"] } },
+    labels: {
+      bend: at(bones[0], [arm.elbow, 0, -0.55]),
+      "or here": other.hidden
+        ? null
+        : combine(1, other.at, 0.25, unit(combine(1, other.at, -1, state.parts.vertex.at))),
     },
-    labels: { bend: at(bones[0], [arm.elbow, 0, -0.55]) },
   };
 }
 
@@ -59,13 +62,15 @@ export function theWrist({ twist }, arm) {
   return {
     parts,
     labels: {},
-    grips: { twist: { path, holds: ["one half", "other half"] } },
+    grips: { twist: { path, holds: ["vertex"] } },
     outputs: { wrist: outputs.wrist },
   };
 }
 
 /** Parts and outputs of rings of a skin. */
 function skinned(skin, arm, rings, twist, bend) {
+  const split = skin !== AVERAGED && Math.abs(twist - HALF) < NEAR;
+  if (split) twist = HALF - NEAR;
   const bones = bonesOf(arm, twist, bend);
   const rest = rings.map(ringOf);
   const moved = rest.map((ring, i) => {
@@ -91,6 +96,7 @@ function skinned(skin, arm, rings, twist, bend) {
         twist > 0 && { paths: ways.filter((way) => way.length).map((way) => way.map(followed)) },
       ),
       vertex: { at: vertex },
+      "or here": shown(split && { at: followed(HALF + NEAR) }),
     },
     outputs: {
       wrist: (100 * length(out)) / rings[middle][2],
@@ -150,7 +156,7 @@ export function fromAToB({ a, b }, { beside }) {
   // A spoon along a, its bowl turned up as far as it can be.
   const side = unit(cross(Math.abs(a[2]) < 0.99 ? [0, 0, 1] : V, a));
   const held = transpose([a, side, cross(a, side)]);
-  const still = angle < 1e-6;
+  const still = angle < 1e-3;
   const axis = still ? [0, 0, 1] : arcAxis(a, b);
   const spoon = (m, place) => ({ matrix: placing(m, place) });
   return {
@@ -161,10 +167,16 @@ export function fromAToB({ a, b }, { beside }) {
       b: { from: [0, 0, 0], to: b },
       "tip a": { at: a },
       "tip b": { at: b },
+      opposite: { at: scaled(-1, a) },
       "spoon before": spoon(held, beside),
       "spoon after": spoon(product(turn, held), beside),
     },
-    labels: { a: scaled(1.17, a), b: scaled(1.17, b), v: still ? null : scaled(1.4, axis) },
+    labels: {
+      a: angle < 0.2 ? null : scaled(1.17, a),
+      b: scaled(1.17, b),
+      v: still ? null : scaled(1.4, axis),
+      opposite: Math.PI - angle < 0.2 ? null : scaled(-1.17, a),
+    },
     grips: { a: { holds: ["a", "tip a"] }, b: { holds: ["b", "tip b"] } },
     outputs: { angle: DEGREES * angle, share: 2 / dot(combine(1, a, 1, b), combine(1, a, 1, b)) },
   };

@@ -70,13 +70,14 @@ ARM = {
     "elbow": ELBOW,
     "wrist": WRIST,
     "bands": BANDS,
-    "half": "half a turn apart: the average could go either way",
 }
 SHOULDER = rotation_matrix([1, 2, -2], np.deg2rad(100))
 """Where an upper arm is asked to go, along U at rest."""
 SHOULDER_LIMIT = 60
 """How far it can swing, in degrees."""
-SKIN = {"smooth_shading": True, "pickable": False}
+SPOON = {"smooth_shading": True, "pickable": False}
+# Skin is dull.
+SKIN = SPOON | {"specular": 0.03}
 PALE = "#8fc1e3"
 SKINS = ("matrices, averaged", "the same, repaired", "dual quaternions")
 LOOKS: dict[str, Look] = {
@@ -84,6 +85,7 @@ LOOKS: dict[str, Look] = {
     "other half": Mesh(stripes, PALE, SKIN),
     "way": Lines(RESULT, 0.02),
     "vertex": Ball(RESULT, 0.07),
+    "or here": Ball(RESULT, 0.07),
 }
 
 
@@ -138,9 +140,10 @@ def the_arm(state: State) -> pyvista.Plotter:
         How far the hand is turned and the elbow bent, in degrees.
     """
     plotter = new_scene((2.1, -13, 3.4), (2.15, 0, 1.25), view_angle=17, size=(720, 440))
-    draw(plotter, state, LOOKS, {"bend": Text(NEUTRAL, "elbow")})
+    texts = {"bend": Text(NEUTRAL, "elbow"), "or here": Text(RESULT, "or here")}
+    draw(plotter, state, LOOKS, texts)
     read_out(plotter, "wrist", "wrist as thick as", 0, "%", where="picture")
-    read_out(plotter, "volume", "skin encloses", 1, "%")
+    read_out(plotter, "volume", "of its volume at rest, the arm has", 1, "%")
     describe(
         plotter,
         f"A striped arm, its elbow bent by {state['inputs']['bend']:.0f} degrees and its hand"
@@ -153,13 +156,13 @@ def the_arm(state: State) -> pyvista.Plotter:
 
 @explorable(
     tries={
-        "a quarter turn": {"a": [1, 0, 0], "b": [0, -0.6, 0.8]},
-        "almost opposite": {"a": [1, 0, 0], "b": [-0.99, 0.1, 0.1]},
-        "from the other side": {"a": [1, 0, 0], "b": [-0.99, 0.1, -0.1]},
+        "a quarter turn": {"a": [0.8, 0.6, 0], "b": [0.48, -0.64, 0.6]},
+        "almost opposite": {"a": [0.8, 0.6, 0], "b": [-0.74, -0.68, 0.1]},
+        "from the other side": {"a": [0.8, 0.6, 0], "b": [-0.74, -0.68, -0.1]},
     },
     constants={"beside": [2.3, 0, 0]},
-    a=Handles("a", start=(0.9, -0.41, 0.15)),
-    b=Handles("b", start=(-0.3, -0.75, 0.59)),
+    a=Handles("a", start=(0.8, 0.58, 0.15)),
+    b=Handles("b", start=(-0.3, -0.6, 0.74)),
 )
 def from_a_to_b(state: State) -> pyvista.Plotter:
     """Draw the smallest turn from a direction to another, and what it does to a spoon.
@@ -170,7 +173,9 @@ def from_a_to_b(state: State) -> pyvista.Plotter:
         The directions.
     """
     stack = (55, 15, 348, 370, 1), (385, 110, 300, 180, 0.66)
-    plotter = new_scene((1, -9, 3), (1, 0, 0), view_angle=18, size=(720, 400), stack=stack)
+    plotter = new_scene(
+        (1, -9, 3), (1, 0, 0), view_angle=18, size=(720, 400), swing=30, stack=stack
+    )
     spoon = teaspoon(stations=61, around=20)
     looks: dict[str, Look] = {
         "arc": Lines(RESULT, 0.014),
@@ -179,13 +184,15 @@ def from_a_to_b(state: State) -> pyvista.Plotter:
         "b": Arrow(RESULT),
         "tip a": Ball(VECTOR, 0.05),
         "tip b": Ball(RESULT, 0.05),
-        "spoon before": Mesh(spoon, NEUTRAL, SKIN | {"opacity": 0.35}),
-        "spoon after": Mesh(spoon, VECTOR, SKIN),
+        "opposite": Ball(NEUTRAL, 0.035),
+        "spoon before": Mesh(spoon, NEUTRAL, SPOON | {"opacity": 0.35}),
+        "spoon after": Mesh(spoon, VECTOR, SPOON),
     }
     texts = {
         "a": Text(VECTOR, r"$\hat a$"),
         "b": Text(RESULT, r"$\hat b$"),
         "v": Text(AXIS, r"$\hat v$"),
+        "opposite": Text(NEUTRAL, r"$-\hat a$"),
     }
     add_sphere(plotter)
     draw(plotter, state, looks, texts)
@@ -195,7 +202,8 @@ def from_a_to_b(state: State) -> pyvista.Plotter:
         plotter,
         "A see-through ball with a blue arrow a and a green arrow b, the arc between their tips,"
         f" and the axis of the smallest turn from a to b, by {state['outputs']['angle']:.0f}"
-        " degrees. Beside it, a grey spoon that points along a, and the same, turned, along b.",
+        " degrees. A grey point lies opposite to a. Beside the ball, a grey spoon that points"
+        " along a, and the same, turned, along b.",
     )
     return plotter
 
@@ -239,8 +247,8 @@ def swing_held_back() -> pyvista.Plotter:
     rim = turning([np.cos(limit), np.sin(limit), 0], [1, 0, 0], 2 * np.pi, 72)
     plotter.add_mesh(fan(ORIGIN, rim), color=NEUTRAL, opacity=0.25, pickable=False)
     add_line(plotter, rim, NEUTRAL, radius=0.008)
-    add_line(plotter, np.outer([0, 1.25], [1, 0, 0]), NEUTRAL, radius=0.006)
     for turn, color, text, aside in (
+        (np.eye(3), NEUTRAL, "at rest", [0.1, 0, -0.08]),
         (SHOULDER, WRONG, "asked for", [-0.1, 0, 0]),
         (held @ twist, RESULT, "held back", [0.16, 0, 0]),
     ):
@@ -254,9 +262,10 @@ def swing_held_back() -> pyvista.Plotter:
     describe(
         plotter,
         f"A wide cone about a horizontal line, {SHOULDER_LIMIT} degrees to each side, with its tip"
-        " at a shoulder. A red spoon, for the arm, points out of it. An orange arc leads from the"
-        " middle of the cone to the tip of this spoon; where the arc meets the rim, a green spoon"
-        " ends, turned about its own length as the red one is.",
+        " at a shoulder. A grey spoon, for the arm at rest, lies in its middle; a red one points"
+        " out of it. An orange arc leads from the tip of the grey spoon to that of the red one;"
+        " where it meets the rim, a green spoon ends, turned about its own length as the red one"
+        " is.",
     )
     return plotter
 

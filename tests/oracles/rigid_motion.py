@@ -5,7 +5,6 @@ from typing import Any
 import numpy as np
 
 from rotedu.arcs import angle_between, rotation_between
-from rotedu.errors import DegenerateError
 from rotedu.general_rotation import compose, rotation_u, rotation_v, translation
 from rotedu.ordinary_rotation import transform
 from rotedu.rigid_motion import blend_dual_quaternions, blend_matrices
@@ -17,7 +16,7 @@ SIDES = 16
 def the_arm(skin: str, twist: float, bend: float) -> dict[str, float]:
     repair = skin == "the same, repaired"
     if skin != "matrices, averaged" and abs(twist - 180) < 0.01:
-        raise DegenerateError("half a turn apart: the average could go either way")
+        twist = 179.99  # There are two averages; the other is its mirror image.
     joint = translation([ELBOW, 0, 0])
     fore = compose(joint, rotation_v(-np.radians(bend)), np.linalg.inv(joint))
     bones = np.stack([np.eye(4), fore, fore @ rotation_u(np.radians(twist))])

@@ -42,6 +42,7 @@ export class PathHandle {
     keys(this.button, ALONG, (way, size) =>
       this.put(now() + way * Math.max(spec.step, spec.step * size)),
     );
+    keys(this.button, { Home: [spec.low], End: [spec.high] }, ([end]) => this.change(end));
   }
 
   path() {

@@ -1,7 +1,14 @@
 /* How pointer and keys hold what can be dragged: in a picture (handles.js), or along a chart (chart.js). */
 
-/** Steps of the arrow keys along a number. */
-export const ALONG = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1 };
+/** Steps of keys along a number. */
+export const ALONG = {
+  ArrowLeft: -1,
+  ArrowDown: -1,
+  PageDown: -10,
+  ArrowRight: 1,
+  ArrowUp: 1,
+  PageUp: 10,
+};
 const STEPS = { Shift: 5, Alt: 0.1 };
 // Share of the picture from its border to a handle.
 const BORDER = 0.02;

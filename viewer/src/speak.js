@@ -13,7 +13,7 @@ export function titleOf({ label = "", names }, name) {
 /** The value of a slider with its unit. */
 export function numberText({ label = "" }, value) {
   return (
-    Number(value.toFixed(5)).toString().replace("-", "\u2212") + (label.match(UNIT)?.[1] ?? "")
+    Number(value.toFixed(2)).toString().replace("-", "\u2212") + (label.match(UNIT)?.[1] ?? "")
   );
 }
 

@@ -6,7 +6,7 @@ import numpy as np
 
 from rotedu._vectors import Array
 from rotedu.averages import angular_distance
-from rotedu.edition.exercises.answers import outcomes
+from rotedu.edition.exercises.answers import numbers, outcomes
 from rotedu.edition.exercises.judging import Part, exercise, in_radians, otherwise, when
 from rotedu.five_numbers import five_numbers, matrix_from_two_columns
 from rotedu.general_rotation import euler_angles, matrix_from_euler_angles
@@ -130,3 +130,50 @@ def worst_of_a_table() -> Iterator[Part]:
         ),
     }
     yield Part(right, hints, within=0.1)
+
+
+@exercise("D.4", "three numbers", fields={"about U": "", "about V": "", "about W": ""})
+def stretched_most() -> Iterator[Part]:
+    """Both columns move if the turn is about W, and only one of them if it is about U or V."""
+    map_scale = 1 / (2**0.5 - 1)
+    right = map_scale * np.array([1, 1, 2**0.5])
+    hints = {
+        "You left the map out.": when(
+            [1, 1, 2**0.5], "These are the moves of the six numbers. Divide by √2 − a₁."
+        ),
+        "Both columns move about W.": when(
+            [map_scale] * 3, "Add their squares: about W the first moves to V, the second to −U."
+        ),
+        "The two moves are at right angles in six dimensions.": when(
+            map_scale * np.array([1, 1, 2]), "Lengths add by their squares, not as numbers."
+        ),
+        "Each turn moves another number of columns.": otherwise(
+            "Without a turn a = (1, 0, 0) and b = (0, 1, 0). Which of the two does U leave alone?"
+        ),
+    }
+    yield Part(right, hints, within=5e-3)
+
+
+@exercise("D.5", "the numbers of five lines, in order", read=numbers(5))
+def no_rule_without_a_jump() -> Iterator[Part]:
+    """Followed round once, a quaternion becomes the other one, which no rule can allow."""
+    hints = {
+        "One of your lines is not true.": when(
+            lambda lines: 3 in lines,
+            "Which line would make every rule fail at once?",
+            example=[4, 6, 2, 3, 1],
+        ),
+        "It begins with what is to be refuted.": when(
+            lambda lines: lines[0] != 4, "Which line says *suppose*?", example=[6, 4, 2, 5, 1]
+        ),
+        "It ends with what cannot be.": when(
+            lambda lines: lines[-1] != 1,
+            "Which line says that two things do not agree?",
+            example=[4, 6, 2, 1, 5],
+        ),
+        "In between, each line needs the one before.": otherwise(
+            "Two candidates; far apart; so no change from one to the other; so at the end...",
+            example=[4, 2, 6, 5, 1],
+        ),
+    }
+    yield Part([4, 6, 2, 5, 1], hints, within=0)

@@ -125,7 +125,35 @@ def the_product() -> Iterator[Part]:
     yield Part(rows(*(product(*four) for four in PARTS)), hints)
 
 
-@exercise("C.4", "two angles in degrees", fields={"signs agree": "°", "one sign changed": "°"})
+BENDS = np.deg2rad([40, 90, 120, 170])
+
+
+@exercise("C.4", "a function of an angle", read=outcomes([(bend,) for bend in BENDS]))
+def a_torn_elbow() -> Iterator[Part]:
+    """The mean of the steps fits the middle of a chord, and the turn goes to the arc."""
+    bend = BENDS[:, np.newaxis]
+    off = 1 - np.cos(bend / 2)
+    hints = {
+        "You took the whole angle.": when(
+            1 - np.cos(bend), "By what angle does the mean of the two turn?"
+        ),
+        "That is what is left, not what is off.": when(
+            np.cos(bend / 2), "How long is the mean of e and Me, and where should it end?"
+        ),
+        "That is how far the elbow would go without any step.": when(
+            2 * np.sin(bend / 4), "Half of the step e − Me is there, too. Add it."
+        ),
+        "That is half of the chord.": when(
+            np.sin(bend / 2), "The elbow is off along the bisector, not along the chord."
+        ),
+        "Not yet.": otherwise(
+            "Where does the turn by half the angle take the elbow, and what does half the step add?"
+        ),
+    }
+    yield Part(off, hints)
+
+
+@exercise("C.5", "two angles in degrees", fields={"signs agree": "°", "one sign changed": "°"})
 def a_wrong_sign() -> Iterator[Part]:
     """Between 0° and 100° lies 50°, or on the other side −130°."""
     hints = {
@@ -146,7 +174,7 @@ def a_wrong_sign() -> Iterator[Part]:
     yield Part(np.array([50.0, -130]), hints, within=0.1, period=360)
 
 
-@exercise("C.5", "a rotation matrix", read=as_rotation)
+@exercise("C.6", "a rotation matrix", read=as_rotation)
 def opposite_directions() -> Iterator[Part]:
     """Half a turn takes every direction across its axis to the opposite one."""
     axis = [1, 2, 3]
@@ -171,7 +199,7 @@ def opposite_directions() -> Iterator[Part]:
     yield Part(rotation_between([0, 0, 1], [0, 0, -1], axis), hints, within=2e-3)
 
 
-@exercise("C.6", "a rotation matrix", read=as_rotation)
+@exercise("C.7", "a rotation matrix", read=as_rotation)
 def a_shoulder_with_a_limit() -> Iterator[Part]:
     """The swing is held back, and the twist stays what it was."""
     swing, twist = swing_twist(SHOULDER, [1, 0, 0])

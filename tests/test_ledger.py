@@ -143,13 +143,16 @@ class TestRigidMotions:
             rows = [x.as_matrix()[:3] for x in (m, n)]
             close(lean.compose_poses(*rows), (m * n).as_matrix()[:3], 1e-14)
             bones, share = np.stack([m.as_matrix(), n.as_matrix()]), RNG.uniform()
-            weights = np.array([share, 1 - share])
-            for skin, given, blend in (
-                (lean.skin_by_poses, np.stack(rows), blend_matrices),
-                (lean.skin_by_dual_quaternions, np.stack([p, q]), blend_dual_quaternions),
+            weights, ratios = np.array([share, 1 - share]), np.array([1 / share - 1])
+            for moved, blend in (
+                (lean.skin_by_poses(np.stack(rows), weights, r), blend_matrices),
+                (
+                    lean.skin_by_dual_quaternions(np.stack([p, q]), ratios, r),
+                    blend_dual_quaternions,
+                ),
             ):
                 pose = blend(bones, weights)
-                close(skin(given, weights, r), pose[:3, :3] @ r + pose[:3, 3], 1e-12)
+                close(moved, pose[:3, :3] @ r + pose[:3, 3], 1e-11)
             turned, moved = lean.compose_with_steps(p[0], steps[0], q[0], steps[1])
             close(lean.move_by_quaternion_and_step(turned, moved, r), (m * n).apply(r), 1e-13)
 
@@ -166,8 +169,8 @@ class TestRigidMotions:
             (lean.move_by_dual_quaternion, (dual[0], step), "21 + 18"),
             (lean.skin_by_poses, (rows[:2], two, step), "24 + 21"),
             (lean.skin_by_poses, (rows, four, step), "48 + 45"),
-            (lean.skin_by_dual_quaternions, (dual[:2], two, step), "45 + 32, 1 division"),
-            (lean.skin_by_dual_quaternions, (dual, four, step), "69 + 54, 1 division"),
+            (lean.skin_by_dual_quaternions, (dual[:2], two[1:], step), "37 + 32, 1 division"),
+            (lean.skin_by_dual_quaternions, (dual, four[1:], step), "61 + 54, 1 division"),
         ):
             assert priced(count(formula, *given)).replace("\N{NO-BREAK SPACE}", " ") == cost
 

@@ -52,6 +52,12 @@ SHOWN: dict[str, dict[str, dict[str, str]]] = {
         "almost opposite": {"angle": "172.0°", "share": "101.50"},
         "from the other side": {"angle": "172.0°", "share": "101.50"},
     },
+    "pull_the_thread": {
+        "home, once through the skin": {"crossings": "1", "thread": "loose", "home": "yes"},
+        "pulled tight": {"crossings": "1", "degrees": "360°", "thread": "sticks", "home": "yes"},
+        "home, twice through the skin": {"crossings": "2", "thread": "loose", "home": "yes"},
+        "and pulled tight": {"crossings": "0", "degrees": "0°", "thread": "gone", "home": "yes"},
+    },
     "routes_by_hand": {
         "a swing to 90°": {"turn": "170.0°", "apart": "0.0°", "signs": "can agree"},
         "a swing to 100°": {"turn": "190.0°", "apart": "39.9°", "signs": "can agree"},
@@ -405,3 +411,41 @@ def test_two_arrows_close_together_can_have_spoons_that_are_not() -> None:
     spoons = [x["parts"]["spoon after"]["matrix"] for x in states("from_a_to_b", ends)]
     turns = [Rotation.from_matrix(np.reshape(m, (4, 4))[:3, :3].T) for m in spoons]
     assert np.degrees((turns[0].inv() * turns[1]).magnitude()) > 175
+
+
+@pytest.mark.parametrize("turns", [1, 2, 3, 4])
+def test_a_thread_sticks_if_it_crosses_an_odd_number_of_times(turns: int) -> None:
+    """Pulled, it keeps both ends; crossings go in pairs, and the end's sign is their parity."""
+    rng = np.random.default_rng(turns)
+    t = np.linspace(0, 1, 40)[:, np.newaxis]
+    for _ in range(5):
+        phase, far = rng.uniform(0, 7, 3), rng.uniform(0.2, 0.9, 3)
+        axes = [1, 0.3, 0.5] + far * np.sin(2 * np.pi * t + phase)
+        # At home it does not matter about which axis the last turn was.
+        thread = Quaternion.from_axis_angle(axes, 2 * np.pi * turns * t[:, 0]).components
+        cases = [
+            {"thread": thread.tolist(), "spoon": thread[-1].tolist(), "pulled": pulled}
+            for pulled in (0, 0.1, 0.2, 0.4, 0.7, 1)
+        ]
+        found = states("pull_the_thread", cases)
+        crossings = np.array([state["outputs"]["crossings"] for state in found])
+        assert crossings[0] == turns
+        assert (crossings % 2 == turns % 2).all()
+        assert found[-1]["outputs"]["thread"] == ("sticks" if turns % 2 else "gone")
+        for state in found:
+            np.testing.assert_allclose(state["inputs"]["spoon"], thread[-1], atol=1e-9)
+            begin = "odd" if turns % 2 else "even"
+            np.testing.assert_allclose(state["parts"][f"{begin} end"]["at"], 0, atol=1e-6)
+
+
+def test_near_home_the_spoon_falls_into_place_and_the_thread_goes_on() -> None:
+    """Within 12 degrees of home; the thread keeps what the hand has left of it when pulled."""
+    near = Quaternion.from_axis_angle([1, 2, 0], np.deg2rad(-11)).components.tolist()
+    away = Quaternion.from_axis_angle([1, 2, 0], np.deg2rad(-13)).components.tolist()
+    given = tried("pull_the_thread", "pulled tight")
+    home, left = states("pull_the_thread", [given | {"spoon": q} for q in (near, away)])
+    assert home["inputs"]["spoon"] == pytest.approx([-1, 0, 0, 0])
+    assert home["inputs"]["pulled"] == 1
+    assert np.abs(left["inputs"]["spoon"]) == pytest.approx(np.abs(away))
+    assert left["inputs"]["pulled"] == 0
+    assert left["outputs"]["degrees"] == pytest.approx(360, abs=14)

@@ -399,10 +399,15 @@ def skin_by_poses(bones: Array, weights: Array, point: Array) -> Array:
     return np.asarray(weights @ np.stack([move_by_pose(bone, point) for bone in bones]))
 
 
-def skin_by_dual_quaternions(bones: Array, weights: Array, point: Array) -> Array:
-    """Move a vertex by the mean of bones' dual quaternions, which may have any signs."""
-    first, *others = bones[:, 0]
-    agree = [True, *(np.dot(first, other) > 0 for other in others)]
-    signed = np.array([w if same else -w for w, same in zip(weights, agree, strict=True)])
-    mean = (signed @ bones.reshape(-1, 8)).reshape(2, 4)
+def skin_by_dual_quaternions(bones: Array, ratios: Array, point: Array) -> Array:
+    """Move a vertex by the mean of bones' dual quaternions, which may have any signs.
+
+    Since the mean is divided by its length, each further weight is told as a multiple of the first.
+    """
+    first, *others = bones
+    signed = [
+        ratio if np.dot(first[0], other[0]) > 0 else -ratio
+        for ratio, other in zip(ratios, others, strict=True)
+    ]
+    mean = first + (np.array(signed) @ np.reshape(others, (-1, 8))).reshape(2, 4)
     return np.asarray(point + 2 / np.dot(mean[0], mean[0]) * moved_aside(mean, point))

@@ -212,6 +212,9 @@ const scaled = (point, factor) => (factor === 1 ? point : point.map((x) => x * f
 class BodyHandle extends Handle {
   constructor(hand, i) {
     super(hand, i, "body");
+    /** @type {number[]} where the hand has turned the body, and how it is shown since */
+    this.hand = this.value;
+    this.shown = "";
     const { button, layer } = this;
     button.classList.add("scene-body");
     layer.prepend(button);
@@ -231,8 +234,12 @@ class BodyHandle extends Handle {
     });
   }
 
+  /** Turn on from where the hand is: a model may have held the body back, or let it fall into place. */
   turn(by, spoken) {
-    this.put(spun(this.value, this.view.aim.axes(), by), spoken);
+    const held = String(this.value) === this.shown;
+    this.hand = spun(held ? this.hand : this.value, this.view.aim.axes(), by);
+    this.put(this.hand, spoken);
+    this.shown = String(this.value);
   }
 
   /** The middle of the body and its size in the picture. */

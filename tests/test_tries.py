@@ -53,10 +53,10 @@ SHOWN: dict[str, dict[str, dict[str, str]]] = {
         "from the other side": {"angle": "172.0°", "share": "101.50"},
     },
     "pull_the_thread": {
-        "home, once through the skin": {"crossings": "1", "thread": "loose", "home": "yes"},
-        "pulled tight": {"crossings": "1", "degrees": "360°", "thread": "sticks", "home": "yes"},
-        "home, twice through the skin": {"crossings": "2", "thread": "loose", "home": "yes"},
-        "and pulled tight": {"crossings": "0", "degrees": "0°", "thread": "gone", "home": "yes"},
+        "home, once through the skin": {"crossings": "1", "verdict": "loose", "home": "yes"},
+        "pulled tight": {"crossings": "1", "degrees": "360°", "verdict": "sticks", "home": "yes"},
+        "home, twice through the skin": {"crossings": "2", "verdict": "loose", "home": "yes"},
+        "and pulled tight": {"crossings": "0", "degrees": "0°", "verdict": "gone", "home": "yes"},
     },
     "routes_by_hand": {
         "a swing to 90°": {"turn": "170.0°", "apart": "0.0°", "signs": "can agree"},
@@ -431,7 +431,7 @@ def test_a_thread_sticks_if_it_crosses_an_odd_number_of_times(turns: int) -> Non
         crossings = np.array([state["outputs"]["crossings"] for state in found])
         assert crossings[0] == turns
         assert (crossings % 2 == turns % 2).all()
-        assert found[-1]["outputs"]["thread"] == ("sticks" if turns % 2 else "gone")
+        assert found[-1]["outputs"]["verdict"] == ("sticks" if turns % 2 else "gone")
         for state in found:
             np.testing.assert_allclose(state["inputs"]["spoon"], thread[-1], atol=1e-9)
             begin = "odd" if turns % 2 else "even"

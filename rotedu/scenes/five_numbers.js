@@ -89,7 +89,7 @@ export function pullTheThread({ spoon, thread, pulled }) {
       crossings,
       degrees,
       home: lamp(home),
-      thread: verdict(path, degrees, home, crossings),
+      verdict: verdict(path, degrees, home, crossings),
     },
   };
 }

@@ -111,7 +111,7 @@ def pull_the_thread(state: State) -> pyvista.Plotter:
     add_shadow(plotter, "spoon", TABLE, 1, 0.9)
     read_out(plotter, "crossings", "through the skin", 0, where="picture")
     read_out(plotter, "degrees", "length of the thread", 0, "°", where="picture")
-    read_out(plotter, "thread", "the thread")
+    read_out(plotter, "verdict", "the thread")
     read_out(plotter, "home", "spoon is home", loud="yes")
     describe(
         plotter,

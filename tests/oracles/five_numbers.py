@@ -36,7 +36,7 @@ def pull_the_thread(spoon: Any, thread: Any, pulled: float) -> dict[str, Any]:
         "crossings": crossings,
         "degrees": degrees,
         "home": "yes" if home else "no",
-        "thread": tight if degrees <= shortest + 3 else "loose",
+        "verdict": tight if degrees <= shortest + 3 else "loose",
     }
 
 

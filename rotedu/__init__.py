@@ -7,7 +7,7 @@ every function names the equation that it computes.
 
 Conventions, the same everywhere:
 
-- The axes U, V, W are right-handed; rotations are active, counterclockwise seen from the tip of
+- The axes U, V, W are right-handed; rotations are active, anticlockwise seen from the tip of
   the axis. Vectors are columns, matrices act from the left, so ``A @ B`` does B first.
 - Angles are in radians. Quaternions put the scalar first, ``[w, (x, y, z)]``.
 - Points have shape (..., 3), matrices (..., 3, 3) or (..., 4, 4); the leading axes broadcast.

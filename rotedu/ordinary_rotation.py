@@ -25,7 +25,7 @@ def rotate(points: Vector3, axis: Unit3, angle: Number) -> Vector3:
     axis : array_like, shape (..., 3)
         Direction of the axis; any length but zero.
     angle : array_like, shape (...)
-        Angle in radians, counterclockwise as seen from the tip of the axis.
+        Angle in radians, anticlockwise as seen from the tip of the axis.
 
     Returns
     -------
@@ -53,7 +53,7 @@ def rotation_matrix(axis: Unit3, angle: Number) -> Rotation:
     axis : array_like, shape (..., 3)
         Direction of the axis; any length but zero.
     angle : array_like, shape (...)
-        Angle in radians, counterclockwise as seen from the tip of the axis.
+        Angle in radians, anticlockwise as seen from the tip of the axis.
 
     Returns
     -------

@@ -374,7 +374,7 @@ def rotate_about_u(points: Vector3, angle: Number) -> Vector:
     points : array_like, shape (..., 3)
         Points or vectors to rotate.
     angle : array_like, shape (...)
-        Angle in radians, counterclockwise as seen from the tip of the U axis.
+        Angle in radians, anticlockwise as seen from the tip of the U axis.
 
     Returns
     -------

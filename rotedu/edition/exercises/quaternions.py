@@ -147,7 +147,7 @@ def axis_and_angle_at_sight() -> Iterator[Part]:
     hints = {
         "U went the wrong way round.": when(
             four[-1].conjugate().rotate(u),
-            "Look from the tip of the axis (1, 1, 1): which axis comes counterclockwise?",
+            "Look from the tip of the axis (1, 1, 1): which axis comes anticlockwise?",
         ),
         "The fourth rotation sends U elsewhere.": otherwise("It exchanges the three axes in turn."),
     }

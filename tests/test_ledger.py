@@ -152,7 +152,7 @@ class TestRigidMotions:
                 ),
             ):
                 pose = blend(bones, weights)
-                close(moved, pose[:3, :3] @ r + pose[:3, 3], 1e-11)
+                close(moved, pose[:3, :3] @ r + pose[:3, 3], 1e-12)
             turned, moved = lean.compose_with_steps(p[0], steps[0], q[0], steps[1])
             close(lean.move_by_quaternion_and_step(turned, moved, r), (m * n).apply(r), 1e-13)
 

@@ -8,7 +8,7 @@ from rotedu.colors import AXIS, NEUTRAL, RESULT, VECTOR
 from rotedu.figures import State, describe, explorable, read_out
 from rotedu.figures.inputs import Choice, Slider
 from rotedu.quaternions import Quaternion
-from rotedu.scenes.looks import Heap, Lines, Look, Mesh, Text, draw
+from rotedu.scenes.looks import UNTOUCHED, Heap, Lines, Look, Mesh, Text, draw
 from rotedu.scenes.parts import add_label, add_lines, new_scene
 from rotedu.scenes.shapes import U, V, W, lathe, teaspoon
 
@@ -29,7 +29,6 @@ MOST = 300
 """Spoons that a pan holds."""
 TWICE = float(np.log10(2))
 DECADES = Slider(0, 4, "how many, as a power of ten", step=0.02, stride=TWICE, plays=9, start=0)
-RIGID = {"smooth_shading": True, "pickable": False}
 RULER = (-1.5, 1.5, -1.5)
 """Ends and height of the ruler."""
 SIZE = (1.25, 1.05)
@@ -64,7 +63,7 @@ def balance(state: State, what: str) -> pyvista.Plotter:
         "beam": Lines(NEUTRAL, 0.03),
         "pointer": Lines(AXIS, 0.02),
         "strings": Lines(NEUTRAL, 0.008),
-        "pan *": Mesh(lathe(PAN), NEUTRAL, RIGID),
+        "pan *": Mesh(lathe(PAN), NEUTRAL, UNTOUCHED),
         "left": Heap(spoon, places, RESULT),
         "right": Heap(spoon, places, VECTOR),
         "level": Lines(AXIS, 0.02),

@@ -132,7 +132,11 @@ const lengthOf = (path) => path.slice(1).reduce((sum, q, i) => sum + angleBetwee
 
 /** A thread by so many places at equal distances. */
 function even(thread, count) {
-  const upTo = thread.map((_, i) => lengthOf(thread.slice(0, i + 1)));
+  let far = 0;
+  const upTo = thread.map((q, i) => {
+    far += i ? angleBetween(thread[i - 1], q) : 0;
+    return far;
+  });
   const whole = upTo.at(-1);
   if (!whole) return thread;
   return spread(count).map((t) => {

@@ -8,13 +8,12 @@ from rotedu.colors import AXIS, CROSS, NEUTRAL, RESULT, VECTOR
 from rotedu.figures import State, describe, explorable, read_out
 from rotedu.figures.inputs import Poses, Slider
 from rotedu.quaternions import Quaternion
-from rotedu.scenes.looks import Ball, Lines, Look, Mesh, Text, draw
+from rotedu.scenes.looks import UNTOUCHED, Ball, Lines, Look, Mesh, Text, draw
 from rotedu.scenes.parts import LITTLE, add_shadow, add_sphere, new_scene
 from rotedu.scenes.shapes import teaspoon
 
 __all__ = ["one_name", "pull_the_thread"]
 
-SPOON = {"smooth_shading": True, "pickable": False}
 TABLE = (-2.5, 0, 0)
 KEPT = 40
 
@@ -98,8 +97,8 @@ def pull_the_thread(state: State) -> pyvista.Plotter:
     )
     spoon = teaspoon(stations=61, around=20)
     looks: dict[str, Look] = {
-        "at the start": Mesh(spoon, NEUTRAL, SPOON | {"opacity": 0.25}),
-        "spoon": Mesh(spoon, VECTOR, SPOON),
+        "at the start": Mesh(spoon, NEUTRAL, UNTOUCHED | {"opacity": 0.25}),
+        "spoon": Mesh(spoon, VECTOR, UNTOUCHED),
         "even": Lines(RESULT, 0.022),
         "odd": Lines(CROSS, 0.022),
         "middle": Ball(NEUTRAL, 0.035),

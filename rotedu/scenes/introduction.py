@@ -7,7 +7,7 @@ from rotedu.colors import AXIS, CROSS, NEUTRAL, RESULT, VECTOR
 from rotedu.figures import State, describe, explorable, read_out
 from rotedu.figures.inputs import Slider
 from rotedu.ordinary_rotation import rotate, rotation_matrix, transform
-from rotedu.scenes.looks import Arrow, Lines, Look, Mesh, Text, draw
+from rotedu.scenes.looks import UNTOUCHED, Arrow, Lines, Look, Mesh, Text, draw
 from rotedu.scenes.parts import (
     LITTLE,
     NARROW,
@@ -22,7 +22,6 @@ from rotedu.scenes.shapes import ORIGIN, U, W, teaspoon, turning
 
 __all__ = ["four_descriptions", "on_the_way", "once_round", "the_roll"]
 
-SOLID = {"smooth_shading": True, "pickable": False}
 AXIS_HERE, ANGLE_HERE = np.array([-1, -2, 2]) / 3, 2 * np.arctan2(3, 4)
 """The turn of this chapter's spoon."""
 ANGLES_HERE = np.arctan2(-0.64, 0.6), -np.arcsin(0.48), np.arctan2(0.8, 0.36)
@@ -92,7 +91,7 @@ def the_roll(state: State) -> pyvista.Plotter:
     spoon.points = spoon.points * [1, 1.25, 1.25]
     looks: dict[str, Look] = {
         "path": Lines(NEUTRAL, 0.004),
-        "spoon": Mesh(spoon, RESULT, SOLID),
+        "spoon": Mesh(spoon, RESULT, UNTOUCHED),
     }
     add_pale(plotter, spoon.copy())
     draw(plotter, state, looks, {"tip": Text(VECTOR, "{}")})
@@ -116,7 +115,7 @@ def held_at_its_end(stations: int = 61, around: int = 20) -> pyvista.PolyData:
 
 def add_pale(plotter: pyvista.Plotter, spoon: pyvista.PolyData) -> None:
     """Add a spoon where it lay, or should lie."""
-    looks = {"color": VECTOR, "opacity": 0.25, **SOLID}
+    looks = {"color": VECTOR, "opacity": 0.25, **UNTOUCHED}
     plotter.add_mesh(spoon, name="pale", **looks)  # type: ignore[arg-type]
 
 
@@ -142,7 +141,7 @@ def on_the_way(state: State) -> pyvista.Plotter:
     inks = {"mechanic": RESULT, "pilot": CROSS, "draughtsman": NEUTRAL}
     looks: dict[str, Look] = {}
     for name, ink in inks.items():
-        looks[name] = Mesh(held_at_its_end(), ink, SOLID)
+        looks[name] = Mesh(held_at_its_end(), ink, UNTOUCHED)
         looks[f"{name}'s path"] = Lines(ink, 0.008)
     draw(plotter, state, looks)
     add_label(plotter, (1.04, 0.17, -0.05), "your friend's")
@@ -173,7 +172,7 @@ def once_round(state: State) -> pyvista.Plotter:
     """
     plotter = new_scene((2.6, -3.4, 2.2), (0, 0, 0.03), view_angle=18.5, size=LITTLE)
     looks: dict[str, Look] = {
-        "spoon": Mesh(held_at_its_end(), RESULT, SOLID),
+        "spoon": Mesh(held_at_its_end(), RESULT, UNTOUCHED),
         "axis": Arrow(AXIS, 0.02),
     }
     add_pale(plotter, held_at_its_end())

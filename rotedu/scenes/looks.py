@@ -14,6 +14,9 @@ from rotedu.quaternions import Quaternion
 from rotedu.scenes.parts import TIP, add_arrow, add_label, add_lines, add_point, add_thin
 from rotedu.scenes.shapes import ORIGIN, W
 
+UNTOUCHED = {"smooth_shading": True, "pickable": False}
+"""Style of a mesh that is seen as smooth, and that no pointer finds."""
+
 
 @dataclass(frozen=True)
 class Ball:

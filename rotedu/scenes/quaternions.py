@@ -9,7 +9,7 @@ from rotedu.figures import State, describe, explorable, read_out
 from rotedu.figures.inputs import Choice, Poses, Slider
 from rotedu.ordinary_rotation import rotate
 from rotedu.quaternions import Quaternion
-from rotedu.scenes.looks import Arrow, Ball, Lines, Look, Mesh, Text, draw
+from rotedu.scenes.looks import UNTOUCHED, Arrow, Ball, Lines, Look, Mesh, Text, draw
 from rotedu.scenes.parts import (
     HEAD,
     LITTLE,
@@ -60,7 +60,6 @@ LEFT = tuple(Quaternion.from_axis_angle([0.1, 1, -0.15], np.deg2rad(140)).compon
 PALE = "#8fc1e3"
 CHINA = "#d3d7dc"
 SOLID = {"smooth_shading": True}
-UNTOUCHED = SOLID | {"pickable": False}
 
 
 def letter_f(size: float = 0.5, thickness: float = 0.07, border: float = 0.0) -> pyvista.PolyData:

@@ -11,7 +11,7 @@ from rotedu.figures.inputs import Choice, Handles, Slider
 from rotedu.general_rotation import compose, rotation_w, swing_twist, translation
 from rotedu.ordinary_rotation import axis_angle, rotate, rotation_matrix, transform
 from rotedu.rigid_motion import screw_motion, straight_motion
-from rotedu.scenes.looks import Arrow, Ball, Lines, Look, Mesh, Text, draw
+from rotedu.scenes.looks import UNTOUCHED, Arrow, Ball, Lines, Look, Mesh, Text, draw
 from rotedu.scenes.parts import (
     LITTLE,
     add_label,
@@ -75,9 +75,8 @@ SHOULDER = rotation_matrix([1, 2, -2], np.deg2rad(100))
 """Where an upper arm is asked to go, along U at rest."""
 SHOULDER_LIMIT = 60
 """How far it can swing, in degrees."""
-SPOON = {"smooth_shading": True, "pickable": False}
 # Skin is dull.
-SKIN = SPOON | {"specular": 0.03}
+SKIN = UNTOUCHED | {"specular": 0.03}
 PALE = "#8fc1e3"
 SKINS = ("matrices, averaged", "the same, repaired", "dual quaternions")
 LOOKS: dict[str, Look] = {
@@ -185,8 +184,8 @@ def from_a_to_b(state: State) -> pyvista.Plotter:
         "tip a": Ball(VECTOR, 0.05),
         "tip b": Ball(RESULT, 0.05),
         "opposite": Ball(NEUTRAL, 0.035),
-        "spoon before": Mesh(spoon, NEUTRAL, SPOON | {"opacity": 0.35}),
-        "spoon after": Mesh(spoon, VECTOR, SPOON),
+        "spoon before": Mesh(spoon, NEUTRAL, UNTOUCHED | {"opacity": 0.35}),
+        "spoon after": Mesh(spoon, VECTOR, UNTOUCHED),
     }
     texts = {
         "a": Text(VECTOR, r"$\hat a$"),

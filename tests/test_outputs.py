@@ -59,9 +59,9 @@ SPECIAL: dict[str, list[dict[str, Any]]] = {
         {"first": first, "second": second} for first in (0, 355) for second in (4, 170, 180)
     ],
     "worn_spoons_by_hand": [
-        {"precision": precision, "size": size, "turns": 997.0, "repair": size == "any size"}
+        {"precision": precision, "turns": 997.0, "repair": repair, "magnified": not repair}
         for precision in ("2 decimals", "3 decimals", "16 bits", "32 bits")
-        for size in ("any size", "about 2°", "about 0.02°")
+        for repair in (False, True)
     ],
 }
 

@@ -59,9 +59,9 @@ SHOWN: dict[str, dict[str, dict[str, str]]] = {
         "and pulled tight": {"crossings": "0", "degrees": "0°", "verdict": "gone", "home": "yes"},
     },
     "routes_by_hand": {
-        "a swing to 90°": {"turn": "170.0°", "apart": "0.0°", "signs": "can agree"},
         "a swing to 100°": {"turn": "190.0°", "apart": "39.9°", "signs": "can agree"},
         "once right round": {"turn": "0.0°", "apart": "0.0°", "signs": "cannot agree"},
+        "turns about many axes": {"turn": "201.9°", "apart": "41.2°", "signs": "can agree"},
     },
     "slerp_by_hand": {
         "nlerp hurries in the middle": {"angle": "150.0°", "way": "300.0°", "speed": "2.85"},
@@ -185,15 +185,15 @@ SHOWN: dict[str, dict[str, dict[str, str]]] = {
         "mirrors in one plane": {"turned": "360°", "home": "yes", "q": "−1.00, 0.00, 0.00, 0.00"},
     },
     "worn_spoons_by_hand": {
-        "repair both": {
+        "a thousand turns": {"matrix_off": "21 % in length", "quaternion_off": "17 % in length"},
+        "then repair both": {
             "matrix_off": "5.5°",
             "quaternion_off": "16°",
             "matrix_edges": "1.000, 1.000, 1.000",
             "quaternion_edges": "1.000, 1.000, 1.000",
         },
-        "after 100 turns": {"matrix_off": "1.6°", "quaternion_off": "5.4°"},
-        "32 bits": {"matrix_off": "0.000021°", "quaternion_off": "0.00010°"},
-        "tiny turns, 16 bits": {"matrix_off": "0.0026°", "quaternion_off": "0.0024°"},
+        "with 32 bits": {"times": "1"},
+        "… under the magnifier": {"times": "100000"},
     },
 }
 CHIPS = [(name, words) for name, chips in SHOWN.items() for words in chips]

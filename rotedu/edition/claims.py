@@ -481,7 +481,8 @@ def evidence_table(evidence: Mapping[int, str]) -> Table:
     rows = []
     for number, seen in evidence.items():
         claim = next(claim for claim in CLAIMS if claim.number == number)
-        said = linked(claim.claim) + (" (not claimed)" if "not claimed" in claim.where else "")
+        others = "".join(f" ({where})" for where in claim.where if where in OTHERS)
+        said = linked(claim.claim) + others
         rows.append([str(number), said, signed(claim.verdict), linked(seen)])
     return Table(["No.", "The paper says", "Verdict", "Evidence"], rows)
 

@@ -163,7 +163,11 @@ def sine_of_unit(half: Array) -> Any:
 
 
 def compose_turns(a: Array, b: Array) -> Array:
-    """Replace two turns by one, of up to 360 degrees; halves are divided by their cosines."""
+    """Replace two turns by one of up to 360 degrees; halves are divided by their cosines.
+
+    Where just one of the two is beyond half a turn, it is the other name of the turn that comes
+    out. Telling so takes a comparison, which is not counted.
+    """
     v, w = (np.tan(0.5 * turn[3]) * turn[:3] for turn in (a, b))
     vector = v + w + np.cross(v, w)
     return whole(np.array([1 - np.dot(v, w), *vector]), length(vector))
@@ -232,7 +236,11 @@ def vector_whole(half: Array, sin: Any) -> Array:
 
 
 def compose_vectors(v: Array, w: Array) -> Array:
-    """Replace two turns by one, of up to 360 degrees; halves are divided by their cosines."""
+    """Replace two turns by one of up to 360 degrees; halves are divided by their cosines.
+
+    Where just one of the two is beyond half a turn, it is the other name of the turn that comes
+    out. Telling so takes a comparison, which is not counted.
+    """
     v, w = (np.tan(0.5 * theta) / theta * u for u, theta in ((v, length(v)), (w, length(w))))
     vector = v + w + np.cross(v, w)
     return vector_whole(np.array([1 - np.dot(v, w), *vector]), length(vector))

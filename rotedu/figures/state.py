@@ -8,10 +8,11 @@ the start, and the viewer moves its parts to others without drawing them anew:
 - a part may have another ``color`` and may be ``hidden``; a label has a position, or none;
 - a grip says where an input can be grabbed. A number goes evenly along its ``path`` from its lower
   to its upper bound, or cannot be grabbed for now (None); a path that ends where it begins has no
-  end. If it is a circle about whose axis something turns with the number, a line on this thing, its
-  ``body``, is grabbed in its place. Poses have bodies of a ``size`` ``at`` a point or several.
-  Points given in the frame of a turned body have its rotation matrix, ``turn``. What the hand
-  ``holds`` are parts, by name, one for each point or pose;
+  end, and one that goes round and round says in how many ``laps``. If it is a circle about whose
+  axis something turns with the number, a line on this thing, its ``body``, is grabbed in its place.
+  Poses have bodies of a ``size`` ``at`` a point or several. Points given in the frame of a turned
+  body have its rotation matrix, ``turn``. What the hand ``holds`` are parts, by name, one for each
+  point or pose;
 - a view says from where a second picture beside the scene sees it;
 - an output is a number, a text or rows of numbers; a chart has a curve, or none for now,
   for each of its names. A curve is heights evenly spread, or such heights for pieces of equal

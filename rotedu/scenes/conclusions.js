@@ -2,7 +2,7 @@
  * Model of Chapter 6.
  * @import { Matrix, Quaternion } from "./rotations.js"
  */
-import { box, DEGREES, IDENTITY, placing, scaled } from "./parts.js";
+import { box, DEGREES, IDENTITY, placing, scaled, spread, W } from "./parts.js";
 import {
   axisAngle,
   combine,
@@ -12,6 +12,8 @@ import {
   product,
   quaternionMatrix,
   quaternionProduct,
+  rotate,
+  rotationMatrix,
   transpose,
   unit,
 } from "./rotations.js";
@@ -19,8 +21,10 @@ import {
 // A chart shows every tenth number of turns, and nothing below 1e-8 degrees.
 const EVERY = 10;
 const FLOOR = 1e-8;
-const ACROSS = scaled(0.88, [0.93, 0.36, 0]);
+const ACROSS = scaled(0.96, [0.93, 0.36, 0]);
 const BELOW = [0, 0, -0.95];
+// Towards the viewer.
+const AXLE = [0.36, -0.93, 0];
 // What is left of a number after every turn.
 const ROUNDED = {
   // Ties, which could go either way, do not occur.
@@ -39,19 +43,19 @@ function to16Bits(x) {
   return Math.round(x / step) * step;
 }
 
-/** Unit quaternions whose directions are evenly spread, of any size or `small`, near 1. */
-function* randomTurns(count, small) {
+/** Unit quaternions whose directions are evenly spread. */
+function* randomTurns(count) {
   let seed = 3;
   const thrown = () => {
     seed = (Math.imul(1664525, seed) + 1013904223) >>> 0;
     return seed / 2 ** 31 - 1;
   };
   for (let found = 0; found < count; ) {
-    const [w, ...v] = [0, 0, 0, 0].map(thrown);
-    const square = length([w, ...v]) ** 2;
+    const q = [0, 0, 0, 0].map(thrown);
+    const square = length(q) ** 2;
     if (square <= 0.01 || square > 1) continue;
     found++;
-    yield unit(small ? [1, ...scaled(small, v)] : [w, ...v]);
+    yield unit(q);
   }
 }
 
@@ -59,9 +63,8 @@ function* randomTurns(count, small) {
  * Turns multiplied as matrices and as quaternions, every number rounded after every turn: what
  * there is after 0, 1, ... turns and one turn more, which leads back to the start.
  */
-function chains(precision, size, { most, sizes }) {
-  const name = `${precision} ${size}`;
-  if (!known.has(name)) {
+function chains(precision, most) {
+  if (!known.has(precision)) {
     const round = ROUNDED[precision];
     const rounded = (rows) => rows.map((row) => row.map(round));
     let exact = [1, 0, 0, 0];
@@ -69,7 +72,7 @@ function chains(precision, size, { most, sizes }) {
     let kept = exact;
     /** @type {{matrix: Matrix[], quaternion: Quaternion[]}} */
     const worn = { matrix: [], quaternion: [] };
-    for (const turn of [...randomTurns(most, sizes[size]), exact]) {
+    for (const turn of [...randomTurns(most), exact]) {
       const back = conjugate(exact);
       worn.matrix.push(rounded(product(quaternionMatrix(back), matrix)));
       worn.quaternion.push(quaternionProduct(back, kept).map(round));
@@ -83,9 +86,9 @@ function chains(precision, size, { most, sizes }) {
     let sampled;
     const curves = () =>
       (sampled ??= transpose(worn.matrix.flatMap((_, k) => (k % EVERY ? [] : [off(k)]))));
-    known.set(name, { ...worn, near, off, curves });
+    known.set(precision, { ...worn, near, off, curves });
   }
-  return known.get(name);
+  return known.get(precision);
 }
 
 /** A number with two digits, however small it is. */
@@ -93,23 +96,39 @@ function twoDigits(value) {
   return value.toFixed(value > FLOOR ? Math.max(0, 1 - Math.floor(Math.log10(value))) : 0);
 }
 
+/** What becomes of a matrix if it differs so many times as much from the identity. */
+function underMagnifier(matrix, times, repaired) {
+  if (times === 1) return matrix;
+  if (!repaired) return matrix.map((row, i) => combine(1 - times, IDENTITY[i], times, row));
+  const { axis, angle } = axisAngle(matrix);
+  return rotationMatrix(axis, times * angle);
+}
+
 /** What rounding does to a product of matrices and to a product of quaternions. */
-export function wornSpoonsByHand({ turns, precision, size, repair }, constants) {
-  const { degree, in_length } = constants;
-  const worn = chains(precision, size, constants);
+export function wornSpoonsByHand({ turns, precision, repair, magnified }, constants) {
+  const { most, crank, magnifiers, degree, in_length } = constants;
+  const worn = chains(precision, most);
+  const times = magnified ? magnifiers[precision] : 1;
   const k = Math.round(turns);
   const q = worn.quaternion[k];
   const square = length(q) ** 2;
   const unrepaired = [worn.matrix[k], quaternionMatrix(q).map((row) => scaled(square, row))];
   const rotations = repair ? worn.near(k) : unrepaired;
   const off = worn.off(k);
-  const state = { parts: {}, labels: {}, outputs: {}, charts: { off: {} } };
+  const wheel = rotationMatrix(AXLE, (-2 * Math.PI * crank.laps * turns) / most);
+  const state = {
+    parts: { crank: { matrix: placing(wheel, crank.place) } },
+    labels: {},
+    outputs: { times },
+    charts: { off: {} },
+    grips: { turns: { path: roundAndRound(crank), laps: crank.laps, holds: ["crank"] } },
+  };
   ["matrix", "quaternion"].forEach((name, i) => {
     const rotation = rotations[i];
     const place = scaled(i ? 1 : -1, ACROSS);
     for (const [part, matrix] of [
       [`${name} at the start`, IDENTITY],
-      [name, rotation],
+      [name, underMagnifier(rotation, times, repair)],
     ]) {
       state.parts[`box, ${part}`] = box(matrix, place);
       state.parts[part] = { matrix: placing(matrix, place) };
@@ -124,3 +143,9 @@ export function wornSpoonsByHand({ turns, precision, size, repair }, constants) 
   });
   return state;
 }
+
+/** The way of the crank's knob, clockwise as seen from the front: each lap a little wider. */
+const roundAndRound = ({ place, radius, laps }) =>
+  spread(24 * laps + 1).map((t) =>
+    combine(1, place, radius * (1 + 0.01 * t), rotate(W, AXLE, -2 * Math.PI * laps * t)),
+  );

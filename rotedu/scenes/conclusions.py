@@ -2,18 +2,19 @@
 
 from collections.abc import Callable, Iterator
 from functools import cache, reduce
+from typing import Any
 
 import numpy as np
 import pyvista
 from numpy.typing import NDArray
 
-from rotedu.colors import MATRIX, QUATERNION, VECTOR
+from rotedu.colors import MATRIX, NEUTRAL, QUATERNION, VECTOR
 from rotedu.figures import State, describe, draw_chart, explorable, read_out
 from rotedu.figures.inputs import Choice, Slider, Switch
 from rotedu.quaternions import Quaternion
 from rotedu.scenes.looks import Lines, Look, Mesh, Text, draw
 from rotedu.scenes.parts import new_scene
-from rotedu.scenes.shapes import ORIGIN, teaspoon
+from rotedu.scenes.shapes import ORIGIN, W, merged, teaspoon
 
 __all__ = ["worn_rotations", "worn_spoons_by_hand"]
 
@@ -26,8 +27,10 @@ ROUNDED: dict[str, Callable[[NDArray[np.float64]], NDArray[np.float64]]] = {
     "32 bits": lambda x: np.asarray(x, np.float32).astype(float),
 }
 """What is left of a number after every turn."""
-SIZES = {"any size": 0.0, "about 2°": 0.02, "about 0.02°": 0.0002}
-"""How large turns are: twice as much is the largest angle of small ones, in radians."""
+MAGNIFIERS = {"2 decimals": 1, "3 decimals": 10, "16 bits": 10, "32 bits": 100_000}
+"""How many times as large the magnifier shows what rounding does, so that it is seen."""
+CRANK: dict[str, Any] = {"place": [0, 0, -0.7], "radius": 0.28, "laps": 10}
+"""The wheel that turns both spoons: a hundred turns a lap, clockwise."""
 # The spoon at the start is thinner by so much, and one in the same place covers it.
 THINNER = 0.005
 
@@ -40,22 +43,19 @@ def dice(seed: int = 3) -> Iterator[float]:
 
 
 @cache
-def random_turns(size: str) -> list[Quaternion]:
-    """Return unit quaternions whose directions are evenly spread, of any size or near 1."""
+def random_turns() -> list[Quaternion]:
+    """Return unit quaternions whose directions are evenly spread."""
     thrown = dice()
     turns: list[Quaternion] = []
     while len(turns) < MOST:
         w, *v = (next(thrown) for _ in range(4))
         if 0.01 < w * w + np.dot(v, v) <= 1:
-            small = SIZES[size]
-            q = Quaternion(1, small * np.array(v)) if small else Quaternion(w, v)
+            q = Quaternion(w, v)
             turns.append(q / q.norm())
     return turns
 
 
-def worn_rotations(
-    turns: int = MOST, precision: str = "2 decimals", size: str = "any size"
-) -> list[NDArray[np.float64]]:
+def worn_rotations(turns: int = MOST, precision: str = "2 decimals") -> list[NDArray[np.float64]]:
     """Multiply random rotations that lead back to the start, and round every product.
 
     Parameters
@@ -65,8 +65,6 @@ def worn_rotations(
     precision : str
         What is left of every number after every turn: ``2 decimals``, ``3 decimals``, ``16 bits``
         or ``32 bits``.
-    size : str
-        Turns of ``any size``, of ``about 2°`` or of ``about 0.02°``.
 
     Returns
     -------
@@ -83,7 +81,7 @@ def worn_rotations(
     True
     """
     rounded = ROUNDED[precision]
-    gone = random_turns(size)[:turns]
+    gone = random_turns()[:turns]
     matrix, q = np.eye(3), Quaternion(1, ORIGIN)
     back = reduce(lambda product, turn: turn * product, gone, q).conjugate()
     for turn in [*gone, back]:
@@ -93,18 +91,37 @@ def worn_rotations(
     return [matrix, q.norm() ** 2 * q.matrix()]
 
 
+def crank() -> pyvista.PolyData:
+    """Model the crank about the origin: a rim, a spoke and a knob at the top."""
+    angles = np.linspace(0, 2 * np.pi, 49)
+    across = np.array([0.93, 0.36, 0])
+    radius = CRANK["radius"]
+    rim = radius * (np.outer(np.sin(angles), across) + np.outer(np.cos(angles), W))
+    thin = pyvista.lines_from_points(rim).tube(radius=0.022, n_sides=12)
+    spoke = pyvista.Line(ORIGIN, radius * W).tube(radius=0.03, n_sides=12)
+    knob = pyvista.Sphere(radius=0.065, center=radius * W, theta_resolution=20, phi_resolution=20)
+    return merged(thin, spoke, knob)
+
+
 @explorable(
+    answer={"turns": MOST},
     tries={
-        "repair both": {"repair": True},
-        "after 100 turns": {"repair": True, "turns": 100},
-        "32 bits": {"repair": True, "precision": "32 bits"},
-        "tiny turns, 16 bits": {"repair": True, "precision": "16 bits", "size": "about 0.02°"},
+        "a thousand turns": {"turns": MOST},
+        "then repair both": {"turns": MOST, "repair": True},
+        "with 32 bits": {"turns": MOST, "precision": "32 bits"},
+        "… under the magnifier": {"turns": MOST, "precision": "32 bits", "magnified": True},
     },
-    constants={"most": MOST, "sizes": SIZES, "degree": "°", "in_length": " % in length"},
-    turns=Slider(0, MOST, "turns", step=1, stride=100, plays=10, start=MOST),
+    constants={
+        "most": MOST,
+        "crank": CRANK,
+        "magnifiers": MAGNIFIERS,
+        "degree": "°",
+        "in_length": " % in length",
+    },
+    turns=Slider(0, MOST, "turns", step=1, stride=100, plays=10, start=0),
     precision=Choice("rounded to", tuple(ROUNDED), start="2 decimals"),
-    size=Choice("turns of", tuple(SIZES), start="any size"),
     repair=Switch("repair both: take the nearest rotation", start=False),
+    magnified=Switch("under a magnifier", start=False),
 )
 def worn_spoons_by_hand(state: State) -> pyvista.Plotter:
     """Draw what rounding does to a product of matrices and to a product of quaternions.
@@ -115,27 +132,29 @@ def worn_spoons_by_hand(state: State) -> pyvista.Plotter:
         Number of random rotations, from 0 to 1000; one more leads back to the start.
     precision : str
         What is left of every number after every turn.
-    size : str
-        Turns of ``any size``, of ``about 2°`` or of ``about 0.02°``.
     repair : bool
         Whether both products are replaced by the nearest rotation at the end.
+    magnified : bool
+        Whether what rounding does is drawn larger, the more digits are left.
     """
     spoon = teaspoon(stations=61, around=20)
     spoon.points = spoon.points / 2
     thin = spoon.copy()
     thin.points = spoon.points + THINNER * spoon.point_normals
-    eye, target = (2.93, -7.43, 3.64), (-0.03, -0.03, -0.06)
-    plotter = new_scene(eye, target, view_angle=11.6, size=(720, 366), swing=20)
+    eye, target = (2.93, -7.43, 3.64), (-0.03, -0.03, -0.13)
+    plotter = new_scene(eye, target, view_angle=13.7, size=(720, 400), swing=20)
+    draw(plotter, state, {"crank": Mesh(crank(), NEUTRAL)})
     for name, ink in INKS.items():
         looks: dict[str, Look] = {
-            f"box, {name} at the start": Lines(VECTOR, 0.005),
+            f"box, {name} at the start": Lines(VECTOR, 0.004),
             f"{name} at the start": Mesh(thin, VECTOR),
-            f"box, {name}": Lines(ink, 0.009),
+            f"box, {name}": Lines(ink, 0.012),
             name: Mesh(spoon, ink),
         }
         draw(plotter, state, looks, {name: Text(ink, "{}")})
         read_out(plotter, f"{name}_off", f"{name} off by", where="picture")
         read_out(plotter, f"{name}_edges", f"edges of the cube, {name}", 3)
+    read_out(plotter, "times", "drawn larger, times", 0)
     draw_chart(
         plotter,
         "off",
@@ -150,8 +169,8 @@ def worn_spoons_by_hand(state: State) -> pyvista.Plotter:
         plotter,
         "Two teaspoons, each in a wire box and each drawn twice: blue at the start, and in a second"
         f" colour after {state['inputs']['turns']:.0f} turns that should lead back to the start. On"
-        " the left, matrices were multiplied: the ochre box is askew, and its spoon is bent. On the"
-        " right, quaternions were multiplied: the violet box is still a cube, but of another size,"
-        " and turned further from the blue one.",
+        " the left, matrices are multiplied: the ochre box goes askew, and its spoon bends. On the"
+        " right, quaternions are multiplied: the violet box stays a cube, but of another size, and"
+        " is turned further from the blue one. A crank between them turns both.",
     )
     return plotter

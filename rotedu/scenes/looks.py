@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from rotedu.figures.state import State, place_part
 from rotedu.quaternions import Quaternion
 from rotedu.scenes.parts import TIP, add_arrow, add_label, add_lines, add_point, add_thin
-from rotedu.scenes.shapes import ORIGIN, W
+from rotedu.scenes.shapes import ORIGIN, W, merged
 
 UNTOUCHED = {"smooth_shading": True, "pickable": False}
 """Style of a mesh that is seen as smooth, and that no pointer finds."""
@@ -113,8 +113,7 @@ def heaped(
     for point, (w, *v) in zip(*(place[:count] for place in places), strict=True):
         copies.append(shape.copy())
         copies[-1].points = Quaternion(w, v).rotate(shape.points) + point
-    heap: pyvista.PolyData = pyvista.merge(copies)
-    return heap
+    return merged(*copies)
 
 
 @dataclass(frozen=True)

@@ -50,6 +50,12 @@ def triangle_mesh(points: ArrayLike, triangles: ArrayLike) -> pyvista.PolyData:
     return pyvista.PolyData(np.asarray(points), faces=faces)
 
 
+def merged(*parts: pyvista.PolyData) -> pyvista.PolyData:
+    """Make one thing of several."""
+    whole: pyvista.PolyData = pyvista.merge(parts)
+    return whole
+
+
 def strip(sides: ArrayLike) -> pyvista.PolyData:
     """Span a surface between two lines, one after the other, shape (2 n, 3)."""
     n = len(np.asarray(sides)) // 2
@@ -64,8 +70,7 @@ def stripes(sides: ArrayLike) -> pyvista.PolyData:
     """Span four surfaces across three lines each, one after the other, shape (12 n, 3)."""
     lines = np.reshape(sides, (4, 3, -1, 3))
     pairs = np.stack([lines[:, :2], lines[:, 1:]], axis=2).reshape(8, -1, 3)
-    surface: pyvista.PolyData = pyvista.merge([strip(pair) for pair in pairs])
-    return surface
+    return merged(*(strip(pair) for pair in pairs))
 
 
 def teaspoon(stations: int = 121, around: int = 40) -> pyvista.PolyData:

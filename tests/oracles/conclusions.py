@@ -14,9 +14,12 @@ def two_digits(value: float) -> str:
     return f"{value:.{digits}f}"
 
 
-def worn_spoons_by_hand(turns: float, precision: str, size: str, repair: bool) -> dict[str, Any]:
-    outputs: dict[str, Any] = {}
-    kept = worn_rotations(round(turns), precision, size)
+def worn_spoons_by_hand(
+    turns: float, precision: str, repair: bool, magnified: bool
+) -> dict[str, Any]:
+    larger = {"2 decimals": 1, "3 decimals": 10, "16 bits": 10, "32 bits": 100_000}
+    outputs: dict[str, Any] = {"times": larger[precision] if magnified else 1}
+    kept = worn_rotations(round(turns), precision)
     for name, worn in zip(("matrix", "quaternion"), kept, strict=True):
         nearest = nearest_rotation(worn)
         edges = np.linalg.norm(nearest if repair else worn, axis=0)

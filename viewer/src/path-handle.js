@@ -9,6 +9,7 @@ const SVG =
   '<path class="scene-path"/></svg>';
 // How much of a path is searched to both sides of a finger: it can jump, but not to the next turn.
 const REACH = 0.2;
+const HALF_A_LAP = 0.45;
 // The path may cross itself, but the ring is in one place.
 const AT_RING = 0.05;
 
@@ -54,6 +55,12 @@ export class PathHandle {
     return (this.now() - this.spec.low) / (this.spec.high - this.spec.low);
   }
 
+  /** How much of the path a finger may mean, to both sides: of many laps, never another one. */
+  reach() {
+    const { laps } = this.grip();
+    return laps ? HALF_A_LAP / laps : REACH;
+  }
+
   /** Set the number; a closed path goes on beyond its ends. */
   put(number) {
     const { low, high } = this.spec;
@@ -81,9 +88,10 @@ export class PathHandle {
     const { body } = this.grip();
     const point = body && pointOf(body, this.find(body, place));
     const way = point && carried(this.path(), point, this.share());
+    const near = this.grip().laps ? [this.share(), this.reach()] : [];
     const at = way
       ? this.find(way, place, this.share(), REACH, true)
-      : this.find(this.path(), place);
+      : this.find(this.path(), place, ...near);
     // The value keeps its distance from the finger along the path.
     return { way, at, value: this.share() - at };
   }
@@ -91,7 +99,7 @@ export class PathHandle {
   follow(held, place) {
     const { low, high } = this.spec;
     const way = held.way ?? this.path();
-    held.at = this.find(way, place, held.at, REACH, isClosed(way));
+    held.at = this.find(way, place, held.at, this.reach(), isClosed(way));
     this.put(low + (held.at + held.value) * (high - low));
   }
 

@@ -77,7 +77,7 @@
  * @typedef {{at?: Point, from?: Point, to?: Point, paths?: Point[][], points?: Point[],
  *   matrix?: number[], count?: number, color?: Point, hidden?: boolean}} Change of one part
  * @typedef {{path?: Point[] | null, body?: Point[], at?: Point | Point[], size?: number,
- *   turn?: number[][], holds?: string[]}} Grip of an input, and the parts that it holds, one for each
+ *   turn?: number[][], laps?: number, holds?: string[]}} Grip of an input, and the parts that it holds, one for each
  *   point or body
  * @typedef {{eye: Point, target: Point, up: Point, angle: number}} Sight
  */

@@ -275,6 +275,21 @@ test("a path is grabbed anywhere, and the number moves by as much as the finger"
   assert.equal(state.inputs.angle, 70);
 });
 
+test("a crank of many laps goes on by the lap that is in hand, from its knob and from its rim", () => {
+  const { element, update, state, handle } = only("angle");
+  const path = Array.from({ length: 241 }, (_, i) => {
+    const [angle, radius] = [radians(i * 15 - 180), 1.2 + i / 20000];
+    return [radius * Math.cos(angle), 0, radius * Math.sin(angle)];
+  });
+  // Ten laps from -180 to 180: a lap is 36.
+  state.inputs.angle = 0;
+  update({ angle: { path, laps: 10 } });
+  drag(handle("angle"), on(180), on(260), on(340), on(60), on(140), on(180));
+  assert.equal(state.inputs.angle, 35);
+  drag(element.querySelector(".scene-path"), on(0), on(80), on(160));
+  assert.equal(state.inputs.angle, 50);
+});
+
 test("a body that turns with a number is grabbed in place of the path, wherever it is seen", () => {
   const { element, update, state } = only("angle");
   const path = element.querySelector(".scene-path");

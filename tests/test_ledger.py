@@ -301,7 +301,9 @@ class TestTables:
             cells = str(ledger(page)).replace("**", "").replace("|", "").split()
             assert all(earlier.count(cell) <= cells.count(cell) for cell in set(earlier))
             earlier = cells
-        assert "| **quaternion** | 4, tied by 1 | everywhere" in str(ledger("02-quaternions"))
+        assert "| **quaternion** | 4, tied by 1 | two names everywhere" in str(
+            ledger("02-quaternions")
+        )
         assert "| **quaternion** | 4, tied by 1 |  |  |  |" in str(ledger("01-introduction"))
         assert "two columns" not in str(ledger("06-conclusions"))
         assert str(ledger("beyond-five-numbers")).count("\n") == len(LEDGER) + 1

@@ -17,8 +17,8 @@ from rotedu.figures.pages import light_poster
 from rotedu.figures.state import record_of
 from rotedu.ordinary_rotation import rotate
 from rotedu.scenes import control_points as construction
-from rotedu.scenes.arcs import camera
 from rotedu.scenes.ordinary_rotation import VECTOR_BY_HAND
+from rotedu.scenes.room import camera
 
 SCENES = [
     function

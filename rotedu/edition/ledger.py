@@ -222,7 +222,8 @@ LEDGER = (
         (3, 0),
         "01-introduction",
         Found(
-            "where the middle one is ±90°, only two count; the others jump at ±180°",
+            "where the middle one is ±90°, only two count; elsewhere two names, of which a rule"
+            " keeps one, and the others jump at ±180°",
             "04-general-rotation",
         ),
         Found(ROUTE, "05-orientation-curves"),
@@ -299,7 +300,8 @@ LEDGER = (
         (4, 1),
         "01-introduction",
         Found(
-            "everywhere: $q$ and $-q$ are one turn, and a rule that chooses jumps", "02-quaternions"
+            "two names everywhere, $q$ and $-q$: by a rule, they jump; followed, they never do",
+            "02-quaternions",
         ),
         Found("pairs of whole turns", "02-quaternions"),
         "02-quaternions",

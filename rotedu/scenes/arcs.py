@@ -22,6 +22,7 @@ from rotedu.scenes.parts import (
     new_scene,
     sphere_scene,
 )
+from rotedu.scenes.room import CAMERA_SEES, CAMERA_TARGETS, THINGS, camera, facing
 from rotedu.scenes.shapes import ORIGIN, W, normalised, teaspoon, turning
 
 __all__ = [
@@ -32,26 +33,6 @@ __all__ = [
     "slerp_by_hand",
     "the_detour",
 ]
-
-CAMERA_TARGETS = ((1.0, 0.0, -0.2), (0.3, 1.0, 0.2), (0.2, 0.3, 1.0), (0.3, -0.9, 0.3))
-"""Directions from a camera to a door, a clock, a window and a desk, in this order."""
-CAMERA_SEES = ("door", "clock", "window", "desk")
-
-
-def camera(direction: ArrayLike, size: float = 0.3) -> pyvista.PolyData:
-    """Model a camera at the origin: a box whose lens points in a direction that is not vertical."""
-    ahead = np.asarray(direction, float) / np.linalg.norm(direction)
-    left = arc_axis([0, 0, 1], ahead)
-    body = pyvista.Box(bounds=(-0.7, 0.2, -0.35, 0.35, -0.3, 0.3)).triangulate()
-    lens = pyvista.Cone(
-        center=(0.35, 0, 0), direction=(-1, 0, 0), height=0.7, radius=0.32, resolution=24
-    ).triangulate()
-    upright = np.eye(4)
-    upright[:3, :3] = size * np.column_stack([ahead, left, np.cross(ahead, left)])
-    model: pyvista.PolyData = pyvista.merge([body, lens])
-    model.transform(upright, inplace=True)
-    return model
-
 
 DOWN = 80
 
@@ -103,7 +84,8 @@ def camera_arcs() -> pyvista.Plotter:
         add_arc(plotter, point, after, RESULT, radius=0.014)
         tail, tip = slerp(point, after, [0.5, 0.6])
         add_arrow(plotter, tail, tip, RESULT)
-        add_point(plotter, point, VECTOR, radius=0.035)
+        thing = THINGS[name]().transform(facing(point, point), inplace=False)
+        plotter.add_mesh(thing, color=VECTOR, pickable=False)
         add_label(plotter, 1.2 * point, name, VECTOR)
     describe(
         plotter,

@@ -39,7 +39,12 @@ export function meanByHand({ poses, flip }, { no_mean }) {
 
   const parts = {};
   const [first, another, last] = NAMES;
-  const labels = { q_1: first, q_2: another, q_3: flip ? null : last, "-q_3": flip ? last : null };
+  const labels = {
+    "+q_1": first,
+    "+q_2": another,
+    "+q_3": flip ? null : last,
+    "-q_3": flip ? last : null,
+  };
   given.forEach((turn, i) => {
     parts[`R_${i + 1}`] = { matrix: placing(turn, BESIDE[i], SIZE) };
     parts[`R_${i + 1} in the ball`] = { matrix: placing(turn, ORIGIN) };

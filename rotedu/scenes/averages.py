@@ -53,7 +53,7 @@ def mean_by_hand(state: State) -> pyvista.Plotter:
         looks[f"R_{k}"] = spoon(VECTOR)
         looks[f"R_{k} in the ball"] = spoon(VECTOR, opacity=0.18)
         looks[f"tip {k}"] = Ball(VECTOR)
-    draw(plotter, state, looks, {"*q_?": Text(VECTOR)})
+    draw(plotter, state, looks, {"?q_?": Text(VECTOR)})
     read_out(plotter, "apart", "means apart", 1, "°", where="picture")
     for name, ink in INKS.items():
         looks = {name: spoon(ink), f"tip by {name}": Ball(ink, 0.04)}

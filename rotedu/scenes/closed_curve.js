@@ -2,7 +2,18 @@
  * Models of page 5 III.
  * @import { Point } from "./rotations.js"
  */
-import { arcs, columns, DEGREES, joined, ORIGIN, scaled, shown, spread, W } from "./parts.js";
+import {
+  arcs,
+  columns,
+  DEGREES,
+  facing,
+  joined,
+  ORIGIN,
+  scaled,
+  shown,
+  spread,
+  W,
+} from "./parts.js";
 import {
   angleBetween,
   arcAxis,
@@ -195,13 +206,13 @@ export function cameraByHand({ u, targets, path, roll }, { seen }) {
   return {
     parts: {
       ...paths(ways, path),
-      ...named((at) => ({ at })),
+      ...named((point) => ({ matrix: facing(point) })),
       ...cameraAndFrames(ahead, up, vertical),
     },
     labels: {
       ...named((point) => outside(point, middle)),
-      // Seen from the centre, names are close to their targets.
-      ...named((point) => combine(1, point, 0.08, away(point, middle)), " seen"),
+      // Seen from the centre, names stand beside what they name.
+      ...named((point) => combine(1, point, 0.3, away(point, middle)), " seen"),
       up: combine(1, top, 0.36, up),
     },
     grips: {
@@ -314,7 +325,7 @@ function away(point, middle) {
 /** The place of a label, clear of the path and of the upper side of the picture. */
 function outside(point, middle) {
   const aside = away(point, middle);
-  return combine(1.1, point, 0.15, combine(1, aside, 1, cross(point, aside)));
+  return combine(1.12, point, 0.19, combine(1, aside, 1, cross(point, aside)));
 }
 
 /**

@@ -10,7 +10,6 @@ from rotedu.control_points import control_points
 from rotedu.figures import State, add_view, describe, draw_chart, explorable, read_out
 from rotedu.figures.inputs import Choice, Handles, Slider
 from rotedu.ordinary_rotation import rotate
-from rotedu.scenes.arcs import CAMERA_SEES, CAMERA_TARGETS, camera
 from rotedu.scenes.looks import Arrow, Ball, Lines, Look, Mesh, Text, draw
 from rotedu.scenes.parts import (
     add_arc,
@@ -21,6 +20,7 @@ from rotedu.scenes.parts import (
     new_scene,
     sphere_scene,
 )
+from rotedu.scenes.room import CAMERA_SEES, CAMERA_TARGETS, THINGS, camera
 from rotedu.scenes.shapes import JUST_INSIDE, normalised, turning
 
 __all__ = ["ARCS", "FIGURE_8", "arcs_of_arcs", "camera_by_hand", "closed_curve_by_hand", "figure_8"]
@@ -234,7 +234,7 @@ def camera_by_hand(state: State) -> pyvista.Plotter:
         "other arcs": Lines(CROSS, 0.004),
         "curve": Lines(RESULT, 0.014),
         "other curve": Lines(RESULT, 0.004),
-        **dict.fromkeys(CAMERA_SEES, Ball(VECTOR, 0.036)),
+        **{name: Mesh(thing(), VECTOR, {"pickable": False}) for name, thing in THINGS.items()},
         "camera": Mesh(camera([1, 0, 0]), NEUTRAL, {"pickable": False}),
         "upright": Lines(NEUTRAL),
         "upright up": Arrow(NEUTRAL, 0.011),
@@ -274,8 +274,8 @@ def camera_by_hand(state: State) -> pyvista.Plotter:
     describe(
         plotter,
         "A see-through sphere with a camera at its centre, a horizon and a darker lower half."
-        " Purple arcs join four blue points, a door, a clock, a window and a desk, with a corner at"
-        " each point. A green curve runs through the same points without a corner. The path that"
+        " Purple arcs join a blue door, a clock, a window and a desk, with a corner at each."
+        " A green curve runs through the same points without a corner. The path that"
         " the camera does not take is thin. An orange frame"
         " on the sphere shows the picture that the camera takes and which side of it is up; a grey"
         " frame shows how an upright camera would hold it.",

@@ -23,17 +23,18 @@ IN_BODY = (-0.73, -0.53, 0.43)
 
 
 @explorable(
+    answer={"t": SECONDS},
     tries={
-        "a fine step": {"h": 0.02},
-        "repaired after every step": {"repair": True},
-        "both arrows alike": {"body": IN_SPACE},
-        "the opposite arrow": {"body": tuple(-x for x in IN_SPACE)},
+        "a fine step": {"t": SECONDS, "h": 0.02},
+        "repaired after every step": {"t": SECONDS, "repair": True},
+        "both arrows alike": {"t": SECONDS, "body": IN_SPACE},
+        "the opposite arrow": {"t": SECONDS, "body": tuple(-x for x in IN_SPACE)},
     },
     constants={"seconds": SECONDS, "edge": EDGE, "longest": "edge up to ", "aside": "° wrong"},
     space=Handles("arrow fixed in space", reach=0.85, through=True, start=IN_SPACE),
     body=Handles("arrow fixed in the body", reach=0.85, through=True, start=IN_BODY),
     h=Slider(0.01, 0.1, "step in seconds", step=0.01, start=0.1),
-    t=Slider(0, SECONDS, "time in seconds", step=0.01, stride="h", plays=6, start=SECONDS),
+    t=Slider(0, SECONDS, "time in seconds", step=0.01, stride="h", plays=6, start=0),
     repair=Switch("repair after every step: nearest rotation, quaternion of norm 1", start=False),
 )
 def spinning_by_hand(state: State) -> pyvista.Plotter:
@@ -79,11 +80,11 @@ def spinning_by_hand(state: State) -> pyvista.Plotter:
         draw_chart(plotter, chart, over="t", x=(0, SECONDS), y=y, label=text, colors=INKS)
     describe(
         plotter,
-        "Three teaspoons in wire boxes have turned for the same time by two velocities, which two"
-        " orange arrows show: one is fixed in space, one turns with the spoon. By the exponential,"
-        " in green, the box is still a cube. By Euler's step on the matrix, in ochre, it is askew"
-        " and much too large, and by Euler's step on the quaternion, in violet, a cube, but too"
-        " large. Lines show the ways of the spoons' tips, which lead outwards in ochre and violet.",
+        "Three teaspoons in wire boxes turn for the same time by two velocities, which two orange"
+        " arrows show: one is fixed in space, one turns with the spoon. By the exponential, in"
+        " green, the box stays a cube. By Euler's step on the matrix, in ochre, it goes askew and"
+        " becomes much too large, and by Euler's step on the quaternion, in violet, it stays a"
+        " cube, but grows. Lines follow the spoons' tips, outwards in ochre and violet.",
     )
     return plotter
 

@@ -147,13 +147,14 @@ ROUTE = (
 
 @explorable(
     tries={
-        "a swing to 90°": {"poses": about_v(0, 90, 10, -60), "u": 0.1625},
-        "a swing to 100°": {"poses": about_v(0, 100, 10, -60), "u": 0.1625},
-        "once right round": {"poses": about_v(0, 90, 180, 270), "u": 0.1625},
+        "a swing to 100°": {"poses": about_v(0, 100, 10, -60)},
+        "once right round": {"poses": about_v(0, 90, 180, 270)},
+        "turns about many axes": {"poses": ROUTE, "u": 0.3625},
     },
+    answer={"poses": ROUTE, "u": 0.3625},
     constants={"signs": ["cannot agree", "can agree"]},
-    poses=Poses([f"spoon {k}" for k in range(4)], start=ROUTE),
-    u=Slider(0, 1, "once round, *u*", step=0.0125, plays=10, start=0.3625),
+    poses=Poses([f"spoon {k}" for k in range(4)], start=about_v(0, 90, 10, -60)),
+    u=Slider(0, 1, "once round, *u*", step=0.0125, plays=10, start=0.1625),
 )
 def routes_by_hand(state: State) -> pyvista.Plotter:
     """Draw a closed curve of orientations along its route, and by shortest ways of matrices.

@@ -2,7 +2,7 @@
  * Models of page 5 IV.
  * @import { Point } from "./rotations.js"
  */
-import { DEGREES, scaled, spread, turning } from "./parts.js";
+import { DEGREES, placing, scaled, spread, turning, U, W } from "./parts.js";
 import {
   angleBetween,
   arcAxis,
@@ -18,9 +18,26 @@ import {
 // Arrows that are left on the way.
 const STATIONS = 9;
 const SIZE = 0.33;
+// How much larger a clock is in a picture.
+const CLOSE = 2.6;
 // In so many steps the arrow sweeps its ribbon.
 const STEPS = 60;
 const LEAST = 0.001;
+
+/** What two cameras see that look at the same clock, the second rolled about its line of sight. */
+export function twoPictures({ roll }, { pictures, cameras }) {
+  const parts = {};
+  const [first, second] = cameras.map((camera) => combine(1, camera, -0.42, W));
+  [0, roll].forEach((degrees, i) => {
+    const turned = (sign) => rotationMatrix(U, (sign * degrees) / DEGREES);
+    parts[`clock ${i}`] = { matrix: placing(turned(-1), pictures[i], CLOSE) };
+    parts[`camera ${i}`] = { matrix: placing(turned(1), cameras[i]) };
+    const [bottom, top] = [0.16, 0.42].map((height) => transform(turned(1), scaled(height, W)));
+    parts[`up ${i}`] = { from: combine(1, cameras[i], 1, bottom), to: combine(1, cameras[i], 1, top) };
+  });
+  const around = Math.abs(roll);
+  return { parts, labels: { first, second }, outputs: { between: Math.min(around, 360 - around) } };
+}
 
 /** An arrow carried around a triangle by the rotations of its sides. */
 export function carriedAroundByHand({ corners, t }, { just_inside }) {

@@ -16,22 +16,64 @@ from rotedu.orientations import slerp_rotations
 from rotedu.quaternions import Quaternion
 from rotedu.scenes.looks import Arrow, Ball, Lines, Look, Mesh, Text, draw
 from rotedu.scenes.parts import (
+    LITTLE,
     add_label,
     add_line,
     add_point,
     add_thin,
+    new_scene,
     sphere_scene,
 )
+from rotedu.scenes.room import camera, clock
 from rotedu.scenes.shapes import JUST_INSIDE, fan, teaspoon, triangle_mesh
 
 __all__ = [
     "TWO_ORIENTATIONS",
     "carried_around_by_hand",
     "four_ways_between",
+    "two_pictures",
 ]
 
 TWO_ORIENTATIONS = ((0, 0, 0), (150, -60, 150))
 """Angles about U, V and W, in degrees, of the orientations of `four_ways_between`."""
+
+
+SIDES = -1, 1
+PICTURES, CAMERAS = ([[0, -0.8 * side, height] for side in SIDES] for height in (0.42, -0.75))
+
+
+@explorable(
+    small=True,
+    answer={"roll": 90},
+    constants={"pictures": PICTURES, "cameras": CAMERAS},
+    roll=Slider(0, 360, "roll of the second camera, °", step=1, plays=6, start=0),
+)
+def two_pictures(state: State) -> pyvista.Plotter:
+    """Draw what two cameras see that look at the same clock, and the cameras, from behind.
+
+    Parameters
+    ----------
+    roll : float
+        How far the second is turned about its line of sight, in degrees.
+    """
+    plotter = new_scene((-9, 0, 0.3), (0, 0, -0.13), view_angle=14.9, size=LITTLE)
+    corners = np.array([[0, 0.66, 0.5], [0, -0.66, 0.5], [0, -0.66, -0.5], [0, 0.66, -0.5]])
+    for picture in PICTURES:
+        add_line(plotter, np.vstack([corners, corners[:1]]) + picture, NEUTRAL, 0.012)
+    looks: dict[str, Look] = {
+        "clock *": Mesh(clock(), VECTOR, {"pickable": False}),
+        "camera *": Mesh(camera([1, 0, 0], 0.5), NEUTRAL, {"pickable": False}),
+        "up *": Arrow(AXIS, 0.03),
+    }
+    draw(plotter, state, looks, {"*": Text(text="{}")})
+    read_out(plotter, "between", "between the orientations", 0, "°", where="picture")
+    describe(
+        plotter,
+        "Two frames side by side, each with a clock, and below each the camera that takes this"
+        " picture, seen from behind. The first is upright, the second has rolled by"
+        f" {state['inputs']['roll']:.0f} degrees, and its clock has turned the other way.",
+    )
+    return plotter
 
 
 # Out and back, almost; a face of a tetrahedron, a quarter of the sphere, or so little less that no

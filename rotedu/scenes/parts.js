@@ -3,7 +3,7 @@
  * @import { State } from "../../viewer/src/types.js"
  * @import { Point } from "./rotations.js"
  */
-import { combine, length, rotate, slerp, transform, transpose } from "./rotations.js";
+import { combine, cross, length, rotate, slerp, transform, transpose, unit } from "./rotations.js";
 
 export const DEGREES = 180 / Math.PI;
 export const ORIGIN = [0, 0, 0];
@@ -56,6 +56,13 @@ export function spread(count) {
  */
 export function columns([u, v, w], origin = ORIGIN) {
   return [...u, 0, ...v, 0, ...w, 0, ...origin, 1];
+}
+
+/** The upright pose of a thing that stands in a direction and faces the origin. */
+export function facing(direction, place = direction) {
+  const level = cross(W, direction);
+  const left = length(level) > 1e-9 ? unit(level) : V;
+  return columns([direction, left, cross(direction, left)], place);
 }
 
 /** Arcs from each point to another. */

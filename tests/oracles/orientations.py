@@ -3,9 +3,15 @@
 from typing import Any
 
 import numpy as np
+from scipy.spatial.transform import Rotation
 
 from rotedu.arcs import angle_between, arc_axis
 from rotedu.ordinary_rotation import axis_angle, rotation_matrix
+
+
+def two_pictures(roll: float) -> dict[str, Any]:
+    turn = Rotation.from_rotvec([0, 0, roll], degrees=True)
+    return {"between": np.degrees(turn.magnitude())}
 
 
 def carried_around_by_hand(corners: Any, t: float) -> dict[str, Any]:

@@ -206,7 +206,7 @@ ARC_OF_MATRICES = A, B, A, 0.6, PLACE
 FIVE, NEXT_FIVE = (lean.five_of_columns(m[:, :2]) for m in (A, B))
 DUAL, NEXT_DUAL = (np.stack([q, lean.compose_quaternions(np.array([0, *V]), q)]) for q in (P, Q))
 
-ROUTE = "which way round, and how many times"
+ROUTE = "in which sense, and how many times"
 
 LEDGER = (
     Row(

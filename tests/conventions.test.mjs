@@ -39,7 +39,7 @@ test("quaternion and what it does", () => {
 });
 
 test("Euler angles", () => {
-  assert.equal(angles, "X, Y, Z by default, axes turn along");
+  assert.equal(angles, "X, Y, Z by default, carried axes");
   const [a, b, c] = [0.3, 0.5, 0.7];
   const found = new Matrix4().makeRotationFromEuler(new Euler(a, b, c));
   close(found.elements, about(X, a).multiply(about(Y, b)).multiply(about(Z, c)).elements);

@@ -29,6 +29,7 @@ NOWHERE = {
     "a picture without a caption": (
         "article .cell_output :is(.scene, .chart, img):not(figure:has(figcaption) *)"
     ),
+    "a formula that is none": "article :is(p, li, dd, td):-soup-contains-own('$')",
     "a chart that is a file": "article img[src$='.svg']",
     # Half of a listing is punctuation and spaces, which no style colours.
     "elements for commas": ".highlight :is(.p, .w)",

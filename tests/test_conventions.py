@@ -56,7 +56,7 @@ def test_scipy() -> None:
     close(quarter.apply(E1), E2)
     assert matrices == "times a column"
     close(quarter.as_matrix() @ E1, E2)
-    assert "capital letters turn along, small ones are fixed" in angles
+    assert "capital letters are carried, small ones are fixed" in angles
     close(Rotation.from_euler("XYZ", ANGLES).as_matrix(), FIRST @ SECOND @ THIRD)
     close(Rotation.from_euler("xyz", ANGLES).as_matrix(), THIRD @ SECOND @ FIRST)
 
@@ -69,7 +69,7 @@ def test_pytransform3d() -> None:
     close(pr.q_prod_vector(quarter, E1), E2)
     assert matrices == "times a column"
     close(pr.matrix_from_quaternion(quarter) @ E1, E2)
-    assert angles.endswith("the function says whether they turn along")
+    assert angles.endswith("the function says whether they are carried")
     for extrinsic, product in [(False, FIRST @ SECOND @ THIRD), (True, THIRD @ SECOND @ FIRST)]:
         close(pr.matrix_from_euler(ANGLES, 0, 1, 2, extrinsic), product)
 

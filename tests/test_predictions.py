@@ -76,7 +76,7 @@ class TestWhatTheAnswersSay:
         assert f"ends {off:.1f}° away from where it should, its tip {tip:.1f}°" in said
         assert f"to {length:.0%} of its length" in said
         mixed = nlerp([1, 0, 0, 0], [0.8, -0.2, -0.4, 0.4], 1 / 3)
-        turned = f"{degrees(2 * np.arccos(mixed[0])):.1f}° in place of {degrees(angle / 3):.1f}°"
+        turned = f"{degrees(2 * np.arccos(mixed[0])):.1f}° instead of {degrees(angle / 3):.1f}°"
         assert turned in said
         off, tip, length = missed(1 / 2)
         assert f"by {off:.1f}°, her tip by {tip:.1f}°" in page
@@ -174,9 +174,9 @@ class TestWhatTheAnswersSay:
                 1,
                 12,
                 0.02,
-                "typically erred about a dozen times as much as the quaternion, and in two",
+                "typically erred about a dozen times as much as the quaternion, but less in two",
             ),
-            (10, 1, 0.84, "they were about equal, the matrix closer in five of six"),
+            (10, 1, 0.84, "they were about equal, the matrix closer in five in six"),
         ],
     )
     def test_steps_where_the_velocity_changes(

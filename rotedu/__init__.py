@@ -26,4 +26,4 @@ Conventions, the same everywhere:
 
 __all__ = ["__version__"]
 
-__version__ = "1.0.0"
+__version__ = "2.0.0"

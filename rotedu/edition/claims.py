@@ -248,9 +248,9 @@ ON_PAGE = {
         (69, "4"): holds("The matrices about U, V and W are the three principal rotations"),
     },
     "05-arcs": {
-        (11, "5"): holds_if(
+        (11, "5"): holds(
             "(5-2) and (5-3) give any point of an arc",
-            "its ends are neither equal, where both are 0/0, nor opposite",
+            "between equal points they are 0/0, and opposite ones have no single arc",
         ),
         (12, "5"): holds_if(
             "Slerp has no form as a matrix times a vector like (5-3)",
@@ -272,13 +272,14 @@ ON_PAGE = {
             " source; we had no copy of his article",
         ),
         (52, "5"): holds("$a_i$ and $b_i$ follow by Double and Bisect from three points"),
-        (53, "5"): holds_if(
+        (53, "5"): holds(
             "Each step has a formula and a rotation matrix",
-            "its two points are neither equal nor opposite, where the axis is 0/0",
+            "the axis is 0/0 if the two points are equal or opposite",
         ),
-        (54, "5"): holds_if(
+        (54, "5"): holds(
             "The formulas give the control points",
-            "no two points to bisect are equal, where (5-7) and (5-10) are 0/0, or opposite",
+            "(5-7) and (5-10) are 0/0 if the two points are equal, without answer if they are"
+            " opposite",
         ),
         (55, "5"): holds_if(
             "The angle between $P_{i-1}$ and $\\bar P_{i-1}$ is $2\\theta_{i-1}$",
@@ -306,10 +307,10 @@ ON_PAGE = {
         (22, "5"): holds(
             "The closed curve stays on the sphere and passes through the given points"
         ),
-        (51, "5"): holds_if(
+        (51, "5"): holds(
             "Arcs alone make no smooth curve; cubic pieces do",
-            "the points do not follow one great circle all round, where arcs of equal lengths or"
-            " speeds are enough",
+            "all the way round one great circle arcs are enough, if their lengths or speeds are"
+            " equal",
         ),
         (59, "5"): slip(
             "The program, as printed, generates a good $C^1$ curve on the sphere through all"
@@ -325,9 +326,9 @@ ON_PAGE = {
             "every level of de Casteljau's construction counts as a control polygon",
         ),
         (66, "5"): holds("Piece $C_i$ has the control points $P_{i-1}$, $a_{i-1}$, $b_i$, $P_i$"),
-        (67, "5"): holds_if(
+        (67, "5"): holds(
             "De Casteljau's construction, with arcs in place of segments, draws each piece",
-            "no two points that it joins are equal, where (5-2) is 0/0, or opposite",
+            "(5-2) is 0/0 if the two points that it joins are equal",
         ),
         (68, "5"): holds_if(
             "A smooth curve needs cubic composite Bézier curves",

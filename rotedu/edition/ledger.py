@@ -223,7 +223,7 @@ LEDGER = (
         "01-introduction",
         Found(
             "where the middle one is ±90°, only two count; elsewhere two names, of which a rule"
-            " keeps one, and the others jump at ±180°",
+            " keeps one, and the outer ones jump at ±180°",
             "04-general-rotation",
         ),
         Found(ROUTE, "05-orientation-curves"),

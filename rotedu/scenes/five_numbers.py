@@ -58,6 +58,7 @@ def one_name(state: State) -> pyvista.Plotter:
         "middle": Ball(NEUTRAL, 0.04),
     }
     draw(plotter, state, looks, {"name": Text(RESULT)})
+    add_shadow(plotter, "spoon", (-1.3, 0, 0), 0.9, 0.7)
     read_out(plotter, "q", "*w*, *x*", 2, where="picture")
     describe(
         plotter,

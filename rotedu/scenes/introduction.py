@@ -16,6 +16,7 @@ from rotedu.scenes.parts import (
     add_label,
     add_line,
     add_point,
+    add_shadow,
     new_scene,
 )
 from rotedu.scenes.shapes import ORIGIN, U, W, teaspoon, turning
@@ -97,6 +98,7 @@ def the_roll(state: State) -> pyvista.Plotter:
     draw(plotter, state, looks, {"tip": Text(VECTOR, "{}")})
     add_line(plotter, [-1.25 * U, 1.35 * U], AXIS, 0.006)
     add_point(plotter, 1.02 * U, VECTOR, 0.045)
+    add_shadow(plotter, "spoon", ORIGIN, 1, 0.45)
     read_out(plotter, "off", "off by", 0, "°", where="picture")
     describe(
         plotter,

@@ -15,6 +15,7 @@ from rotedu.scenes.parts import (
     add_axis,
     add_label,
     add_line,
+    add_shadow,
     new_scene,
 )
 from rotedu.scenes.shapes import ORIGIN, fan, normalised, teaspoon, turning
@@ -80,6 +81,7 @@ def every_point(state: State) -> pyvista.Plotter:
     }
     draw(plotter, state, looks)
     add_axis(plotter, LINE, r"$\hat n$", length=0.8)
+    add_shadow(plotter, "spoon", ORIGIN, 1, 0.5)
     describe(
         plotter,
         f"A spoon, turned by {state['inputs']['theta']:.0f} degrees about an upright axis. Four of"

@@ -179,7 +179,7 @@ def weighted_mean() -> Iterator[Part]:
 
 @exercise("B.5", "three angles in degrees", fields={"first": "°", "second": "°", "third": "°"})
 def by_two_columns() -> Iterator[Part]:
-    """The column that comes first keeps its direction, and the errors of the rest are lost."""
+    """The column that comes first keeps its direction, and what the rest know of it is lost."""
     seeded = np.random.default_rng(6)
     copies = rotation_matrix(seeded.normal(size=(50, 3)), seeded.normal(scale=1.0, size=50))
     mean, columns = mean_rotation(copies), np.moveaxis(copies.mean(axis=0), 1, 0)

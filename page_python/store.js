@@ -3,7 +3,7 @@
  * form, and the verdict, `right` and `text`. The browser keeps it; where it must not, the page does
  * until it is left.
  */
-const PREFIX = `rotedu:${location.pathname.replace(/(\.html|\/)$/, "")}:`;
+const PREFIX = `rotedu-2:${location.pathname.replace(/(\.html|\/)$/, "")}:`;
 const unkept = new Map();
 
 /** Return what is stored for a cell. */

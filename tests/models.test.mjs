@@ -54,7 +54,7 @@ test("the arrows of Figure 1 grow one after another, and a second vector has its
   assert.ok(theirs.every(Boolean));
 });
 
-test("who turns the spoon of Picture 4-e takes its rings along, by the nearest angles", () => {
+test("who turns the spoon of Picture 4-b takes its rings along, by the nearest angles", () => {
   const spec = specOf("eulerAnglesByHand");
   const led = (inputs) =>
     models.eulerAnglesByHand({ ...spec.start, ...inputs }, spec.constants, ["spoon"]);

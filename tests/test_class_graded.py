@@ -28,22 +28,22 @@ from nbgrader.api import Gradebook
 with Gradebook("sqlite:///gradebook.db", "rotations") as book:
     works = book.assignment_submissions("chapter-3")
     assert [work.student.id for work in works if work.needs_manual_grade] == ["solutions"]
-    place = "why-3-5", "03-ordinary-rotation", "chapter-3", "solutions"
+    place = "why-3-6", "03-ordinary-rotation", "chapter-3", "solutions"
     book.find_grade(*place).manual_score = 2
     book.find_comment(*place).manual_comment = "Say what warns you."
     book.db.commit()
 """
 
 WRONG = {
-    "3.1": "[2, -1, 3]",
-    "3.2": "([1, 1, 1], 60)",
-    "3.3": '("transpose", "same")',
-    "3.4": "(([0, 0, 1], 180), ([1, 1, 1], 120))",
-    "3.5": "0.001",
-    "3.6": "([0, 0, 1], 1)",
+    "3.2": "[2, -1, 3]",
+    "3.3": "([1, 1, 1], 60)",
+    "3.4": '("transpose", "same")',
+    "3.5": "(([0, 0, 1], 180), ([1, 1, 1], 120))",
+    "3.6": "0.001",
+    "3.7": "([0, 0, 1], 1)",
 }
 # A mistake of each kind, then an end of the kernel's work, and after it two right answers.
-CRASHES = {"3.1": "1 / 0", "3.2": "answer = = 3", "3.3": "import sys; sys.exit()", "3.4": "raise"}
+CRASHES = {"3.2": "1 / 0", "3.3": "answer = = 3", "3.4": "import sys; sys.exit()", "3.5": "raise"}
 
 
 def commands() -> tuple[str, str]:
@@ -119,7 +119,7 @@ def answered(number: str, code: str) -> str:
 
 CLASS: dict[str, Callable[[str, str], str]] = {
     "solutions": solved,
-    "half": lambda n, code: solved(n, code) if n <= "3.3" else code,
+    "half": lambda n, code: solved(n, code) if n <= "3.4" else code,
     "wrong": answered,
     "empty": lambda n, code: code,
     "redefined": lambda n, code: (
@@ -146,12 +146,12 @@ def test_right_answers_and_reasons_alone_earn_points(graded: Course) -> None:
     right = {
         # The reasons have got two points of three.
         "solutions": sum(minutes.values()) - 1,
-        "half": minutes["3.1"] + minutes["3.2"] + minutes["3.3"],
+        "half": minutes["3.2"] + minutes["3.3"] + minutes["3.4"],
         "wrong": 0,
         "empty": 0,
         "redefined": 0,
         # Without the reasons.
-        "crash": minutes["3.5"] - 3 + minutes["3.6"],
+        "crash": minutes["3.6"] - 3 + minutes["3.7"],
     }
     assert graded.scores("chapter-3") == right
 

@@ -112,14 +112,14 @@ def test_an_unknown_number_is_refused() -> None:
 
 def test_a_number_is_refused_twice() -> None:
     with pytest.raises(ValueError, match=r"3\.1 has two checks"):
-        exercise("3.1", "nothing")(lambda: [])
+        exercise("3.2", "nothing")(lambda: [])
 
 
 def test_a_hint_has_two_stages() -> None:
-    first, second = (check("3.1", [2, -1, 3], hint=stage) for stage in (1, 2))
-    assert first.text == ('not yet. This turns clockwise.\nFor more: check("3.1", answer, hint=2)')
+    first, second = (check("3.2", [2, -1, 3], hint=stage) for stage in (1, 2))
+    assert first.text == ('not yet. This turns clockwise.\nFor more: check("3.2", answer, hint=2)')
     assert second.text == "not yet. Seen from the tip of W, where does U go first?"
-    assert check("3.1", [-2, 1, 3]).text == "right. What lies along the axis stays where it is."
+    assert check("3.2", [-2, 1, 3]).text == "right. What lies along the axis stays where it is."
 
 
 MISTAKE, OTHER = ("a mistake", "more"), ("another", "even more")

@@ -100,8 +100,8 @@ SAYS: dict[str, dict[str, Any]] = {
     # Integers have 32 bits, and an overflow passes without a word.
     "import numpy as np\nnp.array([2**31 - 1]) + 1": {"value": "array([-2147483648])"},
     "import numpy as np\nnp.zeros(10**9)": {"kind": "ValueError"},
-    "from rotedu.edition.exercises import check\ncheck('3.1', ...);": {
-        "verdict": {"number": "3.1", "right": None, "text": "not answered yet."}
+    "from rotedu.edition.exercises import check\ncheck('3.2', ...);": {
+        "verdict": {"number": "3.2", "right": None, "text": "not answered yet."}
     },
     "from rotedu import scenes\nscenes.figure_1().show()": {"value": "", "error": ""},
 }

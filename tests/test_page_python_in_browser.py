@@ -19,7 +19,7 @@ CURVE = "05-closed-curve"
 ENDED = """id => ["done", "error"].includes(document.querySelector(
     `.cell[data-cell="${id}"]`).dataset.run)"""
 HINT = "For a hint, press Check again."
-KEYS = "Object.keys(localStorage).filter((key) => key.startsWith('rotedu:'))"
+KEYS = "Object.keys(localStorage).filter((key) => key.startsWith('rotedu-2:'))"
 RUNNABLE = """[...document.querySelectorAll(".cell[data-cell]:has(button[name=run])")].map(
     (cell) => cell.dataset.cell)"""
 PHONE = {"viewport": {"width": 390, "height": 844}, "has_touch": True, "is_mobile": True}
@@ -198,7 +198,7 @@ def test_a_change_runs_and_goes(at_desk: Reader) -> None:
 def test_cells_above_run_first_and_once(at_desk: Reader) -> None:
     reader = at_desk
     reader.run("code-15")
-    assert (reader.state("code-6"), reader.state("start-5-12")) == ("done", "stored")
+    assert (reader.state("code-6"), reader.state("start-5-16")) == ("done", "stored")
     # Python has the name, whatever has become of the cell.
     reader.write("code-6", "del pieces")
     assert reader.state("code-15") == "stored"
@@ -342,45 +342,45 @@ def test_an_answer_is_judged_kept_and_handed_in(
 ) -> None:
     reader = read()
     assert reader.solved() == "0 of 7 solved"
-    assert reader.check("5.14") == ("Not answered yet.", None)
+    assert reader.check("5.19") == ("Not answered yet.", None)
     wrong = "Not yet. Your point is not on the sphere."
-    assert reader.check("5.14", "[1, 2, 3]") == (f"{wrong} {HINT}", "false")
-    text, right = reader.check("5.14")
+    assert reader.check("5.19", "[1, 2, 3]") == (f"{wrong} {HINT}", "false")
+    text, right = reader.check("5.19")
     assert right == "false"
     assert text.startswith("Not yet.")
     assert text != f"{wrong} {HINT}"
-    text, right = reader.check("5.14", "de_casteljau(wide, 0.4)")
+    text, right = reader.check("5.19", "de_casteljau(wide, 0.4)")
     assert (text.split()[0], right) == ("Right.", "true")
-    assert "For more" not in reader.output("start-5-14")
-    assert reader.fill("5.12", "60", "30", "\u221290")[1] == "false"
-    assert reader.fill("5.12", "60", "30", "180/2\u00b0")[1] == "true"
+    assert "For more" not in reader.output("start-5-19")
+    assert reader.fill("5.16", "60", "30", "\u221290")[1] == "false"
+    assert reader.fill("5.16", "60", "30", "180/2\u00b0")[1] == "true"
     assert reader.solved() == "2 of 7 solved"
 
     saved = save(reader, tmp_path)
     sources = {cell.id: cell.source for cell in saved.cells}
-    assert "answer = de_casteljau(wide, 0.4)" in sources["start-5-14"]
-    assert "answer = [60, 30, 180 / 2]" in sources["start-5-12"]
-    assert sources["start-5-13"] == notebook_cell("5.13").source
+    assert "answer = de_casteljau(wide, 0.4)" in sources["start-5-19"]
+    assert "answer = [60, 30, 180 / 2]" in sources["start-5-16"]
+    assert sources["start-5-17"] == notebook_cell("5.17").source
     assert not any(name.startswith(("solution", "why")) for name in sources)
 
     reader.page.reload()
     assert reader.solved() == "2 of 7 solved"
-    assert reader.verdict("5.14") == (text, "true")
-    assert "de_casteljau(wide, 0.4)" in reader.code("start-5-14")
-    assert reader.exercise("5.12").locator("input").last.input_value() == "180/2\u00b0"
+    assert reader.verdict("5.19") == (text, "true")
+    assert "de_casteljau(wide, 0.4)" in reader.code("start-5-19")
+    assert reader.exercise("5.16").locator("input").last.input_value() == "180/2\u00b0"
     reader.button("forget").click()
     assert (reader.solved(), reader.page.evaluate(KEYS)) == ("0 of 7 solved", [])
-    assert reader.exercise("5.12").locator("input").last.input_value() == ""
+    assert reader.exercise("5.16").locator("input").last.input_value() == ""
     assert reader.page.locator(".live-head .live-message").inner_text().startswith("Your code")
     reader.button("undo").click()
     assert reader.solved() == "2 of 7 solved"
     reader.button("reset-all").click()
     assert reader.page.locator(".live-head .live-message").inner_text().startswith("All cells are")
-    assert (reader.solved(), reader.verdict("5.14")) == ("2 of 7 solved", ("", None))
+    assert (reader.solved(), reader.verdict("5.19")) == ("2 of 7 solved", ("", None))
     reader.button("undo").click()
-    assert reader.verdict("5.14") == (text, "true")
-    reader.write("start-5-14", "answer = 0")
-    assert (reader.solved(), reader.verdict("5.14")) == ("2 of 7 solved", ("", None))
+    assert reader.verdict("5.19") == (text, "true")
+    reader.write("start-5-19", "answer = 0")
+    assert (reader.solved(), reader.verdict("5.19")) == ("2 of 7 solved", ("", None))
 
 
 def save(reader: Reader, folder: Path) -> NotebookNode:
@@ -401,7 +401,7 @@ def test_a_page_from_a_file_says_what_to_do(book: Path, open_page: Open) -> None
     reader.press("code-6")
     assert "python -m http.server" in reader.message("code-6")
     assert reader.state("code-6") == "stored"
-    assert reader.fill("5.12", "60", "30", "90")[1] == "true"
+    assert reader.fill("5.16", "60", "30", "90")[1] == "true"
     assert reader.solved() == "1 of 7 solved"
 
 
@@ -488,7 +488,7 @@ def test_where_nothing_is_kept_the_page_says_so(
     read: Callable[..., Reader], tmp_path: Path
 ) -> None:
     reader = read(script=NOTHING_KEPT, quiet=False)
-    assert reader.fill("5.12", "60", "30", "90")[1] == "true"
+    assert reader.fill("5.16", "60", "30", "90")[1] == "true"
     assert reader.solved() == "1 of 7 solved"
     assert "keeps nothing" in reader.page.locator(".live-head").inner_text()
     assert any("[60, 30, 90]" in cell.source for cell in save(reader, tmp_path).cells)
@@ -501,11 +501,11 @@ def test_what_an_older_edition_kept_is_not_lost(
     read: Callable[..., Reader], tmp_path: Path
 ) -> None:
     reader = read()
-    reader.fill("5.12", "60", "30", "90")
+    reader.fill("5.16", "60", "30", "90")
     [key] = reader.page.evaluate(KEYS)
-    old = {"start-5-99": '{"code": "x = 1", "right": true}', "start-5-14": "no JSON", "code-6": "5"}
+    old = {"start-5-99": '{"code": "x = 1", "right": true}', "start-5-19": "no JSON", "code-6": "5"}
     for name, text in old.items():
-        key_of = key.replace("start-5-12", name)
+        key_of = key.replace("start-5-16", name)
         reader.page.evaluate("([key, text]) => localStorage.setItem(key, text)", [key_of, text])
     reader.page.reload()
     assert reader.solved() == "1 of 7 solved"
@@ -521,9 +521,9 @@ def test_two_tabs_do_not_undo_one_another(read: Callable[..., Reader]) -> None:
     one = read()
     other = Reader(one.page.context.new_page())
     other.page.goto(one.page.url)
-    one.fill("5.12", "60", "30", "90")
+    one.fill("5.16", "60", "30", "90")
     other.page.wait_for_function("document.querySelector('.solved').textContent[0] === '1'")
-    other.fill("5.13", "6", "55")
+    other.fill("5.17", "6", "55")
     one.page.wait_for_function("document.querySelector('.solved').textContent[0] === '2'")
 
 
@@ -571,7 +571,7 @@ def test_what_comes_out_is_said_once(read: Callable[..., Reader]) -> None:
     assert said[0].startswith("Python is being fetched: ")
     reader.press("code-6", "reset")
     reader.run("code-15")
-    reader.check("5.14", "[1, 2, 3]")
+    reader.check("5.19", "[1, 2, 3]")
     *_, before, last = reader.page.evaluate("spoken")
     assert before.startswith("Cell 5: ")
     assert last.startswith("Not yet.")
@@ -587,9 +587,9 @@ def test_a_finger_can_do_it_and_axe_agrees(read: Callable[..., Reader], theme: s
     reader = read(color_scheme=theme, **PHONE)
     reader.cell("code-6").locator("button[name=run]").tap()
     reader.wait("code-6")
-    reader.check("5.14", "[1, 2, 3]")
+    reader.check("5.19", "[1, 2, 3]")
     reader.run("code-6", "1 / 0")
-    reader.fill("5.12", "60", "30", "90")
+    reader.fill("5.16", "60", "30", "90")
     for button in reader.page.locator(":is(.live-tools, .live-head) :is(button, a):visible").all():
         box = button.bounding_box()
         assert min(box["width"], box["height"]) >= 44, button.inner_text()

@@ -20,7 +20,7 @@ import pytest
 import yaml
 from derive import ROOT, derive_version
 from html_pages import build_one_page, parse
-from notebook_language import captions_by_hand, pages
+from notebook_language import captions_by_hand, chapters, pages
 from reading_time import shown
 from uv import find_uv_bin
 
@@ -82,6 +82,20 @@ def test_nothing_is_missing() -> None:
 def test_each_equation_figure_and_erratum_is_in_one_place() -> None:
     anchors = (block.anchor for page in pages().values() for block in page.blocks)
     assert Counter(filter(LABEL.match, anchors)) == Counter(LABELS)
+
+
+def test_pictures_and_exercises_are_numbered_as_they_are_read() -> None:
+    pictures = [
+        block.title.removeprefix("Picture ").split("-")
+        for page in chapters()
+        for block in page.all("caption")
+        if block.title.startswith("Picture")
+    ]
+    numbers = [number.split(".") for page in chapters() for number in page.exercises]
+    for read, first in ((pictures, ord("a")), (numbers, 1)):
+        for part in dict.fromkeys(part for part, _ in read):
+            kept = [ord(k) if first > 1 else int(k) for of, k in read if of == part]
+            assert kept == list(range(first, first + len(kept))), part
 
 
 def test_each_row_is_in_a_table_and_its_links_lead_to_what_there_is() -> None:

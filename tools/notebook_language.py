@@ -1,7 +1,7 @@
 """What the pages of the book say: nothing else reads their notebooks and texts.
 
-What a cell is, its id says: ``exercise-3-1`` asks Exercise 3.1, ``start-3-1`` is its starter cell,
-``solution-3-1`` solves it, ``why-3-1`` gives the reasons. Texts are read for headings, captions and
+What a cell is, its id says: ``exercise-3-2`` asks Exercise 3.2, ``start-3-2`` is its starter cell,
+``solution-3-2`` solves it, ``why-3-2`` gives the reasons. Texts are read for headings, captions and
 boxes. Numbers are names: there may be an Exercise A.1 and a Picture A-a.
 """
 

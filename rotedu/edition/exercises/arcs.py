@@ -20,7 +20,7 @@ from rotedu.quaternions import Quaternion
 
 
 @exercise(
-    "5.1", "three angles in degrees", fields={"at t = 1/4": "°", "at t = 2": "°", "at t = −1": "°"}
+    "5.2", "three angles in degrees", fields={"at t = 1/4": "°", "at t = 2": "°", "at t = −1": "°"}
 )
 def beyond_the_ends() -> Iterator[Part]:
     """A fraction of the arc is a fraction of its angle, also beyond its ends."""
@@ -46,7 +46,7 @@ def beyond_the_ends() -> Iterator[Part]:
     yield Part(right, hints, within=0.01, period=360)
 
 
-@exercise("5.2", "three vectors, shape (3, 3): the axis, then two points", read=numbers(3, 3))
+@exercise("5.3", "three vectors, shape (3, 3): the axis, then two points", read=numbers(3, 3))
 def ends_exchanged() -> Iterator[Part]:
     """The axis is reversed, and it is the same point of the same arc."""
     here, there, t = np.array([0.6, 0, 0.8]), np.array([0.48, 0.8, 0.36]), 0.3
@@ -86,7 +86,7 @@ def angle(one: Iterable[float], other: Iterable[float]) -> float:
 
 
 @exercise(
-    "5.3",
+    "5.4",
     "two numbers: a length in km and a latitude in degrees",
     fields={"length": "km", "latitude": "°"},
 )
@@ -153,7 +153,7 @@ def great_circle_flight() -> Iterator[Part]:
 
 
 @exercise(
-    "5.4", "three numbers: a sign, an angle in degrees and a number of parts", read=numbers(3)
+    "5.5", "three numbers: a sign, an angle in degrees and a number of parts", read=numbers(3)
 )
 def nlerp_between_keys() -> Iterator[Part]:
     """The error falls with the cube of the angle of a part."""
@@ -206,7 +206,7 @@ def nlerp_between_keys() -> Iterator[Part]:
     yield Part(enough, hints, item=2)
 
 
-@exercise("5.5", "directions, shape (1000, 3)", read=numbers(1000, 3))
+@exercise("5.6", "directions, shape (1000, 3)", read=numbers(1000, 3))
 def even_sweep() -> Iterator[Part]:
     """A step that contains a station cuts the corner, so it is shorter than the others."""
     stations = np.array([[1, 0, 0], [0, 1, 0], [0, 0.6, 0.8], [-0.8, 0, 0.6]])
@@ -256,7 +256,7 @@ ENDS = [
 
 
 @exercise(
-    "5.23",
+    "5.1",
     "a function of two points and a number that returns a point",
     read=outcomes(ENDS),
 )

@@ -28,7 +28,7 @@ SPREAD, APART = np.deg2rad([60.5, 39.5])
 
 
 @exercise(
-    "5.12",
+    "5.16",
     "three numbers in degrees: two speeds and an angle",
     fields={"leaving": "° per unit", "arriving": "° per unit", "second control point": "°"},
 )
@@ -71,7 +71,7 @@ def leaving_and_arriving() -> Iterator[Part]:
     yield Part(along_equator(double(points[2], points[3])), hints, item=2, within=0.01, period=360)
 
 
-@exercise("5.13", "two numbers of arcs", fields={"cubic curve": "arcs", "m = 10": "arcs"})
+@exercise("5.17", "two numbers of arcs", fields={"cubic curve": "arcs", "m = 10": "arcs"})
 def number_of_arcs() -> Iterator[Part]:
     """Each level has one arc fewer than the one before."""
     degrees = np.array([3, 10])
@@ -94,7 +94,7 @@ def number_of_arcs() -> Iterator[Part]:
             "Each further control point adds an arc to every level, and a level.",
         ),
         "How many levels are there, and how many arcs has each of them?": otherwise(
-            "Count those of Picture 5-d by their colours. Then begin with ten arcs in place of"
+            "Count those of Picture 5-f by their colours. Then begin with ten arcs in place of"
             " three."
         ),
     }
@@ -131,7 +131,7 @@ def hardly_jumps(points: Array) -> bool:
         return False
 
 
-@exercise("5.22", "the four points of your curve, shape (4, 3)", read=numbers(4, 3))
+@exercise("5.18", "the four points of your curve, shape (4, 3)", read=numbers(4, 3))
 def curve_without_jumps() -> Iterator[Part]:
     """With equal gaps, the pieces that meet at one of four points are mirror images."""
     # Points are found by hand, to a degree and three decimals.
@@ -169,7 +169,7 @@ def curve_without_jumps() -> Iterator[Part]:
     yield Part(None, hints, within=2e-3)
 
 
-@exercise("5.14", "a point, shape (3,)")
+@exercise("5.19", "a point, shape (3,)")
 def one_row_of_points() -> Iterator[Part]:
     """Each point is overwritten when nobody needs it any more."""
     wide = normalised([[0.9, 0.3, 0.3], [0.3, 0.9, 0.3], [-0.3, 0.9, -0.3], [-0.9, 0.3, 0.3]])
@@ -197,7 +197,7 @@ def one_row_of_points() -> Iterator[Part]:
 
 
 @exercise(
-    "5.15", "your a_i, shape (4, 3), and a number of checks", read=parts(numbers(4, 3), numbers())
+    "5.20", "your a_i, shape (4, 3), and a number of checks", read=parts(numbers(4, 3), numbers())
 )
 def an_error_that_hides() -> Iterator[Part]:
     """Whatever a_i is, b_i = Double(a_i, P_i) makes the curve C1."""
@@ -241,7 +241,7 @@ def energy(points: Array, fraction: float, samples: int = 100) -> Array:
 
 
 @exercise(
-    "5.16", "a number and True or False", read=parts(numbers(), word("true", "false", "yes", "no"))
+    "5.21", "a number and True or False", read=parts(numbers(), word("true", "false", "yes", "no"))
 )
 def energy_of_one_half() -> Iterator[Part]:
     """The best fraction differs from hexagon to hexagon."""
@@ -283,7 +283,7 @@ CONTROLS = [
 
 
 @exercise(
-    "5.26",
+    "5.15",
     "a function of four points and a number that returns a point",
     read=outcomes(CONTROLS),
 )

@@ -20,7 +20,7 @@ from rotedu.edition.exercises.judging import Part, exercise, in_radians, otherwi
 from rotedu.ordinary_rotation import rotate
 
 
-@exercise("5.6", "a point, shape (3,)", fields={"U": "", "V": "", "W": ""})
+@exercise("5.9", "a point, shape (3,)", fields={"U": "", "V": "", "W": ""})
 def reflected_in_the_pole() -> Iterator[Part]:
     """Reflecting in a point is a half turn about it."""
     point, pole = np.array([1, 2, 2]) / 3, np.array([0, 0, 1])
@@ -45,7 +45,7 @@ def reflected_in_the_pole() -> Iterator[Part]:
     yield Part(double(point, pole), hints, within=5e-3)
 
 
-@exercise("5.7", "a point, shape (3,)", fields={"U": "", "V": "", "W": ""})
+@exercise("5.10", "a point, shape (3,)", fields={"U": "", "V": "", "W": ""})
 def middle_of_an_arc() -> Iterator[Part]:
     """The midpoint has the direction of the sum, and no angle is needed."""
     p, q = np.array([1, 0, 0]), np.array([0.28, 0.96, 0])
@@ -79,7 +79,7 @@ def construction(before: float, after: float) -> tuple[Array, Array, Array, Arra
 
 
 @exercise(
-    "5.8",
+    "5.11",
     "five angles in degrees",
     fields={
         "first point with a bar": "°",
@@ -122,7 +122,7 @@ def construction_on_a_circle() -> Iterator[Part]:
     )
 
 
-@exercise("5.9", "four angles in degrees")
+@exercise("5.12", "four angles in degrees")
 def reversed_ring() -> Iterator[Part]:
     """Reversing the list reveals an error that a look at the curve does not."""
     ring = normalised([[1, -0.45, 0], [0.7, 0.6, -0.35], [0.1, 0.8, 0.5], [0.6, -0.05, 0.95]])
@@ -177,7 +177,7 @@ def middle_as_printed(points: Array) -> Array:
     return rotate(beyond, arc_axis(following, beyond), half)
 
 
-@exercise("5.10", "two points, shape (2, 3)", read=numbers(2, 3))
+@exercise("5.13", "two points, shape (2, 3)", read=numbers(2, 3))
 def two_repairs() -> Iterator[Part]:
     """Both points are the midpoint, so both colleagues are right."""
     start, goal = double([1, 0, 0], [0.6, 0.8, 0]), np.array([0, 0.6, 0.8])
@@ -227,7 +227,7 @@ GAPS = [(g, h) for g in STEPS for h in STEPS if abs(g - h) != 180 and abs(g + h)
 
 
 @exercise(
-    "5.11",
+    "5.14",
     "a function of two gaps in degrees that returns an angle in degrees",
     read=lambda rule: without_full_turns([numbers()(rule(g, h)) for g, h in GAPS]),
 )
@@ -274,7 +274,7 @@ PAIRS = [
 of_pairs = outcomes(PAIRS)
 
 
-@exercise("5.24", "a function of two points that returns a point", read=of_pairs)
+@exercise("5.7", "a function of two points that returns a point", read=of_pairs)
 def going_on() -> Iterator[Part]:
     """The point and its reflection add up to twice the shadow on the middle."""
     hints = {
@@ -294,7 +294,7 @@ def going_on() -> Iterator[Part]:
     yield Part(of_pairs(double), hints)
 
 
-@exercise("5.25", "a function of two points that returns a point", read=of_pairs)
+@exercise("5.8", "a function of two points that returns a point", read=of_pairs)
 def halfway_between() -> Iterator[Part]:
     """A diagonal of a rhombus halves its angle."""
     hints = {

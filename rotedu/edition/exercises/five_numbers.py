@@ -89,7 +89,7 @@ def halfway_errors() -> Array:
 
 
 @exercise(
-    "D.3",
+    "D.5",
     "four angles in degrees",
     fields={
         "Euler angles": "°",
@@ -132,7 +132,7 @@ def worst_of_a_table() -> Iterator[Part]:
     yield Part(right, hints, within=0.1)
 
 
-@exercise("D.4", "three numbers", fields={"about U": "", "about V": "", "about W": ""})
+@exercise("D.3", "three numbers", fields={"about U": "", "about V": "", "about W": ""})
 def stretched_most() -> Iterator[Part]:
     """Both columns move if the turn is about W, and only one of them if it is about U or V."""
     map_scale = 1 / (2**0.5 - 1)
@@ -154,7 +154,7 @@ def stretched_most() -> Iterator[Part]:
     yield Part(right, hints, within=5e-3)
 
 
-@exercise("D.5", "the numbers of five lines, in order", read=numbers(5))
+@exercise("D.4", "the numbers of five lines, in order", read=numbers(5))
 def no_rule_without_a_jump() -> Iterator[Part]:
     """Followed round once, a quaternion becomes the other one, which no rule can allow."""
     hints = {

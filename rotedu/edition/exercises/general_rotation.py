@@ -37,7 +37,7 @@ from rotedu.general_rotation import (
 from rotedu.ordinary_rotation import rotation_matrix
 
 
-@exercise("4.1", "a point, three numbers", fields={"U": "", "V": "", "W": ""})
+@exercise("4.2", "a point, three numbers", fields={"U": "", "V": "", "W": ""})
 def end_of_v() -> Iterator[Part]:
     """The second turn is about W itself."""
     u, w = (turn(np.pi / 2)[:3, :3] for turn in (rotation_u, rotation_w))
@@ -64,7 +64,7 @@ def with_or_without_a_fourth(answer: Any) -> Array:
     return given
 
 
-@exercise("4.2", "two times three numbers", read=parts(*2 * [with_or_without_a_fourth]))
+@exercise("4.3", "two times three numbers", read=parts(*2 * [with_or_without_a_fourth]))
 def point_and_direction() -> Iterator[Part]:
     """A translation moves points and leaves directions alone."""
     chain = translation([5, 0, 0]) @ scaling(2)
@@ -106,7 +106,7 @@ def point_and_direction() -> Iterator[Part]:
 
 
 @exercise(
-    "4.3",
+    "4.4",
     'three letters such as "VWU", an axis of three numbers, and an angle in degrees',
     read=parts(word(*map("".join, permutations("uvw"))), numbers(3), numbers()),
 )
@@ -151,7 +151,7 @@ THERE = np.array([0.4, 0.7, -1.1])
 
 
 @exercise(
-    "4.4",
+    "4.5",
     "a matrix, shape (4, 4)",
     read=lambda back: numbers(4, 4)(back) @ matrix_from_euler_angles(*THERE),
 )
@@ -181,7 +181,7 @@ def way_back() -> Iterator[Part]:
     yield Part(np.eye(4), hints)
 
 
-@exercise("4.5", "three triples of angles in radians, shape (3, 3)", read=numbers(3, 3))
+@exercise("4.6", "three triples of angles in radians, shape (3, 3)", read=numbers(3, 3))
 def angles_of_a_matrix() -> Iterator[Part]:
     """The angles need not be those that went in."""
     # Matrices are compared, not angles, except at gimbal lock.
@@ -244,7 +244,7 @@ def angles_of_a_matrix() -> Iterator[Part]:
     yield Part(lambda found: np.isclose(found[2, [0, 2]], 0).any(), hints)
 
 
-@exercise("4.6", "three matrices, each of shape (3, 3)", read=parts(*3 * [numbers(3, 3)]))
+@exercise("4.7", "three matrices, each of shape (3, 3)", read=parts(*3 * [numbers(3, 3)]))
 def shear_by_rotations() -> Iterator[Part]:
     """Rotations and unequal scalings already shear."""
     shear = shearing(uv=0.8)[:3, :3]
@@ -301,7 +301,7 @@ def shear_by_rotations() -> Iterator[Part]:
     yield Part(lambda left, middle, right: close(left @ middle @ right, shear, 1e-14), hints)
 
 
-# What is known of the spoon of Exercise 4.7, by least and greatest coordinates, with its sign for
+# What is known of the spoon of Exercise 4.8, by least and greatest coordinates, with its sign for
 # the sense in which the corners of its triangles follow each other.
 TRIANGLES = 3840
 ENDS = [(-1, -0.262056, -0.152639), (1, 0.262056, 0.216594)]
@@ -384,7 +384,7 @@ def faults_of_triangles(camera: Array, triangles: Array, near_last: Array) -> di
 
 
 @exercise(
-    "4.7",
+    "4.8",
     "a matrix of shape (4, 4), triangles of shape (n, 3, 3), and an order of n numbers",
     read=as_photograph,
 )
@@ -450,7 +450,7 @@ TRIPLES = [(0.3, -0.8, 2.0), (np.pi / 2, np.pi / 2, 0.0), (-1.0, 0.4, 0.7)]
 
 
 @exercise(
-    "4.8",
+    "4.1",
     "a function of three angles that returns a matrix, shape (3, 3)",
     read=lambda rule: [numbers(3, 3)(rule(*triple)) for triple in TRIPLES],
 )

@@ -211,7 +211,7 @@ def check(number: str, answer: Any, hint: int = 1) -> Verdict:
     Parameters
     ----------
     number : str
-        The number of the exercise, such as "3.1".
+        The number of the exercise, such as "3.2".
     answer : object
         Your answer; ``...`` means that there is none yet. It is not changed, and what a function
         among the answers prints is not shown.
@@ -230,11 +230,11 @@ def check(number: str, answer: Any, hint: int = 1) -> Verdict:
 
     Examples
     --------
-    >>> check("3.1", ...)
-    3.1: not answered yet.
+    >>> check("3.2", ...)
+    3.2: not answered yet.
     """
     if number not in EXERCISES:
-        raise ValueError(f'no exercise has the number {number!r}; write it as in "3.1"')
+        raise ValueError(f'no exercise has the number {number!r}; write it as in "3.2"')
     asked = EXERCISES[number]
     try:
         with redirect_stdout(io.StringIO()), np.errstate(all="ignore"):

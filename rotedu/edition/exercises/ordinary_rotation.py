@@ -28,7 +28,7 @@ from rotedu.edition.exercises.judging import (
 from rotedu.ordinary_rotation import axis_angle, rotate, rotation_matrix
 
 
-@exercise("3.1", "a point, three numbers", fields={"U": "", "V": "", "W": ""})
+@exercise("3.2", "a point, three numbers", fields={"U": "", "V": "", "W": ""})
 def quarter_turn_of_a_point() -> Iterator[Part]:
     """What lies along the axis stays where it is."""
     point, w = [1, 2, 3], [0, 0, 1]
@@ -54,7 +54,7 @@ def quarter_turn_of_a_point() -> Iterator[Part]:
 
 
 @exercise(
-    "3.2", "an axis of three numbers and an angle in degrees", read=parts(numbers(3), numbers())
+    "3.3", "an axis of three numbers and an angle in degrees", read=parts(numbers(3), numbers())
 )
 def axis_and_angle_of_a_matrix() -> Iterator[Part]:
     """The trace shows the angle, and three differences show the axis."""
@@ -98,7 +98,7 @@ def axis_and_angle_of_a_matrix() -> Iterator[Part]:
 
 
 @exercise(
-    "3.3",
+    "3.4",
     'two words, the first for -turn, the second for -diagonal, each of them "same",'
     ' "negative", "transpose" or "identity"',
     read=parts(*2 * [word("same", "negative", "transpose", "inverse", "identity")]),
@@ -140,7 +140,7 @@ def turned_back() -> Iterator[Part]:
 
 
 @exercise(
-    "3.4",
+    "3.5",
     "two pairs, each of an axis and an angle in degrees",
     read=parts(*2 * [parts(numbers(3), numbers())]),
 )
@@ -195,7 +195,7 @@ def as_printed(n: Any, angle: float) -> Any:
     return cos * np.eye(3) + (1 - cos) * np.outer(n, n) + sin * np.cross(n, np.eye(3)).T
 
 
-@exercise("3.5", "a number", fields={"largest entry": ""})
+@exercise("3.6", "a number", fields={"largest entry": ""})
 def axis_too_long() -> Iterator[Part]:
     """It is more than three times the error of the axis, and the formula gives no warning."""
     n = np.array([0, 0.6, 0.8])
@@ -233,7 +233,7 @@ def axis_too_long() -> Iterator[Part]:
 
 
 @exercise(
-    "3.6", "an axis of three numbers and an angle in radians", read=parts(numbers(3), numbers())
+    "3.7", "an axis of three numbers and an angle in radians", read=parts(numbers(3), numbers())
 )
 def rotation_of_a_spoon() -> Iterator[Part]:
     """Thousands of vertices average out the noise of each."""
@@ -285,7 +285,7 @@ TURNED = [
 
 
 @exercise(
-    "3.7",
+    "3.1",
     "a function of a vector, a unit vector and an angle that returns a vector",
     read=outcomes(TURNED),
 )

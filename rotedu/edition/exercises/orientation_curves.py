@@ -12,7 +12,7 @@ from rotedu.ordinary_rotation import rotation_matrix
 from rotedu.quaternions import Quaternion
 
 
-@exercise("5.27", "two angles in degrees", fields={"way round": "°", "shorter way": "°"})
+@exercise("5.26", "two angles in degrees", fields={"way round": "°", "shorter way": "°"})
 def two_middles_of_a_gate() -> Iterator[Part]:
     """On a circle, two points have two middles, half a turn apart."""
     hints = {
@@ -29,7 +29,7 @@ def two_middles_of_a_gate() -> Iterator[Part]:
     yield Part([120, 300], hints, within=0.01, period=360)
 
 
-@exercise("5.28", "an angle in degrees", fields={"angle": "°"})
+@exercise("5.27", "an angle in degrees", fields={"angle": "°"})
 def two_turns_kept_as_one() -> Iterator[Part]:
     """The sign of the cosine of half the angle remembers the route."""
     hints = {
@@ -45,7 +45,7 @@ def two_turns_kept_as_one() -> Iterator[Part]:
     yield Part(-270, hints, within=0.01)
 
 
-@exercise("5.20", "two whole numbers from 0 to 32")
+@exercise("5.28", "two whole numbers from 0 to 32")
 def choices_of_signs() -> Iterator[Part]:
     """After an odd number of full turns, signs agree only on a second round."""
     quaternions = Quaternion.from_axis_angle([1, 2, 2], np.arange(5) * 2 * np.pi / 5).components

@@ -19,7 +19,7 @@ from rotedu.orientations import slerp_rotations
 from rotedu.quaternions import Quaternion
 
 
-@exercise("5.17", "a turn: a matrix, shape (3, 3), or a unit quaternion", read=as_rotation)
+@exercise("5.22", "a turn: a matrix, shape (3, 3), or a unit quaternion", read=as_rotation)
 def turn_between_cameras() -> Iterator[Part]:
     """The axis of this turn belongs to the camera, not to the room."""
     r1, r2 = rotation_matrix([[1, 0, 0], [0, 1, 0]], np.pi / 2)
@@ -46,7 +46,7 @@ def turn_between_cameras() -> Iterator[Part]:
 
 
 @exercise(
-    "5.18",
+    "5.23",
     "three angles in degrees",
     fields={"as they stand": "°", "sign changed": "°", "matrices": "°"},
 )
@@ -91,7 +91,7 @@ def halfway_in_three_ways() -> Iterator[Part]:
     yield Part(right, hints, within=0.1, period=360)
 
 
-@exercise("5.19", "an angle in degrees", fields={"angle": "°"})
+@exercise("5.24", "an angle in degrees", fields={"angle": "°"})
 def carried_platform() -> Iterator[Part]:
     """It is the area of the triangle, as an angle."""
     east = np.deg2rad(40)
@@ -128,7 +128,7 @@ def columns_of_flights(answer: Any) -> tuple[Array, Array, Array]:
     return np.abs(rolls), turned, uneven
 
 
-@exercise("5.21", "four rows of three numbers, shape (4, 3)", read=columns_of_flights)
+@exercise("5.25", "four rows of three numbers, shape (4, 3)", read=columns_of_flights)
 def upright_flights() -> Iterator[Part]:
     """The steeper the line of sight, the more a level horizon costs."""
     sights = normalised([(1.0, 0.0, -0.2), (0.3, 1.0, 0.2), (0.2, 0.3, 1.0), (0.3, -0.9, 0.3)])

@@ -29,7 +29,7 @@ from rotedu.quaternions import Quaternion
 
 
 @exercise(
-    "2.1",
+    "2.2",
     "a quaternion, four numbers with the scalar part first",
     fields={"scalar part": "", "along U": "", "along V": "", "along W": ""},
 )
@@ -64,7 +64,7 @@ def product_by_hand() -> Iterator[Part]:
     yield Part(right, hints)
 
 
-@exercise("2.2", "a quaternion, four numbers with the scalar part first", read=numbers(4))
+@exercise("2.3", "a quaternion, four numbers with the scalar part first", read=numbers(4))
 def unit_quaternion_of_a_turn() -> Iterator[Part]:
     """Its negative would do as well."""
     axis, angle = np.array([0, 3, 4]), np.deg2rad(60)
@@ -98,7 +98,7 @@ def unit_quaternion_of_a_turn() -> Iterator[Part]:
 
 
 @exercise(
-    "2.3",
+    "2.4",
     "four pairs of an axis and an angle in degrees, and the image of U, three numbers",
     read=parts(parts(*4 * [parts(numbers(3), numbers())]), numbers(3)),
 )
@@ -155,7 +155,7 @@ def axis_and_angle_at_sight() -> Iterator[Part]:
 
 
 @exercise(
-    "2.4",
+    "2.5",
     "two quaternions, each of four numbers with the scalar part first",
     read=parts(numbers(4), numbers(4)),
 )
@@ -197,7 +197,7 @@ def two_turns_in_a_row() -> Iterator[Part]:
 
 
 @exercise(
-    "2.5",
+    "2.6",
     'an angle in degrees, two axes, and "first", "second", "both" or "neither"',
     read=parts(numbers(), numbers(3), numbers(3), word("first", "second", "both", "neither")),
 )
@@ -249,7 +249,7 @@ def between_two_photographs() -> Iterator[Part]:
     yield Part(lambda who: who == "both", hints, item=3)
 
 
-@exercise("2.6", "a quaternion, four numbers with the scalar part first", read=numbers(4))
+@exercise("2.7", "a quaternion, four numbers with the scalar part first", read=numbers(4))
 def average_of_orientations() -> Iterator[Part]:
     # Length and sign are free.
     tracker = np.random.default_rng(4)
@@ -323,7 +323,7 @@ FACTORS = [
 
 
 @exercise(
-    "2.7",
+    "2.1",
     "a function of two numbers and two vectors that returns a number and a vector",
     read=outcomes(FACTORS),
 )

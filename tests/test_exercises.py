@@ -111,7 +111,7 @@ def test_an_unknown_number_is_refused() -> None:
 
 
 def test_a_number_is_refused_twice() -> None:
-    with pytest.raises(ValueError, match=r"3\.1 has two checks"):
+    with pytest.raises(ValueError, match=r"3\.2 has two checks"):
         exercise("3.2", "nothing")(lambda: [])
 
 

@@ -32,9 +32,9 @@ SHOWN: dict[str, dict[str, dict[str, str]]] = {
         "two poses alike": {"speed": "6, 56, 79, 82, 36°/s"},
     },
     "the_swing": {
-        "the first place": {"route": "100°", "shortest": "100°"},
+        "at 100°": {"route": "100°", "shortest": "100°"},
         "where the other is farthest": {"route": "92°", "shortest": "127°"},
-        "the last place": {"route": "−60°", "shortest": "−60°"},
+        "at −60°": {"route": "−60°", "shortest": "−60°"},
     },
     "arcs_of_arcs": {
         "close to the start": {"way_1": "3.1°", "way_2": "6.1°", "way_3": "8.9°"},

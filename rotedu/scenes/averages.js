@@ -52,7 +52,7 @@ export function meanByHand({ poses, flip }, { no_mean }) {
   });
   const outputs = { singular };
   Object.entries(means).forEach(([name, turn], i) => {
-    labels[name] = [i ? 0.72 : -0.72, 0, -0.97];
+    labels[name] = turn && [i ? 0.72 : -0.72, 0, -0.97];
     parts[name] = shown(turn && { matrix: placing(turn, ORIGIN) });
     parts[`tip by ${name}`] = shown(turn && { at: tip(turn) });
     outputs[`by_${name}`] = turn ? given.map((one) => between(one, turn)) : no_mean;

@@ -4,7 +4,7 @@ import numpy as np
 import pyvista
 from numpy.typing import NDArray
 
-from rotedu.colors import AXIS, NEUTRAL, RESULT, VECTOR
+from rotedu.colors import AXIS, MATRIX, NEUTRAL, QUATERNION
 from rotedu.figures import State, describe, explorable, read_out
 from rotedu.figures.inputs import Choice, Slider
 from rotedu.quaternions import Quaternion
@@ -64,13 +64,13 @@ def balance(state: State, what: str) -> pyvista.Plotter:
         "pointer": Lines(AXIS, 0.02),
         "strings": Lines(NEUTRAL, 0.008),
         "pan *": Mesh(lathe(PAN), NEUTRAL, UNTOUCHED),
-        "left": Heap(spoon, places, RESULT),
-        "right": Heap(spoon, places, VECTOR),
+        "left": Heap(spoon, places, MATRIX),
+        "right": Heap(spoon, places, QUATERNION),
         "level": Lines(AXIS, 0.02),
     }
     texts = {
-        "left": Text(RESULT, "matrix"),
-        "right": Text(VECTOR, "quaternion"),
+        "left": Text(MATRIX, "matrix"),
+        "right": Text(QUATERNION, "quaternion"),
         "level": Text(AXIS, "level"),
     }
     draw(plotter, state, looks, texts)
@@ -85,9 +85,9 @@ def balance(state: State, what: str) -> pyvista.Plotter:
     add_lines(plotter, ruler, NEUTRAL, radius=0.008)
 
     read_out(plotter, "number", what, 0, where="picture")
-    read_out(plotter, "matrix", "matrix", 0, where="picture", color=RESULT)
-    read_out(plotter, "quaternion", "quaternion", 0, where="picture", color=VECTOR)
-    read_out(plotter, "spoon", "operations a spoon", 0)
+    read_out(plotter, "matrix", "matrix", 0, where="picture", color=MATRIX)
+    read_out(plotter, "quaternion", "quaternion", 0, where="picture", color=QUATERNION)
+    read_out(plotter, "spoon", "operations a spoon", 0, where="picture")
     told = state["outputs"]
     heavier = "left" if told["matrix"] > told["quaternion"] else "right"
     describe(

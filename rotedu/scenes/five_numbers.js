@@ -36,10 +36,11 @@ export function oneName({ angle }) {
       middle: { at: BALL },
     },
     labels: { name: null },
-    grips: { angle: { path: spread(97).map((t) => at(2 * HALF * t)), holds: ["name", "spoon"] } },
-    outputs: { q: [w, x] },
+    outputs: { q: `${angle}°; ${written(w)}, ${written(x)}` },
   };
 }
+
+const written = (number) => number.toFixed(2).replace("-", "−");
 
 // A thread is a path of unit quaternions, each near the one before. Angles on their sphere are half of
 // those of turns.

@@ -58,8 +58,7 @@ def one_name(state: State) -> pyvista.Plotter:
         "middle": Ball(NEUTRAL, 0.04),
     }
     draw(plotter, state, looks, {"name": Text(RESULT)})
-    add_shadow(plotter, "spoon", (-1.3, 0, 0), 0.9, 0.7)
-    read_out(plotter, "q", "*w*, *x*", 2, where="picture")
+    read_out(plotter, "q", "turned; *w*, *x*", where="picture")
     describe(
         plotter,
         f"A spoon, turned by {state['inputs']['angle']:.0f} degrees about its length. Beside it, a"

@@ -70,8 +70,8 @@ export function spinningByHand(
     const off = (matrix, rotation) =>
       DEGREES * axisAngle(product(transpose(turnOf(matrix)), rotation)).angle;
     const drawn = times.map(way);
-    charts.longest[name] = t ? drawn.map(longest) : null;
-    charts.off[name] = t ? drawn.map((matrix, k) => off(matrix, exact(times[k]))) : null;
+    charts.longest[name] = drawn.map(longest);
+    charts.off[name] = drawn.map((matrix, k) => off(matrix, exact(times[k])));
     outputs[name] = `${edges}${longest(now).toFixed(2)}, ${off(now, right).toFixed(0)}${aside}`;
   });
   const grips = { space: { holds: ["space"] }, body: { turn, holds: ["body"] } };

@@ -19,9 +19,9 @@ PLACES = (0, 100, 10, -60)
 
 @explorable(
     tries={
-        "the first place": {"t": 0.25},
+        "at 100°": {"t": 0.25},
         "where the other is farthest": {"t": 0.2},
-        "the last place": {"t": 0.75},
+        "at −60°": {"t": 0.75},
     },
     answer={"t": 0.2},
     constants={"places": PLACES},
@@ -56,7 +56,7 @@ def the_swing(state: State) -> pyvista.Plotter:
             {name: Text(VECTOR, text)},
         )
     read_out(plotter, "route", "along the route", 0, "°", where="picture", color=RESULT)
-    read_out(plotter, "shortest", "by shorter ways", 0, "°", where="picture", color=CROSS)
+    read_out(plotter, "shortest", "by shorter arcs", 0, "°", where="picture", color=CROSS)
     draw_angles(plotter, "t", (-90, 150), "turned, −90° to 150°")
     describe(
         plotter,
@@ -179,8 +179,8 @@ def routes_by_hand(state: State) -> pyvista.Plotter:
     }
     draw(plotter, state, looks, {"R_*": Text(VECTOR)})
     for output, text in (
-        ("turn", "from Double by up to"),
-        ("apart", "routes apart by up to"),
+        ("turn", "widest turn from Double on"),
+        ("apart", "curves apart by up to"),
         ("signs", "signs"),
     ):
         read_out(plotter, output, text, 1, "°", where="picture")

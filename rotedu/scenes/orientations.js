@@ -2,7 +2,7 @@
  * Models of page 5 IV.
  * @import { Point } from "./rotations.js"
  */
-import { DEGREES, placing, scaled, spread, turning, U, W } from "./parts.js";
+import { DEGREES, placing, scaled, spread, turning, U, V, W } from "./parts.js";
 import {
   angleBetween,
   arcAxis,
@@ -27,13 +27,16 @@ const LEAST = 0.001;
 /** What two cameras see that look at the same clock, the second rolled about its line of sight. */
 export function twoPictures({ roll }, { pictures, cameras }) {
   const parts = {};
-  const [first, second] = cameras.map((camera) => combine(1, camera, -0.42, W));
+  const [first, second] = cameras.map((camera) => combine(1, camera, 0.52, V));
   [0, roll].forEach((degrees, i) => {
     const turned = (sign) => rotationMatrix(U, (sign * degrees) / DEGREES);
     parts[`clock ${i}`] = { matrix: placing(turned(-1), pictures[i], CLOSE) };
     parts[`camera ${i}`] = { matrix: placing(turned(1), cameras[i]) };
     const [bottom, top] = [0.16, 0.42].map((height) => transform(turned(1), scaled(height, W)));
-    parts[`up ${i}`] = { from: combine(1, cameras[i], 1, bottom), to: combine(1, cameras[i], 1, top) };
+    parts[`up ${i}`] = {
+      from: combine(1, cameras[i], 1, bottom),
+      to: combine(1, cameras[i], 1, top),
+    };
   });
   const around = Math.abs(roll);
   return { parts, labels: { first, second }, outputs: { between: Math.min(around, 360 - around) } };

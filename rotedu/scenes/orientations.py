@@ -56,7 +56,7 @@ def two_pictures(state: State) -> pyvista.Plotter:
     roll : float
         How far the second is turned about its line of sight, in degrees.
     """
-    plotter = new_scene((-9, 0, 0.3), (0, 0, -0.13), view_angle=14.9, size=LITTLE)
+    plotter = new_scene((-9, 0, 0.3), (0, 0, -0.08), view_angle=14.6, size=LITTLE)
     corners = np.array([[0, 0.66, 0.5], [0, -0.66, 0.5], [0, -0.66, -0.5], [0, 0.66, -0.5]])
     for picture in PICTURES:
         add_line(plotter, np.vstack([corners, corners[:1]]) + picture, NEUTRAL, 0.012)

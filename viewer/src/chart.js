@@ -57,7 +57,9 @@ export class Chart {
     for (const name of this.names) {
       const top = tops[name.dataset.name ?? ""];
       name.hidden = !top;
-      if (top) name.style.top = top;
+      // As text, so that a page finds the colour in it that it may give another shade.
+      const style = name.getAttribute("style") ?? "";
+      if (top) name.setAttribute("style", style.replace(/top: [^;]*/, `top: ${top}`));
     }
     box.hidden = [...lines.values()].every((line) => !line.getAttribute("d"));
     const at = String(((value - x[0]) / (x[1] - x[0])) * WIDTH);

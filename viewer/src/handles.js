@@ -78,15 +78,18 @@ export function addHandles(scene, view, specs, now, change, hold) {
 function hintFor(groups) {
   const held = groups.filter(({ handles }) => handles.length).map(({ hand }) => hand.spec);
   const has = (kind) => held.some((spec) => spec.kind === kind);
+  const crank = groups.map(({ hand }) => hand.grip()).find((grip) => grip?.laps);
   const things = [];
   if (has("points")) things.push("a ring to move what it holds");
+  else if (crank) things.push(`the ${crank.holds?.[0]} round`);
   else if (has("number")) things.push("a ring along its path");
   const bodies = held.find(({ kind }) => kind === "poses")?.names;
   if (bodies) {
     const body = Array.isArray(bodies) ? `a ${bodies[0].replace(/ \d+$/, "")}` : bodies;
     things.push(`${body} to turn it`);
   }
-  return things.length ? `Drag ${things.join(", or ")}` : "";
+  if (things.length) return `Drag ${things.join(", or ")}`;
+  return groups.some(({ hand }) => hand.spec.kind === "number") ? "Move the slider" : "";
 }
 
 /** The parts that one of the handles of an input holds. */

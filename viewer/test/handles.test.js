@@ -81,7 +81,7 @@ test("a scene says what can be dragged, and keeps its hint if nothing can", () =
     [{ spoon }, "Drag the spoon to turn it"],
     [{ angle, spoon }, "Drag a ring along its path, or the spoon to turn it"],
     [{ spoon: several }, "Drag a spoon to turn it"],
-    [{ u }, ""],
+    [{ u }, "Move the slider"],
   ]) {
     const { element } = scene(specs, GRIPS);
     assert.equal(element.querySelector(".scene-hint").textContent, hint);

@@ -314,15 +314,22 @@ class TestTables:
 
     def test_the_rows_that_a_page_adds_have_a_class(self) -> None:
         document = publish_doctree("")
-        for tag in ("ledger", "nbval-ignore-output"):
+        for tags in (["ledger"], ["ledger", "whole"], ["nbval-ignore-output"]):
             table = publish_doctree(str(ledger("02-quaternions")), parser_name="myst").children
             document += nodes.container(
-                "", *table, nb_element="cell_code", classes=["cell", f"tag_{tag}"]
+                "",
+                *table,
+                nb_element="cell_code",
+                classes=["cell", *(f"tag_{tag}" for tag in tags)],
             )
         MarkLedger(document).apply()
         written = publish_from_doctree(document, writer_name="html5").decode()
         page = BeautifulSoup(written, "html.parser")
         here = [row.td.get_text() for row in page.select(".tag_ledger .ledger tr.here")]
-        assert here == [name.get_text() for name in page.select(".ledger strong")] == ["quaternion"]
+        names = [name.get_text() for name in page.select(".ledger strong")]
+        assert here == names == 2 * ["quaternion"]
         assert len(page.select(".ledger tbody tr")) > len(here) == len(page.select(".here"))
-        assert len(page("table")) == 2 * len(page.select(".ledger"))
+        [fold] = page.select("details.earlier")
+        assert "tag_whole" not in str(fold.find_parent(class_="cell")["class"])
+        assert fold.find_next("table")["class"] == ["ledger"]
+        assert len(page("table")) == len(page.select(".ledger")) + 1 == 3

@@ -13,6 +13,7 @@ from itertools import pairwise
 from math import ceil
 from typing import NamedTuple
 
+from nbformat import NotebookNode
 from notebook_language import (
     Block,
     Page,
@@ -102,10 +103,22 @@ def shown(page: Page) -> Iterator[Block]:
         for output in [] if tags(cell) & FOLDED_OUTPUT else cell.outputs:
             data = output.get("data", {})
             if "text/markdown" in data:
-                yield from in_view(data["text/markdown"])
+                text = data["text/markdown"]
+                yield from in_view(own_rows(text) if fold_rows(cell) else text)
             else:
                 printed = output.get("text", data.get("text/plain", ""))
                 yield Block("printed", printed)
+
+
+def fold_rows(cell: NotebookNode) -> bool:
+    """Tell whether a cell shows a ledger whose earlier rows are folded."""
+    return "ledger" in tags(cell) and "whole" not in tags(cell)
+
+
+def own_rows(table: str) -> str:
+    """Return the head of a ledger, and the rows in bold."""
+    head, line, *rows = table.splitlines()
+    return "\n".join([head, line, *(row for row in rows if row.startswith("| **"))])
 
 
 def count(page: Page) -> Count:

@@ -40,8 +40,15 @@ class PlainPunctuation(HtmlFormatter):
         super().format_unencoded(plain, outfile)
 
 
+# Beside the table that it folds: a table is no place for a fold of rows.
+EARLIER = '<details class="earlier"><summary>All that were met so far</summary></details>'
+
+
 class MarkLedger(SphinxTransform):
-    """Give the ledger a class, and another one to the rows whose first cell is bold."""
+    """Give the ledger a class, and another one to the rows whose first cell is bold.
+
+    The other rows are folded, unless the cell has the tag ``whole``.
+    """
 
     default_priority = 400
 
@@ -49,11 +56,15 @@ class MarkLedger(SphinxTransform):
         """Find the cells that show it."""
         for cell in code_cells(self.document):
             if "tag_ledger" in cell["classes"]:
-                for table in cell.findall(nodes.table):
+                for table in list(cell.findall(nodes.table)):
                     table["classes"].append("ledger")
                     for row in table.findall(nodes.row):
                         if row[0].next_node(nodes.strong):
                             row["classes"].append("here")
+                    if "tag_whole" not in cell["classes"]:
+                        fold = nodes.raw("", EARLIER, format="html")
+                        at = table.parent.index(table)
+                        table.parent.insert(at, nodes.container("", fold, classes=["on-screen"]))
 
 
 def visit_entry(writer: HTML5Translator, cell: nodes.entry) -> None:

@@ -11,6 +11,7 @@ from explorables import outputs
 from live_pages import complaints_of_axe
 from nightly import nightly
 from notebook_language import Page, chapters, pages
+from oracles.rigid_motion import the_arm
 from scipy.spatial.transform import Rotation
 
 from rotedu import scenes
@@ -25,6 +26,7 @@ from rotedu.motion import matrix_steps, quaternion_steps, rotation_vector
 from rotedu.ordinary_rotation import axis_angle, rotation_matrix
 from rotedu.orientations import nearest_rotation
 from rotedu.quaternions import Quaternion
+from rotedu.scenes.rigid_motion import SKINS
 
 VERDICT = re.compile(r"(Yes|No|Half true)\b")
 
@@ -105,6 +107,14 @@ class TestWhatTheAnswersSay:
         azimuth = np.unwrap(np.arctan2(curve[:, 1], curve[:, 0]))
         spin = np.abs(np.gradient(azimuth, 1 / 20_000) * curve[:, 2]).max()
         assert f"{degrees(spin):.0f}° on the curve" in pages()["05-closed-curve.ipynb"].text
+
+    def test_the_arm_bent_by_120_degrees(self) -> None:
+        """Page C, below Picture C-c."""
+        said = pages()["beyond-rigid-motion.ipynb"].text
+        averaged, repaired = (the_arm(skin, 0, 120) for skin in SKINS[:2])
+        assert f"this arm has lost {100 - averaged['volume']:.0f} % of its volume" in said
+        assert repaired["stretch"] == pytest.approx(400, abs=5)
+        assert "its skin is stretched to four times its length" in said
 
     def test_worn_spoons(self) -> None:
         matrix, quaternion = (

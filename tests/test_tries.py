@@ -44,8 +44,8 @@ SHOWN: dict[str, dict[str, dict[str, str]]] = {
     "the_arm": {
         "a door handle": {"wrist": "9%", "volume": "89.5%"},
         "the same, repaired": {"wrist": "100%", "volume": "100.9%"},
-        "an elbow that bulges": {"wrist": "100%", "volume": "99.9%"},
-        "past half a turn": {"wrist": "100%", "volume": "99.6%"},
+        "an elbow that bulges": {"stretch": "178%", "volume": "99.9%"},
+        "past half a turn": {"stretch": "133%", "volume": "99.6%"},
     },
     "from_a_to_b": {
         "a quarter turn": {"angle": "90.0°", "share": "1.00"},

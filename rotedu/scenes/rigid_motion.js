@@ -100,6 +100,7 @@ function skinned(skin, arm, rings, twist, bend) {
     },
     outputs: {
       wrist: (100 * length(out)) / rings[middle][2],
+      stretch: 100 * stretch(rest, moved),
       volume: (100 * volume(moved)) / volume(rest),
     },
   };
@@ -132,6 +133,14 @@ const ringOf = ([x, wide, thick]) =>
   turning(V, U, 2 * Math.PI, SIDES)
     .slice(1)
     .map(([, v, w]) => [x, wide * v, thick * w]);
+
+/** How many times as long the skin is, along the arm and where it is stretched most. */
+function stretch(rest, moved) {
+  const steps = (rings) =>
+    rings.slice(1).flatMap((ring, i) => ring.map((p, k) => length(combine(1, p, -1, rings[i][k]))));
+  const before = steps(rest);
+  return Math.max(...steps(moved).map((step, k) => step / before[k]));
+}
 
 /** What rings enclose, up to their small ends. */
 function volume(rings) {

@@ -142,6 +142,7 @@ def the_arm(state: State) -> pyvista.Plotter:
     texts = {"bend": Text(NEUTRAL, "elbow"), "or here": Text(RESULT, "or here")}
     draw(plotter, state, LOOKS, texts)
     read_out(plotter, "wrist", "wrist as thick as", 0, "%", where="picture")
+    read_out(plotter, "stretch", "skin stretched up to", 0, "%", where="picture")
     read_out(plotter, "volume", "of its volume at rest, the arm has", 1, "%")
     describe(
         plotter,

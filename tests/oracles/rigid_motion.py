@@ -39,9 +39,11 @@ def the_arm(skin: str, twist: float, bend: float) -> dict[str, float]:
     )
     moved = transform(poses[:, np.newaxis], rest)
     middle = np.searchsorted(STATIONS, WRIST)
+    lengths = [np.linalg.norm(np.diff(rings, axis=0), axis=-1) for rings in (rest, moved)]
     out = moved[middle, SIDES // 4 - 1] - transform(bones[1], [STATIONS[middle], 0, 0])
     return {
         "wrist": 100 * np.linalg.norm(out) / thick[middle],
+        "stretch": 100 * np.max(lengths[1] / lengths[0]),
         "volume": 100 * enclosed(moved) / enclosed(rest),
     }
 

@@ -9,6 +9,7 @@ import nbformat
 import pytest
 from live_pages import AXE, Open, open_page, settle
 from nbformat import NotebookNode
+from nightly import nightly
 from notebook_language import notebooks, pages, tags
 
 __all__ = ["open_page"]
@@ -291,6 +292,35 @@ def test_the_hand_and_python_meet(read: Callable[..., Reader]) -> None:
 
 
 SHOWN = "all => all.map((chart) => [chart.checkVisibility(), chart.ariaLabel])"
+
+
+MOVES = {
+    "2.1": ("02-quaternions", "two-mirrors-by-hand", {"first": 0, "second": 90}),
+    "3.1": ("03-ordinary-rotation", "figure-1-by-hand", {"drawn": 3}),
+    "4.1": ("04-general-rotation", "three-turns-by-hand", {"order": "U V W"}),
+    "5.1": ("05-arcs", "the-detour", {"aside": 0}),
+    "5.8": ("05-control-points", "arrow-at-the-clock", {"aim": 38}),
+    "5.15": (CURVE, "arcs-of-arcs", {"u": 1}),
+}
+
+
+@pytest.mark.parametrize("number", nightly(MOVES, "5.8"))
+def test_a_right_answer_moves_the_figure(number: str, read: Callable[..., Reader]) -> None:
+    page, figure, expected = MOVES[number]
+    reader = read(page)
+    solution = next(p.exercises[number].solution for p in notebooks() if number in p.exercises)
+    function = solution.source.partition("check(")[0].rstrip()
+    start = notebook_cell(number).source.partition("\n")[2]
+    reader.write(f"start-{number.replace('.', '-')}", f"{function}\n\n{start}")
+    assert reader.check(number)[1] == "true"
+    reader.page.wait_for_function(
+        """([name, wanted]) => {
+          const told = JSON.parse(document.querySelector(`[data-name="${name}"]`).dataset.values);
+          return Object.entries(wanted).every(([key, value]) => told[key] === value);
+        }""",
+        arg=[figure, expected],
+        timeout=PATIENCE,
+    )
 
 
 def test_a_chart_is_drawn_where_the_book_has_it(read: Callable[..., Reader]) -> None:

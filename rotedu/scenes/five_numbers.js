@@ -84,7 +84,7 @@ export function pullTheThread({ spoon, thread, pulled }) {
       "even end": shown(crossings % 2 === 0 && { at: placeOf(end) }),
       "odd end": shown(crossings % 2 === 1 && { at: placeOf(end) }),
     },
-    labels: { middle: home || degrees < 60 ? null : [0, 0, 0.13] },
+    labels: { middle: home || degrees < 60 ? null : [0, 0, -0.17] },
     grips: { spoon: { at: TABLE, size: 0.95, holds: ["spoon"] } },
     outputs: {
       crossings,

@@ -75,8 +75,8 @@ def one_name(state: State) -> pyvista.Plotter:
         "home, twice through the skin": left_by(2),
         "and pulled tight": left_by(2, pulled=1),
     },
-    spoon=Poses("the spoon", start=tuple(wobbling(0.36)[-1])),
-    thread=Poses([f"place {k}" for k in range(1, KEPT + 1)], start=tuple(wobbling(0.36))),
+    spoon=Poses("the spoon", start=tuple(wobbling(0.2)[-1])),
+    thread=Poses([f"place {k}" for k in range(1, KEPT + 1)], start=tuple(wobbling(0.2))),
     pulled=Slider(0, 1, "pull the thread", step=0.01, stride=0.25, plays=6, start=0),
 )
 def pull_the_thread(state: State) -> pyvista.Plotter:

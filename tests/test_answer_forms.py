@@ -135,7 +135,7 @@ def test_a_form_answers_the_keyboard_also_while_the_page_is_presented(form: Any)
     page.keyboard.press("Enter")
     assert form.get_by_role("status").text_content() == "Fill in every field."
     assert page.url.endswith("05-arcs.html")
-    page.locator(".page-head button").click()
+    page.get_by_role("button", name="Slides").click()
     for _ in range(page.locator("article section").count()):
         if not form.is_visible():
             page.keyboard.press("ArrowRight")

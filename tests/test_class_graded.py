@@ -35,6 +35,7 @@ with Gradebook("sqlite:///gradebook.db", "rotations") as book:
 """
 
 WRONG = {
+    "3.1": "lambda r, n, theta: r",
     "3.2": "[2, -1, 3]",
     "3.3": "([1, 1, 1], 60)",
     "3.4": '("transpose", "same")',
@@ -146,12 +147,12 @@ def test_right_answers_and_reasons_alone_earn_points(graded: Course) -> None:
     right = {
         # The reasons have got two points of three.
         "solutions": sum(minutes.values()) - 1,
-        "half": minutes["3.2"] + minutes["3.3"] + minutes["3.4"],
+        "half": sum(minutes[f"3.{k}"] for k in (1, 2, 3, 4)),
         "wrong": 0,
         "empty": 0,
         "redefined": 0,
         # Without the reasons.
-        "crash": minutes["3.6"] - 3 + minutes["3.7"],
+        "crash": minutes["3.1"] + minutes["3.6"] - 3 + minutes["3.7"],
     }
     assert graded.scores("chapter-3") == right
 

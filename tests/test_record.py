@@ -282,6 +282,7 @@ def test_a_page_leads_to_its_source_and_a_report_says_page_and_section(
     title = section.inner_text().rstrip("#").strip()
     section.evaluate("e => e.scrollIntoView({block: 'start', behavior: 'instant'})")
     page.route("**/issues/new**", lambda route: route.fulfill(body="asked"))
+    page.locator(".toc-tree").hover()
     page.locator(".toc-drawer a.report").click()
     page.wait_for_url("**/issues/new**")
     asked = urlsplit(page.url)

@@ -44,7 +44,9 @@ STYLES = ("still.css", "ebook.css")
 LINK = re.compile(r"</?a\b[^>]*>")
 UNANSWERED = "not answered yet."
 # The end of a starter cell: an answer without a word on its form, and the call that judges it.
-STUB = re.compile(r"\s*(^answer = [.,()\[\] ]+\n)?^check\(.*\)$", re.MULTILINE)
+STUB = re.compile(
+    r"\s*(^answer = [.,()\[\] ]+\n)?(^if check\(.*\n.*\n)?^check\(.*\)$", re.MULTILINE
+)
 # A cell that only shows a figure for later cells
 FIGURE = "figure = explore("
 PAPER = Path(__file__).parents[1] / "_paper"

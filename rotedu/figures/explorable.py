@@ -78,12 +78,20 @@ def explorable(
             small=small,
             answer=answer or {},
             __signature__=inspect.Signature(
-                [inspect.Parameter(name, kind, default=i.start) for name, i in inputs.items()]
+                [
+                    inspect.Parameter(name, kind, default=shown_start(i.start))
+                    for name, i in inputs.items()
+                ]
             ),
         )
         return scene
 
     return declare
+
+
+def shown_start(start: Any) -> Any:
+    """Return what a signature shows: points and poses would fill the page of a reference."""
+    return start if isinstance(start, (float, int, str)) else ...
 
 
 def refuse_what_is_not_shown(name: str, state: State, plotter: pyvista.Plotter) -> None:

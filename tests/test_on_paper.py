@@ -152,11 +152,13 @@ def test_links_in_the_pdf_lead_to_its_pages_or_to_the_web(pdf: PdfReader) -> Non
 
 
 def test_contents_give_the_pages_of_the_chapters(pdf: PdfReader, texts: list[str]) -> None:
-    contents = without_spaces("\n".join(texts[1:5]))
+    contents = "\n".join(texts[1:5])
     for entry in pdf.outline:
         if isinstance(entry, Destination) and entry.title[0].isdigit():
             number = pdf.get_destination_page_number(entry) + 1
-            assert f"{without_spaces(entry.title)}{number}" in contents, entry.title
+            # A long title takes two lines.
+            title = r"\s*".join(map(re.escape, without_spaces(entry.title)))
+            assert re.search(rf"{title}\s*{number}\b", contents), entry.title
 
 
 def test_fonts_are_in_the_pdf(pdf: PdfReader) -> None:

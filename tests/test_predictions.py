@@ -186,7 +186,7 @@ class TestWhatTheAnswersSay:
                 0.02,
                 "typically erred about a dozen times as much as the quaternion, but less in two",
             ),
-            (10, 1, 0.84, "they were about equal, the matrix closer in five in six"),
+            (10, 1, 0.845, "they were about equal, the matrix closer in five in six"),
         ],
     )
     def test_steps_where_the_velocity_changes(
@@ -226,7 +226,7 @@ class TestWhatTheAnswersSay:
         back = exact.swapaxes(1, 2)
         ratio = axis_angle(back @ worn)[1] / axis_angle(back @ by_quaternion)[1]
         assert np.median(ratio) == pytest.approx(times, rel=0.1)
-        assert np.mean(ratio < 1) == pytest.approx(less, abs=0.01)
+        assert np.mean(ratio < 1) == pytest.approx(less, abs=0.005)
         assert said in pages()["beyond-motion.ipynb"].text
 
     @pytest.mark.parametrize(

@@ -44,8 +44,8 @@ SHOWN: dict[str, dict[str, dict[str, str]]] = {
     "the_arm": {
         "a door handle": {"wrist": "9%", "volume": "89.5%"},
         "the same, repaired": {"wrist": "100%", "volume": "100.9%"},
-        "an elbow that bulges": {"stretch": "178%", "volume": "99.9%"},
-        "past half a turn": {"stretch": "133%", "volume": "99.6%"},
+        "an elbow that bulges": {"wrist": "100%", "stretch": "178%", "volume": "99.9%"},
+        "past half a turn": {"wrist": "100%", "stretch": "133%", "volume": "99.6%"},
     },
     "from_a_to_b": {
         "a quarter turn": {"angle": "90.0°", "share": "1.00"},
@@ -192,8 +192,16 @@ SHOWN: dict[str, dict[str, dict[str, str]]] = {
             "matrix_edges": "1.000, 1.000, 1.000",
             "quaternion_edges": "1.000, 1.000, 1.000",
         },
-        "with 32 bits": {"times": "1"},
-        "… under the magnifier": {"times": "100000"},
+        "with 32 bits": {
+            "times": "1",
+            "matrix_off": "0.000072 % in length",
+            "quaternion_off": "0.000060 % in length",
+        },
+        "… under the magnifier": {
+            "times": "100000",
+            "matrix_off": "0.000072 % in length",
+            "quaternion_off": "0.000060 % in length",
+        },
     },
 }
 CHIPS = [(name, words) for name, chips in SHOWN.items() for words in chips]

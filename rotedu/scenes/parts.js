@@ -59,10 +59,10 @@ export function columns([u, v, w], origin = ORIGIN) {
 }
 
 /** The upright pose of a thing that stands in a direction and faces the origin. */
-export function facing(direction, place = direction) {
+export function facing(direction) {
   const level = cross(W, direction);
   const left = length(level) > 1e-9 ? unit(level) : V;
-  return columns([direction, left, cross(direction, left)], place);
+  return columns([direction, left, cross(direction, left)], direction);
 }
 
 /** Arcs from each point to another. */

@@ -24,7 +24,7 @@ from rotedu.quaternions import Quaternion
 from rotedu.rigid_motion import DualQuaternion, blend_dual_quaternions, blend_matrices
 
 sys.path.append(str(Path(__file__).parents[1] / "book" / "_ext"))
-from listings_and_tables import MarkLedger
+from listings_and_tables import FoldTables
 
 ROWS = {row.written_as: row for row in LEDGER}
 RNG = np.random.default_rng(20261)
@@ -314,7 +314,7 @@ class TestTables:
 
     def test_the_rows_that_a_page_adds_have_a_class(self) -> None:
         document = publish_doctree("")
-        for tags in (["ledger"], ["ledger", "whole"], ["nbval-ignore-output"]):
+        for tags in (["ledger"], ["ledger", "whole"], ["claims"], ["nbval-ignore-output"]):
             table = publish_doctree(str(ledger("02-quaternions")), parser_name="myst").children
             document += nodes.container(
                 "",
@@ -322,14 +322,15 @@ class TestTables:
                 nb_element="cell_code",
                 classes=["cell", *(f"tag_{tag}" for tag in tags)],
             )
-        MarkLedger(document).apply()
+        FoldTables(document).apply()
         written = publish_from_doctree(document, writer_name="html5").decode()
         page = BeautifulSoup(written, "html.parser")
         here = [row.td.get_text() for row in page.select(".tag_ledger .ledger tr.here")]
         names = [name.get_text() for name in page.select(".ledger strong")]
         assert here == names == 2 * ["quaternion"]
         assert len(page.select(".ledger tbody tr")) > len(here) == len(page.select(".here"))
-        [fold] = page.select("details.earlier")
-        assert "tag_whole" not in str(fold.find_parent(class_="cell")["class"])
-        assert fold.find_next("table")["class"] == ["ledger"]
-        assert len(page("table")) == len(page.select(".ledger")) + 1 == 3
+        folds = page.select("details.rows")
+        cells = [fold.find_parent(class_="cell")["class"][1] for fold in folds]
+        assert cells == ["tag_ledger", "tag_claims"]
+        assert folds[0].find_next("table")["class"] == ["ledger"]
+        assert len(page("table")) == len(page.select(".ledger")) + 2 == 4

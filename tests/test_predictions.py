@@ -184,9 +184,9 @@ class TestWhatTheAnswersSay:
                 1,
                 12,
                 0.02,
-                "typically erred about a dozen times as much as the quaternion, but less in two",
+                "typically erred about a dozen times as much as the quaternion; at a tenth",
             ),
-            (10, 1, 0.845, "they were about equal, the matrix closer in five in six"),
+            (10, 1, 0.845, "it was the closer in five in six, though by little"),
         ],
     )
     def test_steps_where_the_velocity_changes(

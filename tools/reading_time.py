@@ -30,7 +30,7 @@ LOOKED_UP = {"api", "claims", "equations", "glossary", "references"}
 SECONDS = {"words": 60 / 130, "lines": 6, "formulas": 30, "scenes": 60, "by_hand": 150, "small": 30}
 
 FOLDED_CODE = {"hide-input", "hide-cell", "remove-input", "remove-cell"}
-FOLDED_OUTPUT = {"hide-output", "hide-cell", "remove-output", "remove-cell"}
+FOLDED_OUTPUT = {"hide-output", "hide-cell", "remove-output", "remove-cell", "claims"}
 WORD = re.compile(r"[^\s|]*\w[^\s|]*")
 
 

@@ -3,7 +3,8 @@
 What no style colours in a listing needs no element: each costs a phone time, and commas, brackets
 and spaces are half of a listing's. On paper, only a long listing may go over the page. A cell of a
 table says in which column it stands: on a phone, rows are cards (book.css). Of the ledger, which a
-cell with the tag ``ledger`` shows, the rows that a page adds can be told from the others.
+cell with the tag ``ledger`` shows, the rows that a page adds can be told from the others, which are
+folded; of the claims, which a cell with the tag ``claims`` shows, all rows are.
 """
 
 from collections.abc import Iterable
@@ -41,30 +42,42 @@ class PlainPunctuation(HtmlFormatter):
 
 
 # Beside the table that it folds: a table is no place for a fold of rows.
-EARLIER = '<details class="earlier"><summary>All that were met so far</summary></details>'
+FOLD = '<details class="rows"><summary>{}</summary></details>'
 
 
-class MarkLedger(SphinxTransform):
-    """Give the ledger a class, and another one to the rows whose first cell is bold.
+class FoldTables(SphinxTransform):
+    """Fold the claims, and of the ledger what earlier pages have; mark what this page adds.
 
-    The other rows are folded, unless the cell has the tag ``whole``.
+    A row that a page adds has a first cell in bold. With the tag ``whole``, no row is folded.
     """
 
     default_priority = 400
 
     def apply(self, **_: Any) -> None:
-        """Find the cells that show it."""
+        """Find the cells that show them."""
         for cell in code_cells(self.document):
-            if "tag_ledger" in cell["classes"]:
-                for table in list(cell.findall(nodes.table)):
-                    table["classes"].append("ledger")
-                    for row in table.findall(nodes.row):
-                        if row[0].next_node(nodes.strong):
-                            row["classes"].append("here")
+            for table in list(cell.findall(nodes.table)):
+                if "tag_claims" in cell["classes"]:
+                    fold(table, "What the paper says, whether it holds, and why")
+                elif "tag_ledger" in cell["classes"]:
+                    mark_rows(table)
                     if "tag_whole" not in cell["classes"]:
-                        fold = nodes.raw("", EARLIER, format="html")
-                        at = table.parent.index(table)
-                        table.parent.insert(at, nodes.container("", fold, classes=["on-screen"]))
+                        fold(table, "All that were met so far")
+
+
+def mark_rows(ledger: nodes.table) -> None:
+    """Give the ledger a class, and another one to the rows whose first cell is bold."""
+    ledger["classes"].append("ledger")
+    for row in ledger.findall(nodes.row):
+        if row[0].next_node(nodes.strong):
+            row["classes"].append("here")
+
+
+def fold(table: nodes.table, words: str) -> None:
+    """Put a fold before a table, which hides those of its rows that are not marked."""
+    hides = nodes.raw("", FOLD.format(words), format="html")
+    at = table.parent.index(table)
+    table.parent.insert(at, nodes.container("", hides, classes=["on-screen"]))
 
 
 def visit_entry(writer: HTML5Translator, cell: nodes.entry) -> None:
@@ -84,6 +97,6 @@ def setup(app: Sphinx) -> dict[str, Any]:
     """Register the step, and let listings and tables be written so."""
     PygmentsBridge.html_formatter = PlainPunctuation
     writers = (visit_entry, HTML5Translator.depart_entry)
-    app.add_transform(MarkLedger)
+    app.add_transform(FoldTables)
     app.add_node(nodes.entry, override=True, html=writers)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -8,7 +8,7 @@ import inspect
 import pkgutil
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
+from typing import Any, get_origin
 
 import rotedu
 
@@ -17,7 +17,8 @@ FILE = Path(__file__).with_name("public-interface.txt")
 
 def line(name: str, value: Any) -> str:
     """Return a name, with the parameters of what can be called, and their defaults if plain."""
-    if inspect.isclass(value) and issubclass(value, dict):
+    kind = get_origin(value) or value
+    if inspect.isclass(kind) and issubclass(kind, dict):
         # Python 3.13 sees parameters of such a class, earlier ones do not.
         return name
     try:

@@ -36,8 +36,8 @@ plotter.add_mesh(pyvista.Sphere())
 assert plotter.screenshot().std() > 1
 """
 NO_OPENGL = """\
-VTK finds no OpenGL library that it can draw with. Install one, then call make again: libosmesa6
-on Debian and Ubuntu, mesa-libEGL and mesa-dri-drivers on Fedora."""
+VTK finds no OpenGL library that it can draw with. Install one, then call make again: libegl1 on
+Debian and Ubuntu, mesa-libEGL and mesa-dri-drivers on Fedora."""
 
 
 def uv(*arguments: "str | Path") -> None:
@@ -86,7 +86,7 @@ def set_up() -> None:
         subprocess.check_call([sys.executable, "-m", "venv", "--clear", VENV])
         subprocess.check_call([PYTHON, "-m", "pip", "install", "--quiet", locked])
     uv("pip", "install", "--quiet", "--python", PYTHON, "-r", "requirements.txt")
-    libraries = ("libosmesa6", "libegl1")
+    libraries = ("libegl1", "libosmesa6")
     if not can_draw() and not any(apt_install(name) and can_draw() for name in libraries):
         sys.exit(NO_OPENGL)
     MADE_OF.write_bytes(made_of)

@@ -82,6 +82,6 @@ def scene_of_all_looks() -> pyvista.Plotter:
     shiny = {"specular": 0.6, "specular_power": 15, "smooth_shading": True}
     plotter.add_mesh(pyvista.Cube().scale(0.7).translate((0, -1.2, 0)), color="#0072b2")
     plotter.add_mesh(round_ball, color="#d55e00", **shiny)
-    plotter.add_mesh(round_ball.translate((0, 1.2, 0)), color="#009e73", ambient=0.3, diffuse=0.6)
-    describe(plotter, "A box and two balls in a row, each with other looks.")
+    plotter.add_mesh(round_ball.translate((0, 1.2, 0)), color="#009e73")
+    describe(plotter, "A box and two balls in a row, one smooth, one with facets.")
     return plotter

@@ -329,7 +329,7 @@ def test_a_saved_notebook_shows_a_figure_as_the_hand_has_left_it(run: Open, fold
     assert np.abs(turned - before).mean() > 1
     # Whatever the theme, a picture is black on white.
     wear(page, "Dark")
-    slid = after(lambda: turn(page, "input[type=range][name=t]", "Home"))
+    slid = after(lambda: turn(page, "input[type=range][name=t]", "End"))
     assert (slid[0] == 255).all()
     assert np.abs(slid - turned).mean() > 0.1
     assert picture.get_attribute("alt").startswith("Changed: ")

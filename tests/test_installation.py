@@ -143,7 +143,7 @@ def test_the_mathematics_needs_no_newer_numpy(install: Callable[..., Path]) -> N
     """Blender and others have the oldest NumPy that pyproject.toml allows."""
     (numpy,) = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]["dependencies"]
     oldest = numpy.replace(">=", "==") + ".*"
-    used = ("hypothesis", "pytest", "scipy", "splines", "sympy")
+    used = ("hypothesis", "pytest", "pytransform3d", "scipy", "splines", "sympy")
     python = install("", oldest, *used, version="{}.{}".format(*OLDEST))
     modules = sorted((ROOT / "rotedu").glob("*.py"))
     named_alike = (ROOT / "tests" / f"test_{file.stem.strip('_')}.py" for file in modules)

@@ -73,7 +73,8 @@ def test_a_link_opens_on_its_state(screen: str, script: str, open_figure: Open) 
         figure.page.wait_for_selector(".late", state="attached")
     told = arrived(figure)
     assert (told["u"], told["fraction"]) == (0.7, 0.3)
-    assert seen(figure) == 1
+    # What is empty above a drawing takes the place of a margin.
+    assert seen(figure) >= (0.94 if screen == "wide" else 1)
 
 
 @pytest.mark.slow

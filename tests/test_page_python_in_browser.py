@@ -212,7 +212,7 @@ def test_cells_above_run_first_and_once(at_desk: Reader) -> None:
     reader.run("code-6")
     reader.press("code-15")
     assert reader.wait("code-15") == ""
-    assert reader.message("code-15") == "Cell 3 above has failed, so this cell has not run."
+    assert reader.message("code-15") == "Cell 6 above has failed, so this cell has not run."
     assert "ZeroDivisionError" in reader.output("code-6")
 
 
@@ -455,9 +455,12 @@ def test_a_hostile_cell_harms_nobody(at_desk: Reader, code: str) -> None:
     assert reader.run("code-6") == stored_output("code-6")
 
 
-# Where the cells of a page stand, but for those of exercises, whose folds become one.
-PLACES = """[...document.querySelectorAll(".cell:not(.exercise *)")].map((cell) =>
-    Math.round(cell.getBoundingClientRect().top))"""
+# Where the cells of a page stand without its exercises, whose folds become one.
+PLACES = """() => {
+    for (const exercise of document.querySelectorAll(".exercise")) exercise.hidden = true;
+    return [...document.querySelectorAll(".cell:not(.exercise *)")].map((cell) =>
+        Math.round(cell.getBoundingClientRect().top));
+}"""
 
 
 @pytest.mark.slow
@@ -564,21 +567,21 @@ def test_the_keyboard_reaches_everything_and_leaves(read: Callable[..., Reader])
     reader.cell("code-6").locator("button[name=run]").focus()
     keyboard.press("Enter")
     reader.wait("code-6")
-    assert reader.page.evaluate(focused) == "Run cell 3"
+    assert reader.page.evaluate(focused) == "Run cell 6"
     keyboard.press("Shift+Tab")
-    assert reader.page.evaluate(focused) == "Code of cell 3"
+    assert reader.page.evaluate(focused) == "Code of cell 6"
     keyboard.press("ControlOrMeta+a")
     keyboard.type("for i in range(3):\nprint(i)")
     keyboard.press("Shift+Enter")
     assert reader.wait("code-6") == "0\n1\n2\n"
     keyboard.press("Tab")
-    assert reader.page.evaluate(focused) == "Code of cell 3"
+    assert reader.page.evaluate(focused) == "Code of cell 6"
     keyboard.press("Escape")
     keyboard.press("Tab")
-    assert reader.page.evaluate(focused) == "Run cell 3"
+    assert reader.page.evaluate(focused) == "Run cell 6"
     keyboard.press("Tab")
     keyboard.press("Enter")
-    assert reader.page.evaluate(focused) == "Run cell 3"
+    assert reader.page.evaluate(focused) == "Run cell 6"
     assert reader.state("code-6") == "stored"
 
 
@@ -596,14 +599,14 @@ def test_what_comes_out_is_said_once(read: Callable[..., Reader]) -> None:
     reader = read(script=SPOKEN)
     reader.run("code-6", "print('hello')")
     said = reader.page.evaluate("spoken")
-    assert said[-1] == "Cell 3: hello\n"
+    assert said[-1] == "Cell 6: hello\n"
     assert len(said) == len(set(said)) == 2
     assert said[0].startswith("Python is being fetched: ")
     reader.press("code-6", "reset")
     reader.run("code-15")
     reader.check("5.19", "[1, 2, 3]")
     *_, before, last = reader.page.evaluate("spoken")
-    assert before.startswith("Cell 5: ")
+    assert before.startswith("Cell 7: ")
     assert last.startswith("Not yet.")
 
 

@@ -610,6 +610,16 @@ def test_what_comes_out_is_said_once(read: Callable[..., Reader]) -> None:
     assert last.startswith("Not yet.")
 
 
+# How many pixels a finger finds of what can be pressed, from top to bottom: what is cut off has a
+# box, too.
+HIT = """button => {
+    button.scrollIntoView({ block: "center", behavior: "instant" });
+    const { left, right, top, bottom } = button.getBoundingClientRect();
+    const found = (y) => button.contains(document.elementFromPoint((left + right) / 2, y));
+    const rows = Array.from({ length: bottom - top }, (_, i) => top + i + 0.5);
+    return rows.filter(found).length;
+}"""
+
 FOUND = """async () => (await axe.run()).violations.flatMap(({ id, nodes }) =>
     nodes.map(({ target }) => `${id}: ${target}`))"""
 
@@ -618,6 +628,8 @@ FOUND = """async () => (await axe.run()).violations.flatMap(({ id, nodes }) =>
 @pytest.mark.parametrize("theme", ["light", "dark"])
 def test_a_finger_can_do_it_and_axe_agrees(read: Callable[..., Reader], theme: str) -> None:
     reader = read(color_scheme=theme, **PHONE)
+    # There is nothing yet to save or to forget.
+    assert reader.page.locator(".live-head button:visible").count() == 0
     reader.cell("code-6").locator("button[name=run]").tap()
     reader.wait("code-6")
     reader.check("5.19", "[1, 2, 3]")
@@ -626,6 +638,7 @@ def test_a_finger_can_do_it_and_axe_agrees(read: Callable[..., Reader], theme: s
     for button in reader.page.locator(":is(.live-tools, .live-head) :is(button, a):visible").all():
         box = button.bounding_box()
         assert min(box["width"], box["height"]) >= 44, button.inner_text()
+        assert button.evaluate(HIT) >= 42, button.inner_text()
     assert reader.page.evaluate("document.documentElement.scrollWidth") <= 390
     reader.page.add_script_tag(path=AXE)
     found = reader.page.evaluate(FOUND)

@@ -28,16 +28,18 @@ TOLD = {
     "trusted-host": "UV_INSECURE_HOST",
     "cert": "SSL_CERT_FILE",
 }
-# In a process of its own, because VTK crashes without an OpenGL library.
+# In a process of its own, because VTK crashes without an OpenGL library. rotedu tells it which of
+# its windows has one: by itself, VTK asks for X11 and crashes beside a library that would do.
 DRAW = """
 import pyvista
+import rotedu.figures.backend
 plotter = pyvista.Plotter(off_screen=True)
 plotter.add_mesh(pyvista.Sphere())
 assert plotter.screenshot().std() > 1
 """
 NO_OPENGL = """\
-VTK finds no OpenGL library that it can draw with. Install one, then call make again: libegl1 on
-Debian and Ubuntu, mesa-libEGL and mesa-dri-drivers on Fedora."""
+VTK finds no OpenGL library that it can draw with. Install one, then call make again: libosmesa6
+on Debian and Ubuntu, mesa-libEGL and mesa-dri-drivers on Fedora."""
 
 
 def uv(*arguments: "str | Path") -> None:
@@ -86,8 +88,7 @@ def set_up() -> None:
         subprocess.check_call([sys.executable, "-m", "venv", "--clear", VENV])
         subprocess.check_call([PYTHON, "-m", "pip", "install", "--quiet", locked])
     uv("pip", "install", "--quiet", "--python", PYTHON, "-r", "requirements.txt")
-    libraries = ("libegl1", "libosmesa6")
-    if not can_draw() and not any(apt_install(name) and can_draw() for name in libraries):
+    if not can_draw() and not (apt_install("libosmesa6") and can_draw()):
         sys.exit(NO_OPENGL)
     MADE_OF.write_bytes(made_of)
 

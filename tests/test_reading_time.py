@@ -2,6 +2,9 @@
 
 from pathlib import Path
 
+import nbformat
+import pytest
+from nbformat.v4 import new_code_cell, new_notebook, new_output
 from notebook_language import Page
 from reading_time import count, told
 
@@ -76,3 +79,21 @@ def test_what_is_counted(tmp_path: Path) -> None:
     assert counted._replace(small=2).minutes == 4
     assert counted.time == "**Time** 3 minutes to read."
     assert counted._replace(exercises=9).time == "**Time** 3 minutes to read, 9 for the exercises."
+
+
+@pytest.mark.parametrize(
+    ("shown_as", "in_view", "folded"),
+    [(["claims"], 2, 6), (["ledger"], 5, 3), (["ledger", "whole"], 8, 0), ([], 8, 0)],
+)
+def test_rows_that_are_folded_are_counted_there(
+    tmp_path: Path, shown_as: list[str], in_view: int, folded: int
+) -> None:
+    bold = "**one**" if "claims" not in shown_as else "one"
+    table = f"| Head | here |\n| --- | --- |\n| {bold} | two three |\n| four | five six |"
+    output = new_output("execute_result", data={"text/markdown": table})
+    cell = new_code_cell(
+        "table()", outputs=[output], metadata={"tags": [*shown_as, "remove-input"]}
+    )
+    nbformat.write(new_notebook(cells=[cell]), tmp_path / "page.ipynb")
+    page = Page(tmp_path / "page.ipynb")
+    assert (count(page).words, told(page)["folded"]) == (in_view, folded)

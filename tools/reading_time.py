@@ -30,7 +30,7 @@ LOOKED_UP = {"api", "claims", "equations", "glossary", "references"}
 SECONDS = {"words": 60 / 130, "lines": 6, "formulas": 30, "scenes": 60, "by_hand": 150, "small": 30}
 
 FOLDED_CODE = {"hide-input", "hide-cell", "remove-input", "remove-cell"}
-FOLDED_OUTPUT = {"hide-output", "hide-cell", "remove-output", "remove-cell", "claims"}
+FOLDED_OUTPUT = {"hide-output", "hide-cell", "remove-output", "remove-cell"}
 WORD = re.compile(r"[^\s|]*\w[^\s|]*")
 
 
@@ -87,7 +87,14 @@ def folded_words(page: Page) -> int:
     """Count the words of a page that are folded, its exercises apart."""
     texts = [cell.source for cell in page.text_cells if not part_of(cell.id)[0]]
     folds = (block for text in texts for block in in_view(text) if is_fold(block))
-    return sum(words_in(block) for fold in folds for block in unfolded(fold.body))
+    in_texts = sum(words_in(block) for fold in folds for block in unfolded(fold.body))
+    outputs = (output for cell in page.cells if fold_rows(cell) for output in cell.outputs)
+    tables = [output["data"]["text/markdown"] for output in outputs]
+    whole, seen = (
+        sum(words_in(block) for table in some for block in in_view(table))
+        for some in (tables, map(own_rows, tables))
+    )
+    return in_texts + whole - seen
 
 
 def shown(page: Page) -> Iterator[Block]:
@@ -111,12 +118,12 @@ def shown(page: Page) -> Iterator[Block]:
 
 
 def fold_rows(cell: NotebookNode) -> bool:
-    """Tell whether a cell shows a ledger whose earlier rows are folded."""
-    return "ledger" in tags(cell) and "whole" not in tags(cell)
+    """Tell whether a cell shows a table that is folded, but for the rows in bold."""
+    return "claims" in tags(cell) or ("ledger" in tags(cell) and "whole" not in tags(cell))
 
 
 def own_rows(table: str) -> str:
-    """Return the head of a ledger, and the rows in bold."""
+    """Return the head of a table, and the rows in bold."""
     head, line, *rows = table.splitlines()
     return "\n".join([head, line, *(row for row in rows if row.startswith("| **"))])
 

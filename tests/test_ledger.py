@@ -334,3 +334,12 @@ class TestTables:
         assert cells == ["tag_ledger", "tag_claims"]
         assert folds[0].find_next("table")["class"] == ["ledger"]
         assert len(page("table")) == len(page.select(".ledger")) + 2 == 4
+
+    def test_a_ledger_that_is_new_has_no_fold(self) -> None:
+        table = publish_doctree(str(ledger("01-introduction")), parser_name="myst").children
+        document = publish_doctree("")
+        how = {"nb_element": "cell_code", "classes": ["cell", "tag_ledger"]}
+        document += nodes.container("", *table, **how)
+        FoldTables(document).apply()
+        assert "tip points" in document.astext()
+        assert "details" not in document.astext()

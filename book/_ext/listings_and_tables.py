@@ -74,7 +74,9 @@ def mark_rows(ledger: nodes.table) -> None:
 
 
 def fold(table: nodes.table, words: str) -> None:
-    """Put a fold before a table, which hides those of its rows that are not marked."""
+    """Put a fold before a table, which hides those of its rows that are not marked, if any."""
+    if all("here" in row["classes"] for row in table.next_node(nodes.tbody)):
+        return
     hides = nodes.raw("", FOLD.format(words), format="html")
     at = table.parent.index(table)
     table.parent.insert(at, nodes.container("", hides, classes=["on-screen"]))

@@ -91,9 +91,10 @@ function chains(precision, most) {
   return known.get(precision);
 }
 
-/** A number with two digits, however small it is. */
+/** A number with two digits, however small it is. A tie goes up, whatever its last bits are. */
 function twoDigits(value) {
-  return value.toFixed(value > FLOOR ? Math.max(0, 1 - Math.floor(Math.log10(value))) : 0);
+  const digits = value > FLOOR ? Math.max(0, 1 - Math.floor(Math.log10(value))) : 0;
+  return (value + 10 ** -(digits + 6)).toFixed(digits);
 }
 
 /** What becomes of a matrix if it differs so many times as much from the identity. */

@@ -11,7 +11,8 @@ from rotedu.scenes.conclusions import worn_rotations
 
 def two_digits(value: float) -> str:
     digits = max(0, 1 - int(np.floor(np.log10(value)))) if value > 1e-8 else 0
-    return f"{value:.{digits}f}"
+    # A tie goes up, whatever its last bits are.
+    return f"{value + 10.0 ** -(digits + 6):.{digits}f}"
 
 
 def worn_spoons_by_hand(

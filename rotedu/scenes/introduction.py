@@ -146,7 +146,7 @@ def on_the_way(state: State) -> pyvista.Plotter:
         looks[name] = Mesh(held_at_its_end(), ink, UNTOUCHED)
         looks[f"{name}'s path"] = Lines(ink, 0.008)
     draw(plotter, state, looks)
-    add_label(plotter, (1.04, 0.17, -0.05), "your friend's")
+    add_label(plotter, (0.7, -0.46, -0.05), "your friend's")
     add_label(plotter, 1.14 * rotate(U, AXIS_HERE, ANGLE_HERE), "yours")
     read_out(plotter, "off", "pilot's spoon off by", 1, "°", where="picture")
     describe(

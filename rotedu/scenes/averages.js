@@ -1,5 +1,5 @@
 /* Model of page B. */
-import { DEGREES, ORIGIN, placing, shown } from "./parts.js";
+import { DEGREES, ORIGIN, placing, scaled, shown } from "./parts.js";
 import {
   axisAngle,
   combine,
@@ -20,6 +20,8 @@ const BESIDE = [
 ];
 const NAMES = BESIDE.map((place, i) => combine(1, place, 1, [0, 0, i === 2 ? -0.43 : 0.43]));
 const SIZE = 0.36;
+// The mean by quaternions is a little smaller, so that both are seen where they are the same.
+const NESTED = 0.95;
 // A sum of quaternions that is shorter has no direction.
 const SMALLEST = 1e-9;
 // A mean that is no clearer is none: links keep five digits, and a hand keeps fewer.
@@ -53,8 +55,9 @@ export function meanByHand({ poses, flip }, { no_mean }) {
   const outputs = { singular };
   Object.entries(means).forEach(([name, turn], i) => {
     labels[name] = turn && [i ? 0.72 : -0.72, 0, -0.97];
-    parts[name] = shown(turn && { matrix: placing(turn, ORIGIN) });
-    parts[`tip by ${name}`] = shown(turn && { at: tip(turn) });
+    const size = i ? NESTED : 1;
+    parts[name] = shown(turn && { matrix: placing(turn, ORIGIN, size) });
+    parts[`tip by ${name}`] = shown(turn && { at: scaled(size, tip(turn)) });
     outputs[`by_${name}`] = turn ? given.map((one) => between(one, turn)) : no_mean;
   });
   const { matrices, quaternions } = means;

@@ -288,7 +288,7 @@ def add_horizon(plotter: pyvista.Plotter) -> None:
     """Add a darker lower half and a horizon, with names for a rider."""
     ground = pyvista.Sphere(start_phi=90, theta_resolution=48, phi_resolution=16)
     ground.points *= JUST_INSIDE / np.linalg.norm(ground.points, axis=1, keepdims=True)
-    plotter.add_mesh(ground, color=NEUTRAL, opacity=0.35, smooth_shading=True, pickable=False)
+    plotter.add_mesh(ground, color=NEUTRAL, opacity=0.37, smooth_shading=True, pickable=False)
     horizon = turning((1, 0, 0), (0, 0, 1), 2 * np.pi)
     add_line(plotter, horizon, NEUTRAL, radius=0.005, name="horizon")
     for k in range(HORIZONS):

@@ -48,8 +48,10 @@ export function twoMiddles({ swing }, { low, high }) {
     },
     labels: {
       ...placed(points, ([x, y, z]) => [1.36 * x, 1.16 * y, z]),
-      remembered: scaled(0.72, middles.remembered),
-      shorter: scaled(0.6, middles.shorter),
+      // Beside the ring that holds it.
+      gate: combine(1, points.gate, 1, [0.45 * Math.tanh(8 * points.gate[0]), 0.12, 0]),
+      remembered: scaled(0.48, middles.remembered),
+      shorter: scaled(0.27, middles.shorter),
     },
     grips: { swing: { path: arc(low, high), holds: ["gate"] } },
     outputs: { apart: flips ? HALF : 0 },

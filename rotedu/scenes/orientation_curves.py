@@ -105,9 +105,9 @@ def two_middles(state: State) -> pyvista.Plotter:
         "swung": Lines(VECTOR, 0.012),
         "whole way": Lines(RESULT, 0.012),
         "shorter way": Lines(CROSS, 0.012),
-        "remembered": Ball(RESULT, 0.06),
-        "shorter": Ball(CROSS, 0.06),
-        "*": Ball(VECTOR, 0.05),
+        "remembered": Ball(RESULT, 0.075),
+        "shorter": Ball(CROSS, 0.075),
+        "*": Ball(VECTOR, 0.06),
     }
     texts = {
         "on": Text(VECTOR, "goes on"),

@@ -18,7 +18,6 @@ export function bind(cells) {
     const cell = cells.find((each) => each.id === id);
     const form = box.querySelector(".answer-form form");
     const exercise = { number, id, cell, form, hinted: "", asked: false };
-    joinReasons(box);
     if (!form && !cell) continue;
     if (form) followForm(box, exercise);
     else addCheck(exercise);
@@ -41,15 +40,6 @@ export function restore() {
 /** How many exercises there are, and how many are solved. */
 export function count() {
   return { right: exercises.filter(({ id }) => store.read(id).right).length, of: exercises.length };
-}
-
-/** One fold for the solution and its reasons. */
-function joinReasons(box) {
-  const fold = box.querySelector(".tag_hide-cell > details");
-  const reasons = box.querySelector(":scope > .sd-dropdown:last-child");
-  if (!fold || !reasons) return;
-  fold.append(...reasons.querySelector(".sd-summary-content").childNodes);
-  reasons.remove();
 }
 
 function addCheck(exercise) {

@@ -455,12 +455,9 @@ def test_a_hostile_cell_harms_nobody(at_desk: Reader, code: str) -> None:
     assert reader.run("code-6") == stored_output("code-6")
 
 
-# Where the cells of a page stand without its exercises, whose folds become one.
-PLACES = """() => {
-    for (const exercise of document.querySelectorAll(".exercise")) exercise.hidden = true;
-    return [...document.querySelectorAll(".cell:not(.exercise *)")].map((cell) =>
-        Math.round(cell.getBoundingClientRect().top));
-}"""
+# Where the cells of a page stand.
+PLACES = """() => [...document.querySelectorAll(".cell")].map((cell) =>
+    Math.round(cell.getBoundingClientRect().top))"""
 
 
 @pytest.mark.slow

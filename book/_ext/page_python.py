@@ -14,7 +14,14 @@ from docutils import nodes
 from sphinx.application import Sphinx
 from sphinx.transforms.post_transforms import SphinxPostTransform
 
-from cells import belongs_to_solution, code_cells, exercise_of, notebook_cell, part_of_exercise
+from cells import (
+    belongs_to_solution,
+    code_cells,
+    exercise_of,
+    is_dropdown,
+    notebook_cell,
+    part_of_exercise,
+)
 
 sys.path.append(str(Path(__file__).parents[2] / "tools"))
 from notebook_language import tags
@@ -56,11 +63,15 @@ class MarkCells(SphinxPostTransform):
 
 
 def enclose(solution: nodes.Element, number: str) -> None:
-    """Put an exercise, from its question to its reason, into one element."""
+    """Put an exercise, from its question to its reason, into one element, with one fold."""
     around, last = solution.parent, solution.parent.index(solution)
     questions = (i for i, node in enumerate(around[:last]) if asks(node, number))
     first, end = next(questions), last + 1
     end += len(list(takewhile(belongs_to_solution, around[end:])))
+    if is_dropdown(around[end - 1]):
+        end -= 1
+        _, *reason = around.pop(end).children
+        solution += reason
     mark = {"data-exercise": number}
     around[first:end] = [marked("", *around[first:end], classes=["exercise"], mark=mark)]
 

@@ -53,13 +53,15 @@ function dress(cell) {
     source: pre.textContent.trimEnd(),
     asPrinted: [...pre.childNodes],
     stored: box.querySelectorAll(`.cell_output > :not(${PICTURE}, :has(${PICTURE}))`),
+    open: button("edit", "Edit", () => editHere(cell), `Edit ${called}`),
     run: button("run", "Run", () => editAndRun(cell), `Run ${called}`),
     reset: button("reset", "Reset", () => reset(cell), `Reset ${called}`),
     message: make("span", { className: "live-message" }),
     output: make("div", { className: "live-output" }),
   });
   const number = make("span", { className: "live-name" }, name);
-  cell.tools = make("div", { className: "live-tools" }, cell.run, cell.reset, cell.message, number);
+  const tools = [cell.open, cell.run, cell.reset, cell.message, number];
+  cell.tools = make("div", { className: "live-tools" }, ...tools);
   listing.after(cell.tools);
   pre.title = "Click to change the code";
   // A click that ends a selection only selects.
@@ -79,6 +81,7 @@ export function restore(cell) {
   cell.editor?.dom.parentNode.remove();
   cell.editor = null;
   cell.pre.parentNode.hidden = false;
+  cell.open.hidden = false;
   cell.pre.replaceChildren(...(isChanged(cell) ? [cell.code] : cell.asPrinted));
   cell.reset.hidden = !isChanged(cell);
   tell(cell, isChanged(cell) ? UNRUN : "");
@@ -126,10 +129,17 @@ async function edit(cell, click) {
   }
 }
 
+/** Open the editor of a cell for a hand on the keys. */
+async function editHere(cell) {
+  await edit(cell);
+  cell.editor?.focus();
+}
+
 function show(cell, open) {
   const place = make("div", { className: "highlight live-editor" });
   cell.pre.parentNode.after(place);
   cell.pre.parentNode.hidden = true;
+  cell.open.hidden = true;
   const label = `Code of ${cell.name.toLowerCase()}`;
   const said = { "aria-label": label, "aria-description": KEYS, tabindex: "0" };
   const change = (code) => {

@@ -327,7 +327,8 @@ class TestTables:
         page = BeautifulSoup(written, "html.parser")
         here = [row.td.get_text() for row in page.select(".tag_ledger .ledger tr.here")]
         names = [name.get_text() for name in page.select(".ledger strong")]
-        assert here == names == 2 * ["quaternion"]
+        assert names == 2 * ["quaternion"]
+        assert here == [f"new: {name}" for name in names]
         assert len(page.select(".ledger tbody tr")) > len(here) == len(page.select(".here"))
         folds = page.select("details.rows")
         cells = [fold.find_parent(class_="cell")["class"][1] for fold in folds]

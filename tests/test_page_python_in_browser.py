@@ -567,6 +567,10 @@ def test_the_keyboard_reaches_everything_and_leaves(read: Callable[..., Reader])
     assert reader.page.evaluate(focused) == "Run cell 6"
     keyboard.press("Shift+Tab")
     assert reader.page.evaluate(focused) == "Code of cell 6"
+    reader.cell("start-5-15").locator("button[name=edit]").focus()
+    keyboard.press("Enter")
+    reader.page.wait_for_function(f"{focused}?.startsWith('Code of ')")
+    reader.cell("code-6").locator(".cm-content").focus()
     keyboard.press("ControlOrMeta+a")
     keyboard.type("for i in range(3):\nprint(i)")
     keyboard.press("Shift+Enter")

@@ -46,6 +46,11 @@ def exercise_of(paragraph: nodes.Element) -> str:
     return exercise_number(bold(paragraph))
 
 
+def spoken(words: str) -> nodes.inline:
+    """Make words for those who hear a page and do not see its colours and bold letters."""
+    return nodes.inline("", words, classes=["spoken", "on-screen"])
+
+
 def is_dropdown(node: nodes.Node) -> bool:
     """Tell whether a node is a folded text of sphinx-design."""
     return isinstance(node, nodes.container) and node.get("design_component") == "dropdown"

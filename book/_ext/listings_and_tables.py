@@ -19,7 +19,7 @@ from sphinx.highlighting import PygmentsBridge
 from sphinx.transforms import SphinxTransform
 from sphinx.writers.html5 import HTML5Translator
 
-from cells import code_cells
+from cells import code_cells, spoken
 
 # Lines of code from which on it may go over the page
 LONG = 12
@@ -66,11 +66,12 @@ class FoldTables(SphinxTransform):
 
 
 def mark_rows(ledger: nodes.table) -> None:
-    """Give the ledger a class, and another one to the rows whose first cell is bold."""
+    """Give the ledger a class; let eye and ear find the rows whose first cell is bold."""
     ledger["classes"].append("ledger")
     for row in ledger.findall(nodes.row):
         if row[0].next_node(nodes.strong):
             row["classes"].append("here")
+            row[0].next_node(nodes.paragraph).insert(0, spoken("new: "))
 
 
 def fold(table: nodes.table, words: str) -> None:

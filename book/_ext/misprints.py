@@ -7,7 +7,7 @@ from docutils import nodes
 from sphinx.application import Sphinx
 from sphinx.transforms import SphinxTransform
 
-from cells import folded
+from cells import folded, spoken
 
 # What the title of a box begins with, for JupyterLab.
 PRINTED = re.compile(r"^As printed: (.)")
@@ -23,14 +23,15 @@ class FoldMisprints(SphinxTransform):
         """Name each misprint by the number to which its box leads."""
         boxes = list(self.document.findall(nodes.admonition))
         for box in (box for box in boxes if "erratum" in box["classes"]):
-            title, *content = box.children
+            printed, *content = box.children
             number = NUMBER.search(box.pformat())
             if not number:
-                raise ValueError(f"{self.env.docname}: a misprint without its number: {title}")
+                raise ValueError(f"{self.env.docname}: a misprint without its number: {printed}")
             name = nodes.strong("", f"Misprint {number[1].upper()}")
-            first, *rest = title.children
+            first, *rest = printed.children
             words = PRINTED.sub(lambda found: f" {found[1].upper()}", first.astext())
-            box.replace_self(folded("misprint", [name, nodes.Text(words), *rest], content))
+            title = [name, spoken(", as printed:"), nodes.Text(words), *rest]
+            box.replace_self(folded("misprint", title, content))
 
 
 def setup(app: Sphinx) -> dict[str, Any]:

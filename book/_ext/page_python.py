@@ -72,7 +72,7 @@ def enclose(solution: nodes.Element, number: str) -> None:
         end -= 1
         _, *reason = around.pop(end).children
         solution += reason
-    mark = {"data-exercise": number}
+    mark = {"data-exercise": number, "role": "group", "aria-label": f"Exercise {number}"}
     around[first:end] = [marked("", *around[first:end], classes=["exercise"], mark=mark)]
 
 

@@ -1,4 +1,6 @@
-"""Running text: what stays on one line, what links to the glossary, what the margin repeats.
+"""Running text: coloured words, what stays on one line, what links to the glossary or the margin.
+
+A word in a colour of the book is written as a formula, which JupyterLab can show, but is text.
 
 Browsers may break a line after any formula, as after a picture, and no character prevents it, so a
 formula and its comma or brackets, (4-1), 5-b and 18 + 12 are put together. The first use of each
@@ -17,6 +19,10 @@ from sphinx.application import Sphinx
 from sphinx.transforms.post_transforms import SphinxPostTransform
 from sphinx.util.nodes import make_refnode
 
+from rotedu.colors import AXIS, CROSS, RESULT, VECTOR, WRONG
+
+MEANINGS = {"vector": VECTOR, "axis": AXIS, "result": RESULT, "cross": CROSS, "wrong": WRONG}
+WORDS = re.compile(rf"\\({'|'.join(MEANINGS)})\{{\\text\{{([^{{}}$\\]+)\}}\}}")
 OPENING = re.compile(r"[(\N{LEFT DOUBLE QUOTATION MARK}]+$")
 MARKS = re.compile(r"[.,;:!?)\N{RIGHT DOUBLE QUOTATION MARK}]+")
 UNSEEN = re.compile(r"\\textcolor\{[^}]*\}|\\[A-Za-z]+|[\\{}^_\s]")
@@ -44,6 +50,34 @@ NOT_PROSE = (
 
 # A screen reader has met the link itself.
 NOTE = '<span class="in-margin" aria-hidden="true">{}</span>'
+
+
+class coloured(nodes.Element):  # noqa: N801 (docutils names nodes so)
+    """Words in a colour."""
+
+
+class ColourWords(SphinxPostTransform):
+    """Replace formulas that are words in a colour."""
+
+    default_priority = 4
+
+    def run(self, **_: Any) -> None:
+        """Find them."""
+        for formula in list(self.document.findall(nodes.math)):
+            if found := WORDS.fullmatch(formula.astext()):
+                macro, words = found.groups()
+                words = words.replace("'", "\N{RIGHT SINGLE QUOTATION MARK}")
+                formula.replace_self(coloured("", nodes.Text(words), colour=MEANINGS[macro]))
+
+
+def visit_coloured(writer: Any, node: coloured) -> None:
+    """Open an element with its colour, which book.css adapts to the page's."""
+    writer.body.append(writer.starttag(node, "span", "", style=f"color:{node['colour']}"))
+
+
+def depart_coloured(writer: Any, node: coloured) -> None:
+    """Close it."""
+    writer.body.append("</span>")
 
 
 def unbroken(*content: nodes.Node) -> nodes.inline:
@@ -107,7 +141,7 @@ def is_prose(node: nodes.Node) -> bool:
     """Tell whether a node is part of running text, which may contain links."""
     inside_paragraph = False
     while node := node.parent:
-        if isinstance(node, NOT_PROSE):
+        if isinstance(node, (*NOT_PROSE, coloured)):
             return False
         inside_paragraph |= isinstance(node, nodes.paragraph)
     return inside_paragraph
@@ -174,6 +208,7 @@ class InMargin(SphinxPostTransform):
 
 def setup(app: Sphinx) -> dict[str, Any]:
     """Register the steps; what stays together is put together before words become links."""
-    for step in (KeepTogether, LinkFirstUses, InMargin):
+    app.add_node(coloured, html=(visit_coloured, depart_coloured))
+    for step in (ColourWords, KeepTogether, LinkFirstUses, InMargin):
         app.add_post_transform(step)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

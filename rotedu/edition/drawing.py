@@ -44,7 +44,8 @@ def inlined(drawing: str, name: str) -> str:
     root = ElementTree.fromstring(drawing)
     sizes = zip(("width", "height"), root.attrib["viewBox"].split()[2:], strict=True)
     size = {side: f"{SCALE * float(length):.0f}" for side, length in sizes}
-    root.attrib = {"viewBox": root.attrib["viewBox"], **size}
+    # What the drawing says is said by the description of its chart.
+    root.attrib = {"viewBox": root.attrib["viewBox"], **size, "aria-hidden": "true"}
     root[:] = needed(root, set(re.findall(r"#([\w-]+)[\")]", drawing)), name)
     return re.sub(r"\s*\n\s*", " ", ElementTree.tostring(root, "unicode"))
 

@@ -116,7 +116,8 @@ def pull_the_thread(state: State) -> pyvista.Plotter:
         plotter,
         "A blue spoon, which can be turned, and pale the same spoon as it lay at the start. Beside"
         " them, a see-through ball whose skin is half a turn. A thread leads from its middle to"
-        f" the turn of the spoon. It goes {state['outputs']['crossings']} times through the skin"
-        " and comes in again at the opposite point, green before and purple after an odd time.",
+        " the turn of the spoon. Each time that it goes through the skin, it comes in again at the"
+        " opposite point; where it has done so an odd number of times, it is purple, else green."
+        f" So far: {state['outputs']['crossings']}.",
     )
     return plotter

@@ -1,7 +1,7 @@
 /*
  * What can be grabbed in a picture, by mouse, finger and keys alike: points that are dragged over a
  * sphere about the origin, also one that has turned, numbers along paths, and bodies that are turned.
- * Each has a button over the picture; a path can be grabbed anywhere, or in its place a body that turns
+ * Each has an element over the picture; a path can be grabbed anywhere, or in its place a body that turns
  * with the number.
  */
 import { alongSphere, rolling, spun, turned } from "./drag-geometry.js";
@@ -25,6 +25,10 @@ const TURNS = {
 };
 // A body turns by more at once than a point moves.
 const TURN = 2.5 * STEP;
+const SAID = {
+  point: "Arrow keys move the point, by larger steps with Shift, by smaller ones with Alt.",
+  body: "Arrow keys, comma and full stop turn the body, by more with Shift, by less with Alt.",
+};
 // Beyond the rim by no more than rounding, a point has not gone to the far side.
 const RIM = -1e-3;
 
@@ -120,11 +124,14 @@ class Handle {
     this.now = now;
     this.grip = grip;
     this.i = i;
-    this.button = element("button", {
-      type: "button",
+    // No button: a screen reader would keep the arrow keys to itself.
+    this.button = element("div", {
+      tabindex: "0",
+      role: "application",
       class: "scene-handle",
       "data-handle": Array.isArray(spec.names) ? `${name}-${i}` : name,
       "aria-roledescription": what,
+      "aria-description": SAID[what],
     });
     layer.append(this.button);
     /** Set the value, and say what it is then. */

@@ -67,7 +67,7 @@ test("each point has its handle, at its place and with its name", () => {
   near(place(handle("axis")), [50, 12.5]);
   assert.equal(handle("points-1").getAttribute("aria-label"), "Q at 0.60, −0.80, 0.00");
   assert.equal(handle("axis").getAttribute("aria-label"), "n at 0.00, 0.00, 1.00");
-  assert.equal(handle("axis").type, "button");
+  assert.equal(handle("axis").getAttribute("role"), "application");
   assert.equal(handle("axis").getAttribute("aria-roledescription"), "point");
   assert.ok(element.querySelector("canvas + .scene-handles"));
 });

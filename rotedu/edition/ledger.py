@@ -106,6 +106,8 @@ class Row:
 def ledger(page: str) -> Table:
     """Show the ledger as far as a page of the book has come; what the page adds is bold.
 
+    What later pages find out is an ellipsis.
+
     Parameters
     ----------
     page : str
@@ -119,13 +121,15 @@ def ledger(page: str) -> Table:
     Examples
     --------
     >>> print(str(ledger("01-introduction")).splitlines()[-1])
-    | **quaternion** | 4, tied by 1 |  |  |  |
+    | **quaternion** | 4, tied by 1 | … | … | … |
     """
     if page not in PAGES:
         raise ValueError(f"page must be one of {', '.join(PAGES)}; got {page!r}")
 
+    met = PAGES[: PAGES.index(page) + 1]
+
     def known(text: str, since: str) -> str:
-        return text if PAGES.index(since) <= PAGES.index(page) else ""
+        return text if since in met else "…"
 
     rows = [
         [
@@ -138,7 +142,7 @@ def ledger(page: str) -> Table:
             known(row.price, row.counted),
         ]
         for row in LEDGER
-        if known(row.written_as, row.opened)
+        if row.opened in met
     ]
     return Table(
         ["Written as", "Numbers", "Where it breaks", "What it forgets", "What it costs"], rows

@@ -290,7 +290,7 @@ TURNED = [
     read=outcomes(TURNED),
 )
 def rodrigues_formula() -> Iterator[Part]:
-    """One line, and it is the whole of ordinary rotation."""
+    """One line turns any point about any axis."""
 
     rows = outcomes(TURNED)
 

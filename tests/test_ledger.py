@@ -1,7 +1,7 @@
 """The ledger: its formulas are right and counted, and each notation breaks where it says."""
 
-import sys
 import re
+import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any

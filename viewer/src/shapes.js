@@ -51,12 +51,15 @@ const [ROUND_TUBE, ROUND_ARROW] = [circle(SIDES), circle(AROUND)];
 
 /** Write one line; the ring of each point is turned as little as possible from the one before. */
 function tube({ positions, normals }, path, radius, at) {
-  let n = [0, 0, 0];
+  let [n, last] = [[0, 0, 0], [0, 0, 0]];
   for (const [i, point] of path.entries()) {
     const [before, after] = [path[i - 1] ?? point, path[i + 1] ?? point];
-    const t = unit(along(after, -1, before));
-    if (i === 0) n = aside(t);
+    // At a corner a ring halves the angle.
+    const [into, on] = [unit(along(point, -1, before)), unit(along(after, -1, point))];
+    const t = unit(along(into, 1, on));
+    n = i ? carried(n, last, t) : aside(t);
     n = unit(along(n, -dot(n, t), t));
+    last = t;
     const b = cross(t, n);
     for (const [cosine, sine] of ROUND_TUBE) {
       for (let k = 0; k < 3; k++, at++) {
@@ -66,6 +69,16 @@ function tube({ positions, normals }, path, radius, at) {
     }
   }
   return at;
+}
+
+/** Turn a vector as little as turns one direction into another; back, there is no such turn. */
+function carried(vector, from, to) {
+  const axis = cross(from, to);
+  const cosine = dot(from, to);
+  const turned = along(vector, 1, cross(axis, vector));
+  return cosine > -1 + 1e-9
+    ? along(turned, 1 / (1 + cosine), cross(axis, cross(axis, vector)))
+    : vector;
 }
 
 /** An axis that is not along a direction. */

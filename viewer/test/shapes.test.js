@@ -103,3 +103,19 @@ test("an arrow reaches from one point to the other with a head of one size, but 
     near(widest, Array(40).fill(length - Math.min(0.18, 0.8 * length)), 1e-6);
   }
 });
+
+test("the sides of a frame are not pinched, however it lies", () => {
+  for (const way of WAYS) {
+    const up = cross(way, [0.3, 0.5, 0.7]);
+    const size = Math.hypot(...up);
+    const [e, f] = [times(up, 1 / size), cross(way, times(up, 1 / size))];
+    const corner = (x, y) => e.map((_, i) => x * e[i] + y * f[i]);
+    const frame = [corner(1, 0.6), corner(-1, 0.6), corner(-1, -0.6), corner(1, -0.6)];
+    const normals = triples(tubes([[...frame, ...frame.slice(0, 2)]], 0.1).normals);
+    // Halfway along a side, a point lies between one of a ring and the same one of the next.
+    for (let i = 8; i < 32; i++) {
+      const halfway = normals[i].map((x, k) => (x + normals[i + 8][k]) / 2);
+      assert.ok(Math.hypot(...halfway) > 0.68, `${way}: ${i}`);
+    }
+  }
+});

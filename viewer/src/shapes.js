@@ -51,7 +51,8 @@ const [ROUND_TUBE, ROUND_ARROW] = [circle(SIDES), circle(AROUND)];
 
 /** Write one line; the ring of each point is turned as little as possible from the one before. */
 function tube({ positions, normals }, path, radius, at) {
-  let [n, last] = [[0, 0, 0], [0, 0, 0]];
+  let n = [0, 0, 0];
+  let last = n;
   for (const [i, point] of path.entries()) {
     const [before, after] = [path[i - 1] ?? point, path[i + 1] ?? point];
     // At a corner a ring halves the angle.

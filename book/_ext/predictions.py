@@ -1,4 +1,4 @@
-"""Make each box with a question a group, named by its title, with choices to open.
+"""Make each box with a question a group, named by its question, with choices to open.
 
 The choices are folded texts, which need no script. Several may be open, to be compared.
 """
@@ -20,18 +20,19 @@ class BuildPredictions(SphinxTransform):
     default_priority = 400
 
     def apply(self, **_: Any) -> None:
-        """Give the title of each box an id, by which the group is named."""
+        """Give the question of each box an id, by which the group is named."""
         boxes = list(self.document.findall(nodes.admonition))
         asked = [box for box in boxes if "question" in box["classes"]]
         for number, box in enumerate(asked, start=1):
-            box.next_node(nodes.title)["ids"].append(f"question-{number}")
+            question = next(child for child in box if isinstance(child, nodes.paragraph))
+            question["ids"].append(f"question-{number}")
             box.replace_self(prediction("", *box.children, **box.attributes))
 
 
 def visit_prediction(writer: Any, node: prediction) -> None:
     """Open the group."""
-    title = node.next_node(nodes.title)
-    attributes = {"role": "group", "aria-labelledby": title["ids"][0]}
+    question = next(child for child in node if isinstance(child, nodes.paragraph))
+    attributes = {"role": "group", "aria-labelledby": question["ids"][0]}
     writer.body.append(writer.starttag(node, "div", CLASS="admonition", **attributes))
 
 

@@ -637,6 +637,10 @@ def test_a_finger_can_do_it_and_axe_agrees(read: Callable[..., Reader], theme: s
     reader.run("code-6", "1 / 0")
     reader.fill("5.16", "60", "30", "90")
     for button in reader.page.locator(":is(.live-tools, .live-head) :is(button, a):visible").all():
+        if button.get_attribute("name") == "edit":
+            # Unseen until the focus comes, and in no finger's way.
+            assert button.evaluate(HIT) == 0
+            continue
         box = button.bounding_box()
         assert min(box["width"], box["height"]) >= 44, button.inner_text()
         assert button.evaluate(HIT) >= 42, button.inner_text()

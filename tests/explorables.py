@@ -71,9 +71,7 @@ def spec(name: str) -> dict[str, Any]:
 def moved_input(rng: np.random.Generator, kind: Any, start: Any) -> Any:
     """Another value for an input: anything but for points, which turn by up to 40 degrees."""
     if isinstance(kind, Slider):
-        step = kind.spec()["step"]
-        steps = round((kind.high - kind.low) / step)
-        return kind.low + step * int(rng.integers(steps + 1))
+        return float(rng.uniform(kind.low, kind.high))
     if isinstance(kind, Handles):
         points = np.array(start)
         axes = rng.normal(size=points.shape)

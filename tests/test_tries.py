@@ -93,7 +93,7 @@ SHOWN: dict[str, dict[str, dict[str, str]]] = {
         "who turns it past the window?": {"rolled": "0°", "spin": "−523°/s"},
     },
     "control_points_by_hand": {
-        "all four steps": {"now": "4 Double: to the other side", "tests": "all say yes"},
+        "all four steps": {"now": "4 Double: go beyond", "tests": "all say yes"},
         "the next point straight ahead": {"tests": "all say yes"},
         "before the jump": {"to_jump": "5°", "tests": "all say yes"},
         "behind it": {"to_jump": "5°", "tests": "all say yes"},
@@ -156,7 +156,7 @@ SHOWN: dict[str, dict[str, dict[str, str]]] = {
         },
         "no choice of signs helps": {"apart": "22.6°"},
         "thirds of a whole turn": {
-            "apart": "no unique mean",
+            "apart": "not unique",
             "by_quaternions": "120, 0, 120°",
             "singular": "1.000, 0.000, 0.000",
         },

@@ -29,7 +29,7 @@ INKS = {"matrices": MATRIX, "quaternions": QUATERNION}
         "thirds of a whole turn": {"poses": THIRDS},
     },
     answer={"flip": True},
-    constants={"no_mean": "no unique mean"},
+    constants={"no_mean": "not unique"},
     poses=Poses([f"spoon {k}" for k in (1, 2, 3)], start=GIVEN),
     flip=Switch("−*q₃* in place of *q₃*, the same orientation", start=False),
 )

@@ -223,7 +223,7 @@ STEPS = (
     "1 Double: go on",
     "2 Bisect: aim between",
     "3 Bisect: halfway back",
-    "4 Double: to the other side",
+    "4 Double: go beyond",
 )
 NOT_YET = "–"
 # By the number of tests that say no.

@@ -36,7 +36,7 @@ export function oneName({ angle }) {
       middle: { at: BALL },
     },
     labels: { name: null },
-    outputs: { q: `${angle}°; ${written(w)}, ${written(x)}` },
+    outputs: { q: `${angle.toFixed(0)}°; ${written(w)}, ${written(x)}` },
   };
 }
 

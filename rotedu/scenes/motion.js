@@ -1,5 +1,5 @@
 /* Model of page A. */
-import { box, DEGREES, IDENTITY, ORIGIN, placing, scaled, spread, U, W } from "./parts.js";
+import { box, DEGREES, IDENTITY, ORIGIN, placing, scaled, shown, spread, U, W } from "./parts.js";
 import {
   axisAngle,
   combine,
@@ -145,15 +145,17 @@ export function theDrone({ time }) {
   const roll = rotationMatrix(U, (QUARTER * Math.max(time - 1, 0)) / DEGREES);
   const [flies, logged] = [product(yaw, roll), product(roll, yaw)];
   const nose = (turn) => scaled(1.1, transform(turn, U));
+  const { angle } = axisAngle(product(transpose(flies), logged));
+  const off = (place) => shown(time > 1 && place);
   return {
     parts: {
       drone: { matrix: placing(flies, ORIGIN) },
       nose: { from: ORIGIN, to: nose(flies) },
-      logged: { matrix: placing(logged, ORIGIN) },
-      "logged nose": { from: ORIGIN, to: nose(logged) },
+      logged: off({ matrix: placing(logged, ORIGIN) }),
+      "logged nose": off({ from: ORIGIN, to: nose(logged) }),
     },
     labels: {},
     grips: {},
-    outputs: { apart: DEGREES * axisAngle(product(transpose(flies), logged)).angle },
+    outputs: { apart: DEGREES * angle },
   };
 }

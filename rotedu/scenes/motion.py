@@ -7,8 +7,8 @@ from rotedu.colors import AXIS, MATRIX, NEUTRAL, QUATERNION, RESULT, WRONG
 from rotedu.figures import State, describe, draw_chart, explorable, read_out
 from rotedu.figures.inputs import Handles, Slider, Switch
 from rotedu.scenes.looks import Arrow, Lines, Look, Mesh, Text, draw
-from rotedu.scenes.parts import LITTLE, add_label, new_scene
-from rotedu.scenes.shapes import teaspoon
+from rotedu.scenes.parts import LITTLE, add_label, add_line, new_scene
+from rotedu.scenes.shapes import U, teaspoon
 
 __all__ = ["spinning_by_hand", "the_drone"]
 
@@ -123,7 +123,8 @@ def the_drone(state: State) -> pyvista.Plotter:
         "logged nose": Arrow(WRONG, 0.012),
     }
     draw(plotter, state, looks)
-    add_label(plotter, (1.55, 0, 0), "$U$")
+    add_line(plotter, [0.5 * U, 1.5 * U], NEUTRAL)
+    add_label(plotter, 1.62 * U, "$U$")
     read_out(plotter, "apart", "the log is off by", 1, "°", where="picture")
     describe(
         plotter,

@@ -295,8 +295,8 @@ def animate(state: State) -> pyvista.Plotter:
             dashed=JUMPY,
         )
     for where, output, text, unit in (
-        ("picture", "speed", "speeds, in this order", "°/s"),
-        ("picture", "fastest", "fastest", "°/s"),
+        ("picture", "fastest", "fastest, in the order of the films", "°/s"),
+        ("folded", "speed", "speeds now, in this order", "°/s"),
         ("folded", "corner", "velocity of slerp jumps by", "°/s"),
         ("folded", "jumps", f"acceleration of {' and '.join(JUMPY)} jumps by", "°/s²"),
     ):

@@ -7,7 +7,7 @@ from scipy.spatial.transform import Rotation
 
 UNCLEAR = 1e-3
 SMALLEST = 1e-9
-NO_MEAN = "no unique mean"
+NO_MEAN = "not unique"
 
 
 def mean_by_hand(poses: Any, flip: bool) -> dict[str, Any]:

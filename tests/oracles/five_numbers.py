@@ -11,7 +11,7 @@ def one_name(angle: float) -> dict[str, Any]:
     x, _, _, w = Rotation.from_rotvec([np.radians(angle), 0, 0]).as_quat()
     sign = np.sign(w) if abs(w) > 1e-12 else np.sign(x)
     w, x = (f"{round(sign * part, 2) + 0.0:.2f}".replace("-", "−") for part in (w, x))
-    return {"q": f"{angle:g}°; {w}, {x}"}
+    return {"q": f"{angle:.0f}°; {w}, {x}"}
 
 
 def pull_the_thread(spoon: Any, thread: Any, pulled: float) -> dict[str, Any]:

@@ -1,5 +1,6 @@
 """Every exercise checks its answer: it knows the right ones, the usual wrong ones, and nonsense."""
 
+import re
 from functools import cache
 from itertools import product
 from typing import Any
@@ -8,7 +9,7 @@ import matplotlib
 import numpy as np
 import pytest
 from matplotlib import pyplot
-from notebook_language import Page, chapters, exercises
+from notebook_language import Page, chapters, exercises, pages
 
 from rotedu.edition.exercises import check
 from rotedu.edition.exercises.answers import plain
@@ -43,6 +44,11 @@ def printed(cell: Any) -> str:
 
 def test_every_exercise_of_the_book_has_a_check_and_its_own_number() -> None:
     assert set(EXERCISES) == set(exercises())
+
+
+def test_a_teacher_finds_the_verdict_on_every_exercise() -> None:
+    [listed] = re.findall(r"^grep -o '(.+?)'", pages()["run-a-class.md"].text, re.MULTILINE)
+    assert not [number for number in EXERCISES if not re.search(listed, f"{number}: right")]
 
 
 @pytest.mark.parametrize("page", chapters(), ids=repr)

@@ -196,6 +196,23 @@ def test_a_figure_looks_as_python_draws_it(
         check_picture(figure, EXPLORABLES[name](**inputs), where)
 
 
+@pytest.mark.chromium
+@pytest.mark.parametrize("name", nightly(EXPLORABLES, CURVE))
+def test_a_touch_restyles_a_figure_and_not_its_page(name: str, open_figure: Open) -> None:
+    """A rule for `:has(...) > :not(...)` would make each frame look at thousands of elements."""
+    figure = live(open_figure(name))
+    in_sight(figure)
+    touched = "input[type=range], .scene [data-handle]"
+    turn(figure, f":nth-match({touched}, 1)", "ArrowRight")
+    browser = figure.page.context.browser
+    browser.start_tracing(page=figure.page, categories=["devtools.timeline"])
+    turn(figure, f":nth-match({touched}, 1)", *3 * ("ArrowRight",))
+    settle(figure.page)
+    events = json.loads(browser.stop_tracing())["traceEvents"]
+    restyled = [event["args"] for event in events if event["name"] == "UpdateLayoutTree"]
+    assert 0 < max(args.get("elementCount", 0) for args in restyled) < 600
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("name", EXPLORABLES)
 def test_each_handle_by_mouse_and_keys(name: str, open_figure: Open) -> None:

@@ -75,7 +75,7 @@ if (location.protocol === "file:") {
   const { src } = /** @type {HTMLScriptElement} */ (document.currentScript);
   for (const style of ["normal", "italic"]) {
     const url = new URL(`fonts/source-serif-4-latin-wght-${style}.woff2`, src);
-    const font = new FontFace("Source Serif 4", `url(${url})`, { style, weight: "200 900" });
+    const font = new FontFace("Source Serif 4", `url(${url})`, { style, weight: "400 700" });
     font.load().then(() => document.fonts.add(font));
   }
 }
@@ -111,9 +111,11 @@ if (pageHead) {
   const show = (index) => {
     const section = sections[index];
     if (!section) return;
-    sections[place].classList.remove("presented");
     place = index;
-    section.classList.add("presented");
+    for (const each of sections) {
+      each.classList.toggle("presented", each === section);
+      each.classList.toggle("around", each !== section && each.contains(section));
+    }
     section.tabIndex = -1;
     section.focus({ preventScroll: true });
     scrollTo({ top: 0, behavior: "instant" });

@@ -9,6 +9,9 @@ import time
 from pathlib import Path
 from typing import Any
 
+from fontTools import subset
+from fontTools.ttLib import TTFont
+from fontTools.varLib.instancer import instantiateVariableFont
 from sphinx.application import Sphinx
 from sphinx.config import Config
 from sphinx.errors import ExtensionError
@@ -24,6 +27,8 @@ from lock import hold_checkout
 KATEX = LIBRARIES / "katex"
 LICENCES = LIBRARIES.parent / "LICENSES" / "VIEWER.txt"
 FONTS = [LIBRARIES / "@fontsource-variable" / name for name in ("source-serif-4", "source-sans-3")]
+# What the pages use of a font: from regular to bold, with pairs, ligatures and figures of one width.
+WEIGHTS, FEATURES = (400, 700), ["kern", "liga", "tnum"]
 
 
 def serve(app: Sphinx, config: Config) -> None:
@@ -40,12 +45,24 @@ def serve(app: Sphinx, config: Config) -> None:
     (static / "fonts").mkdir()
     for font in FONTS:
         for style in ("normal", "italic"):
-            shutil.copy(font / "files" / f"{font.name}-latin-wght-{style}.woff2", static / "fonts")
+            file = font / "files" / f"{font.name}-latin-wght-{style}.woff2"
+            slim(file, static / "fonts" / file.name)
     bundle(static)
     files = (LICENCES, *(font / "LICENSE" for font in FONTS))
     # Both fonts have the same licence.
     licences = "\n\n\n".join(dict.fromkeys(file.read_text(encoding="utf-8") for file in files))
     (static / "licences.txt").write_text(licences, encoding="utf-8")
+
+
+def slim(file: Path, target: Path) -> None:
+    """Write what the pages use of a font, two thirds of it, without the name it had as a whole."""
+    font = TTFont(file)
+    options = subset.Options(flavor="woff2", hinting=False, layout_features=FEATURES, name_IDs=[])
+    subsetter = subset.Subsetter(options)
+    subsetter.populate(unicodes=font.getBestCmap())
+    subsetter.subset(font)
+    instantiateVariableFont(font, {"wght": WEIGHTS}, inplace=True)
+    font.save(target)
 
 
 def typeset(app: Sphinx, config: Config) -> None:

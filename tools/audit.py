@@ -37,6 +37,11 @@ new PerformanceObserver((list) => {
     for (const { value } of list.getEntries()) window.shift += value;
 }).observe({ type: "layout-shift", buffered: true });
 """
+# What unfolds fades in.
+UNFOLD = """async () => {
+    document.querySelectorAll("details").forEach((details) => { details.open = true; });
+    await Promise.all(document.getAnimations().map(({ finished }) => finished));
+}"""
 AXE = """async () => (await axe.run()).violations.map(({ id, nodes }) => {
     const places = nodes.map((node) => node.target.join(" "));
     const more = places.length > 3 ? ` and ${places.length - 3} more` : "";
@@ -74,7 +79,7 @@ def seen(browser: Browser, url: str) -> Iterator[str]:
     for width, theme in itertools.product(WIDTHS, THEMES):
         page = browser.new_page(viewport={"width": width, "height": 900}, color_scheme=theme)
         page.goto(url, wait_until="load")
-        page.evaluate("document.querySelectorAll('details').forEach((d) => { d.open = true; })")
+        page.evaluate(UNFOLD)
         page.add_script_tag(path=AXE_CORE)
         found = [*page.evaluate(AXE), *(f"cut: {what}" for what in page.evaluate(CUT))]
         yield from (f"{finding} [{width} {theme}]" for finding in found)

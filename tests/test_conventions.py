@@ -1,12 +1,14 @@
 """Conventions of other software: what `book/conventions.md` says, by running what is installed."""
 
 import json
+import re
 from pathlib import Path
 
 import numpy as np
 import pytest
 import pyvista
 from node import run_node
+from notebook_language import chapters
 from pytransform3d import rotations as pr
 from scipy.spatial.transform import Rotation
 from spheres import E1, E2, E3, Array, close
@@ -102,3 +104,12 @@ def test_changing_hands(angle: float) -> None:
 def test_fixed_axes_in_the_other_order_turn_along() -> None:
     fixed = Rotation.from_euler("xyz", ANGLES).as_matrix()
     close(fixed, Rotation.from_euler("ZYX", ANGLES[::-1]).as_matrix())
+
+
+def test_a_listing_has_no_annotation_that_is_not_explained() -> None:
+    outputs = [output for page in chapters() for cell in page.code for output in cell.outputs]
+    listings = [output.get("data", {}).get("text/plain", "") for output in outputs]
+    used = set(re.findall(r"(?:: |-> )([A-Z]\w+)", "".join(t for t in listings if "@checked" in t)))
+    assert len(used) > 10
+    section = PAGE.read_text("utf-8").partition("(listings)=")[2].partition("(bad-input)=")[0]
+    assert used - {"Quaternion", "DualQuaternion"} <= set(re.findall(r"`(\w+)`", section))

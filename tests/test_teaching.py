@@ -91,6 +91,18 @@ def test_a_lab_takes_the_minutes_of_its_exercises(name: str) -> None:
     assert all("project" in EXERCISES[number].kind for number in unit.chosen)
 
 
+def test_plans_name_sections_that_exist() -> None:
+    rows = [
+        " ".join(row)
+        for heading in ("Three plans", *PLANS, "The pages, one by one")
+        for row in table(heading)
+    ]
+    named = re.findall(r"(?<!\*)\*([A-Z][^*.]{6,})\*(?!\*)", " ".join(rows))
+    headings = {name for page in chapters() for name in re.findall(r"^#+ (.+)", page.text, re.M)}
+    assert len(named) > 15
+    assert set(named) <= headings
+
+
 @pytest.mark.parametrize("weeks", PLANS)
 def test_the_weeks_add_up(weeks: str) -> None:
     *plan, total = table(weeks)

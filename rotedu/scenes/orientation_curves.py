@@ -246,7 +246,7 @@ MIDDLE, FILMED = (0, 0, -0.3), 1.25
     poses=Poses([f"spoon {k}" for k in range(MOST_POSES)], least=4, most=MOST_POSES, start=POSES),
     t=Slider(0, 1, "time, once round", plays=6, start=0),
     films=Choice("paths", tuple(CHOICES), start="slerp and the paper's"),
-    fraction=Slider(0.2, 0.5, "handles of the paper's curve", step=0.005, row=False, start=1 / 2),
+    fraction=Slider(0.2, 0.5, "how far *aᵢ* goes", step=0.005, row=False, start=1 / 2),
 )
 def animate(state: State) -> pyvista.Plotter:
     """Draw films of a spoon that go through the same poses at the same times, on one ball.

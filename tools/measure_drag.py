@@ -36,6 +36,8 @@ RUN = """async ([figure, kind, frames]) => {
         }
     };
     const next = () => new Promise(requestAnimationFrame);
+    // A browser hands over what a mouse does once the last frame is drawn, and its layout known.
+    const drawn = () => new Promise((done) => setTimeout(done));
     const intervals = [], handlers = [];
     let before = await next();
     for (let i = 0; i < frames; i++) {
@@ -45,6 +47,7 @@ RUN = """async ([figure, kind, frames]) => {
         const now = await next();
         intervals.push(now - before);
         before = now;
+        await drawn();
     }
     // The first frames still end what came before.
     return [intervals.slice(3), handlers.slice(3)];

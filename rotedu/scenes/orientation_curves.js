@@ -2,7 +2,7 @@
  * Models of page 5 V.
  * @import { Point } from "./rotations.js"
  */
-import { columns, DEGREES, placing, scaled, spread, W } from "./parts.js";
+import { columns, DEGREES, placing, scaled, shown, spread, W } from "./parts.js";
 import {
   angleBetween,
   axisAngle,
@@ -88,12 +88,12 @@ export function routesByHand({ poses, u }, { signs }) {
   const angles = {};
   for (const [name, way] of Object.entries(ways)) {
     parts[name] = { paths: [[...way, way[0]].map(middle)] };
-    const shown = (k, size) => ({
+    const copy = (k, size) => ({
       ...mounted(way[k], size),
       hidden: name !== "route" && !(apart[k] > DEGREES * SAME),
     });
-    for (let k = 0; k < count; k += 5) if (k % SAMPLES) parts[`${name} ${k}`] = shown(k, 0.5);
-    parts[`${name} now`] = shown(here, 1.2);
+    for (let k = 0; k < count; k += 5) if (k % SAMPLES) parts[`${name} ${k}`] = copy(k, 0.5);
+    parts[`${name} now`] = copy(here, 1.2);
     const fromStart = turned[name].map((turn) => between(q[0], turn));
     angles[name] = given.map((_, i) => {
       return [...fromStart, fromStart[0]].slice(SAMPLES * i, SAMPLES * (i + 1) + 1);
@@ -212,25 +212,26 @@ const TICK = 0.07;
 /** Films of a spoon that go through the same poses at the same times, of which some are shown. */
 export function animate({ poses, t, films: wanted, fraction }, { choices, jumpy, most, radius }) {
   const q = poses.map(unit);
-  const films = filmsThrough(q, fraction);
-  const chosen = choices[wanted];
+  const [all, chosen] = [choices["all five"], choices[wanted]];
+  const films = filmsThrough(q, fraction, new Set([...chosen, "slerp", ...jumpy]));
   const count = PICTURES * q.length;
   const picture = Math.floor(count * t + 1 / 2) % count;
   const { parts, labels, grips } = timeline(q, most);
-  for (const [i, [name, film]] of Object.entries(films).entries()) {
-    const hidden = !chosen.includes(name);
-    const tips = film.map((rotation) => rotation.map(([x]) => radius * x));
-    const round = [...tips, tips[0]].map((tip) => combine(1, MIDDLE, 1, tip));
-    parts[`${name}, tip`] = { paths: [round], hidden };
+  for (const [i, name] of all.entries()) {
+    const film = chosen.includes(name) && films[name];
+    parts[`${name}, tip`] = shown(film && { paths: [tipsOf(film, radius)] });
     // Of spoons in one pose the first is seen.
-    parts[name] = { matrix: placing(film[picture], MIDDLE, (1 - 0.01 * i) * radius), hidden };
+    const size = (1 - 0.01 * i) * radius;
+    parts[name] = shown(film && { matrix: placing(film[picture], MIDDLE, size) });
   }
   const steps = mapped(films, filmSteps);
   const motions = mapped(steps, filmMotion);
-  const sizes = (kind) =>
-    mapped(motions, (motion, name) =>
-      chosen.includes(name) ? motion[kind].map((own) => own.map(length)) : null,
+  const sizes = (kind) => {
+    const curve = (name) => motions[name][kind].map((own) => own.map(length));
+    return Object.fromEntries(
+      all.map((name) => [name, chosen.includes(name) ? curve(name) : null]),
     );
+  };
   const [speeds, accelerations] = [sizes("velocity"), sizes("acceleration")];
   const [segment, within] = [Math.floor(picture / PICTURES), picture % PICTURES];
   return {
@@ -245,6 +246,12 @@ export function animate({ poses, t, films: wanted, fraction }, { choices, jumpy,
       jumps: jumpy.map((name) => jump(motions[name].acceleration)),
     },
   };
+}
+
+/** The path of a spoon's tip, once round. */
+function tipsOf(film, radius) {
+  const tips = film.map((rotation) => rotation.map(([x]) => radius * x));
+  return [...tips, tips[0]].map((tip) => combine(1, MIDDLE, 1, tip));
 }
 
 /** A function of each value of an object, by its name. */
@@ -279,24 +286,24 @@ function timeline(q, most) {
   return { parts, labels, grips };
 }
 
-/** Films of rotation matrices, from quaternions. */
-function filmsThrough(q, fraction) {
+/** Films of rotation matrices, from quaternions: those that are wanted, by their names. */
+function filmsThrough(q, fraction, wanted) {
   const given = q.map(quaternionMatrix);
-  const arcs = q.flatMap((p, i) => {
-    const next = q[(i + 1) % q.length];
-    return Array.from({ length: PICTURES }, (_, k) => slerp(p, next, k / PICTURES));
-  });
-  const entries = periodicSpline(
-    given.map((matrix) => matrix.flat()),
-    PICTURES,
-  );
-  return {
-    slerp: arcs.map(quaternionMatrix),
-    squad: squad(q, PICTURES).map(quaternionMatrix),
-    "spline of q": periodicSpline(q, PICTURES).map(quaternionMatrix),
-    "the paper's": closedRotationCurve(given, PICTURES, fraction),
-    "spline of M": entries.map((m) => nearestRotation([m.slice(0, 3), m.slice(3, 6), m.slice(6)])),
+  const arcs = () =>
+    q.flatMap((p, i) => {
+      const next = q[(i + 1) % q.length];
+      return Array.from({ length: PICTURES }, (_, k) => slerp(p, next, k / PICTURES));
+    });
+  const entries = given.map((matrix) => matrix.flat());
+  const rows = (m) => [m.slice(0, 3), m.slice(3, 6), m.slice(6)];
+  const films = {
+    slerp: () => arcs().map(quaternionMatrix),
+    squad: () => squad(q, PICTURES).map(quaternionMatrix),
+    "spline of q": () => periodicSpline(q, PICTURES).map(quaternionMatrix),
+    "the paper's": () => closedRotationCurve(given, PICTURES, fraction),
+    "spline of M": () => periodicSpline(entries, PICTURES).map((m) => nearestRotation(rows(m))),
   };
+  return Object.fromEntries([...wanted].map((name) => [name, films[name]()]));
 }
 
 /** The turns from picture to picture, in degrees a second, in pieces from pose to pose. */

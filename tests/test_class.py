@@ -307,6 +307,7 @@ def test_nbgrader_gets_an_answer_a_test_and_perhaps_reasons(written: dict[str, P
                 cells.get(f"{part}-{number.replace('.', '-')}") for part in ("start", "test", "why")
             )
             (solution,) = SOLUTION.findall(start.source)
+            assert start.source.index("### END SOLUTION") < start.source.index("check(")
             check = f'check("{number}", answer)'
             assert [*lines(solution), check] == lines(asked.solution.source)
             # Without its solution it is what every student gets.

@@ -47,7 +47,7 @@ def test_every_exercise_of_the_book_has_a_check_and_its_own_number() -> None:
 
 
 def test_a_teacher_finds_the_verdict_on_every_exercise() -> None:
-    [listed] = re.findall(r"^grep -o '(.+?)'", pages()["run-a-class.md"].text, re.MULTILINE)
+    [listed] = re.findall(r"^grep -Ho '(.+?)'", pages()["run-a-class.md"].text, re.MULTILINE)
     assert not [number for number in EXERCISES if not re.search(listed, f"{number}: right")]
 
 

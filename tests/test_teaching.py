@@ -126,7 +126,7 @@ def test_what_is_done_at_home_is_about_right(weeks: str) -> None:
         read = {unit.page for name, unit in taken.items() if name not in "OP"}
         fixed = sum(minutes(unit.at_home) for unit in taken.values())
         counted = sum(count(NOTEBOOKS[page]).minutes for page in read) + fixed
-        assert int(row[5]) == pytest.approx(counted, abs=15), row
+        assert int(row[5]) == pytest.approx(counted, abs=5), row
     assert int(total[5]) == sum(int(row[5]) for row in plan)
 
 

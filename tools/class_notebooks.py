@@ -69,7 +69,7 @@ NO_WHEEL = """\
 from importlib.util import find_spec
 
 if find_spec("rotedu") is None:
-    raise ModuleNotFoundError("Please install rotedu. The README of this book says how.")\
+    raise ModuleNotFoundError("Please install rotedu. The book's page Run a class says how.")\
 """
 FOR_THE_STUDENT = """\
 *Begin with **Run**, **Run All Cells**. Figures and exercises need the cells above them.*\
@@ -344,7 +344,8 @@ class Classroom:
         """Yield what nbgrader needs of an exercise: its answer, its test and perhaps reasons."""
         name = asked.number.replace(".", "-")
         for_reasons = asked.minutes // FOR_REASONS if asked.kind == "judge" else 0
-        start, _, check = asked.start.source.rpartition("\n")
+        # A right answer may move a figure.
+        start, check = re.split(r"\n(?=(?:if )?check\()", asked.start.source, maxsplit=1)
         solution, _, _ = asked.solution.source.rpartition("\n")
         answer = ANSWER.format(start=start.rstrip(), solution=solution.rstrip(), check=check)
         yield marked(new_code_cell(answer, id=f"start-{name}"), solution=True)

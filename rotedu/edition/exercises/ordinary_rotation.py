@@ -153,9 +153,7 @@ def two_turns_in_a_row() -> Iterator[Part]:
 
     hints = {
         "Your angles are in radians.": when(
-            lambda halves, quarters: (
-                same_rotation(halves, v2 @ u2, 1e-2) and same_rotation(quarters, v4 @ u4, 1e-2)
-            ),
+            lambda halves, quarters: same_rotation(halves, v2 @ u2, 1e-2),
             "A full turn has 360 degrees.",
             example=((w, np.pi), ([1, 1, -1], 2 * np.pi / 3)),
         ),
@@ -175,6 +173,11 @@ def two_turns_in_a_row() -> Iterator[Part]:
             lambda *turn: same_turn(turn, (v4 @ u4).T, 1e-2),
             "Reverse the axis or the angle.",
             example=((w, 180), ([-1, -1, 1], 120)),
+        ),
+        "The angle of the quarter turns is in radians.": when(
+            lambda *turn: same_rotation(turn, v4 @ u4, 1e-2),
+            "A full turn has 360 degrees.",
+            example=((w, 180), ([1, 1, -1], 2 * np.pi / 3)),
         ),
         "The quarter turns make another angle.": when(
             lambda axis, degrees: close(abs(degrees), 180, 0.1) or close(abs(degrees), 90, 0.1),
@@ -219,9 +222,11 @@ def axis_too_long() -> Iterator[Part]:
             0.001, "Compute the matrix first, then what its transpose times itself should be."
         ),
         "The number is close, but not to two digits.": when(
-            0.003, "Three times the error of the axis is only a guess. Compute the matrix."
+            lambda largest: close(largest, residual(bent), 4e-4),
+            "Three times the error of the axis is only a guess. Compute the matrix.",
+            example=0.003,
         ),
-        "This axis was scaled to length 1.": when(
+        "An axis of length 1 would give 0.": when(
             0, "Use the function of the starter cell, which leaves the axis as it is."
         ),
         "This is not the size of the largest entry.": otherwise(

@@ -186,7 +186,7 @@ class TestWhatTheAnswersSay:
                 0.02,
                 "typically erred about a dozen times as much as the quaternion; at a tenth",
             ),
-            (10, 1, 0.845, "it was the closer in five in six, though by little"),
+            (10, 1, 0.845, "it was the closer in five of six, though by little"),
         ],
     )
     def test_steps_where_the_velocity_changes(

@@ -32,7 +32,7 @@ ON_PAPER = "Online, the points and sliders of this figure can be moved."
 # WebP stores opacity without loss, and glass is a gradient of it, which takes twice as many bytes
 # unless dense glass has fewer levels than clear glass. AVIF would take fewer bytes still, but
 # Chromium 156 reads its opacity as if it went from 16 to 235.
-OPACITIES = np.rint([*range(10), *np.geomspace(10, 255, 18)]).astype(int)
+OPACITIES = np.rint([*range(12), *np.geomspace(12, 255, 28)]).astype(int)
 NEAREST = OPACITIES[np.abs(np.arange(256)[:, np.newaxis] - OPACITIES).argmin(axis=1)]
 # How far from its place a label reaches up and down, in pixels: half the height of a formula.
 LABEL = 12

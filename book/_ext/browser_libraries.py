@@ -27,7 +27,7 @@ from lock import hold_checkout
 KATEX = LIBRARIES / "katex"
 LICENCES = LIBRARIES.parent / "LICENSES" / "VIEWER.txt"
 FONTS = [LIBRARIES / "@fontsource-variable" / name for name in ("source-serif-4", "source-sans-3")]
-# What the pages use of a font: regular to bold, pairs, ligatures, bars over letters, even figures.
+# What the pages use of a font: regular to bold, pairs, ligatures, accents, figures of one width.
 WEIGHTS, FEATURES = (400, 700), ["kern", "liga", "mark", "tnum"]
 
 

@@ -122,7 +122,7 @@ class TestWhatTheAnswersSay:
         )
         said = answers("06-conclusions")
         assert f"it is {matrix:.1f} degrees off instead of {quaternion:.0f}" in said
-        assert f"matrix is {matrix:.1f} degrees off, the quaternion {quaternion:.0f}" in said
+        assert f"the repaired quaternion is {quaternion:.0f} degrees off" in said
 
     def test_once_round_in_steps(self) -> None:
         steady = np.tile([0, 0, 2 * np.pi], (36, 1))

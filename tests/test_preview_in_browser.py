@@ -12,6 +12,7 @@ SHOWN = {
     "article a[href*='errata.html#erratum-']": "h2 ~ p:has-text('What it should be')",
     "article a.first-use": "dt + dd",
     "article a[href$='#figure-1']:not(.headerlink)": ".scene img",
+    "#the-claims-judged a[href*='#claim-']": "p:has-text('holds')",
 }
 TO_THE_MIDDLE = "link => link.scrollIntoView({ block: 'center', behavior: 'instant' })"
 FITS = """box => {
@@ -37,7 +38,8 @@ def hover(page: Any, link: str) -> Any:
 
 def test_a_link_shows_what_it_leads_to(browser: Any, site: str) -> None:
     page = read(browser, site, "03-ordinary-rotation")
-    # The claims, which are folded, have the only link to an error in view.
+    # Errata and claims are folded.
+    page.locator("details:has(a[href*='errata.html#']) > summary").first.click()
     page.locator("#the-claims-judged summary").first.click()
     for link, holds in SHOWN.items():
         box = hover(page, link)

@@ -34,6 +34,7 @@ from notebook_language import (
 from pybtex.database import parse_file
 
 from rotedu import __version__, colors
+from rotedu.edition.claims import CLAIMS
 
 CLASS = ROOT / "class"
 
@@ -198,6 +199,8 @@ class Classroom:
             for block in unfolded(cell.source)
             if (name := block.anchor)
         }
+        claims = (f"claim-{claim.number}" for claim in CLAIMS)
+        self.anchors |= {name: ("claims.md", name, "") for name in claims}
         self.sources = parse_file(BOOK / "references.bib").entries
 
     def linked(self, page: str, text: str, address: str) -> str:

@@ -13,7 +13,6 @@ from itertools import pairwise
 from math import ceil
 from typing import NamedTuple
 
-from nbformat import NotebookNode
 from notebook_language import (
     Block,
     Page,
@@ -30,7 +29,7 @@ LOOKED_UP = {"api", "claims", "equations", "glossary", "references"}
 SECONDS = {"words": 60 / 130, "lines": 6, "formulas": 30, "scenes": 60, "by_hand": 150, "small": 30}
 
 FOLDED_CODE = {"hide-input", "hide-cell", "remove-input", "remove-cell"}
-FOLDED_OUTPUT = {"hide-output", "hide-cell", "remove-output", "remove-cell"}
+FOLDED_OUTPUT = {"hide-output", "hide-cell", "remove-output", "remove-cell", "claims"}
 WORD = re.compile(r"[^\s|]*\w[^\s|]*")
 
 
@@ -88,13 +87,9 @@ def folded_words(page: Page) -> int:
     texts = [cell.source for cell in page.text_cells if not part_of(cell.id)[0]]
     folds = (block for text in texts for block in in_view(text) if is_fold(block))
     in_texts = sum(words_in(block) for fold in folds for block in unfolded(fold.body))
-    outputs = (output for cell in page.cells if fold_rows(cell) for output in cell.outputs)
-    tables = [output["data"]["text/markdown"] for output in outputs]
-    whole, seen = (
-        sum(words_in(block) for table in some for block in in_view(table))
-        for some in (tables, map(own_rows, tables))
-    )
-    return in_texts + whole - seen
+    outputs = (output for cell in page.cells if "claims" in tags(cell) for output in cell.outputs)
+    tables = (output["data"]["text/markdown"] for output in outputs)
+    return in_texts + sum(words_in(block) for table in tables for block in in_view(table))
 
 
 def shown(page: Page) -> Iterator[Block]:
@@ -110,22 +105,10 @@ def shown(page: Page) -> Iterator[Block]:
         for output in [] if tags(cell) & FOLDED_OUTPUT else cell.outputs:
             data = output.get("data", {})
             if "text/markdown" in data:
-                text = data["text/markdown"]
-                yield from in_view(own_rows(text) if fold_rows(cell) else text)
+                yield from in_view(data["text/markdown"])
             else:
                 printed = output.get("text", data.get("text/plain", ""))
                 yield Block("printed", printed)
-
-
-def fold_rows(cell: NotebookNode) -> bool:
-    """Tell whether a cell shows a table that is folded, but for the rows in bold."""
-    return "claims" in tags(cell) or ("ledger" in tags(cell) and "whole" not in tags(cell))
-
-
-def own_rows(table: str) -> str:
-    """Return the head of a table, and the rows in bold."""
-    head, line, *rows = table.splitlines()
-    return "\n".join([head, line, *(row for row in rows if row.startswith("| **"))])
 
 
 def count(page: Page) -> Count:

@@ -3,8 +3,8 @@
 What no style colours in a listing needs no element: each costs a phone time, and commas, brackets
 and spaces are half of a listing's. On paper, only a long listing may go over the page. A cell of a
 table says in which column it stands: on a phone, rows are cards (book.css). Of the ledger, which a
-cell with the tag ``ledger`` shows, the rows that a page adds can be told from the others, which are
-folded; of the claims, which a cell with the tag ``claims`` shows, all rows are.
+cell with the tag ``ledger`` shows, the rows that a page adds can be told from the others. The
+claims, which a cell with the tag ``claims`` shows, are folded.
 """
 
 from collections.abc import Iterable
@@ -41,15 +41,12 @@ class PlainPunctuation(HtmlFormatter):
         super().format_unencoded(plain, outfile)
 
 
-# Beside the table that it folds: a table is no place for a fold of rows.
-FOLD = '<details class="rows"><summary>{}</summary></details>'
+# Beside the table that it hides on a screen
+FOLD = '<details class="rows"><summary>Which of the paper’s claims hold</summary></details>'
 
 
-class FoldTables(SphinxTransform):
-    """Fold the claims, and of the ledger what earlier pages have; mark what this page adds.
-
-    A row that a page adds has a first cell in bold. With the tag ``whole``, no row is folded.
-    """
+class LedgerAndClaims(SphinxTransform):
+    """Mark the rows of the ledger that a page adds, whose first cell is bold; fold the claims."""
 
     default_priority = 400
 
@@ -58,11 +55,11 @@ class FoldTables(SphinxTransform):
         for cell in code_cells(self.document):
             for table in list(cell.findall(nodes.table)):
                 if "tag_claims" in cell["classes"]:
-                    fold(table, "What the paper says, whether it holds, and why")
+                    hides = nodes.raw("", FOLD, format="html")
+                    at = table.parent.index(table)
+                    table.parent.insert(at, nodes.container("", hides, classes=["on-screen"]))
                 elif "tag_ledger" in cell["classes"]:
                     mark_rows(table)
-                    if "tag_whole" not in cell["classes"]:
-                        fold(table, "All that were met so far")
 
 
 def mark_rows(ledger: nodes.table) -> None:
@@ -72,15 +69,6 @@ def mark_rows(ledger: nodes.table) -> None:
         if row[0].next_node(nodes.strong):
             row["classes"].append("here")
             row[0].next_node(nodes.paragraph).insert(0, spoken("new: "))
-
-
-def fold(table: nodes.table, words: str) -> None:
-    """Put a fold before a table, which hides those of its rows that are not marked, if any."""
-    if all("here" in row["classes"] for row in table.next_node(nodes.tbody)):
-        return
-    hides = nodes.raw("", FOLD.format(words), format="html")
-    at = table.parent.index(table)
-    table.parent.insert(at, nodes.container("", hides, classes=["on-screen"]))
 
 
 def visit_entry(writer: HTML5Translator, cell: nodes.entry) -> None:
@@ -100,6 +88,6 @@ def setup(app: Sphinx) -> dict[str, Any]:
     """Register the step, and let listings and tables be written so."""
     PygmentsBridge.html_formatter = PlainPunctuation
     writers = (visit_entry, HTML5Translator.depart_entry)
-    app.add_transform(FoldTables)
+    app.add_transform(LedgerAndClaims)
     app.add_node(nodes.entry, override=True, html=writers)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -1,18 +1,18 @@
 """What the paper claims, and whether it is true.
 
 This is the one source of the tables of claims. The evidence is not kept here: the page that a claim
-links to names it beside the verdict.
+links to runs it.
 """
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
 from rotedu.edition.notebook import Table, linked
 
-__all__ = ["CLAIMS", "VERDICTS", "Claim", "claim_table", "evidence_table", "verdict_table"]
+__all__ = ["CLAIMS", "VERDICTS", "Claim", "claim_table", "verdict_table", "verdicts_on"]
 
 VERDICTS = {
     "holds": "true; cases that numbers taken at random never meet do not count, such as 0/0 between"
@@ -158,13 +158,18 @@ ON_PAGE = {
         (37, "2"): holds("Products are associative and do not commute; norms multiply"),
         (38, "2"): holds(
             "Each unit quaternion is $[\\cos\\theta,\\sin\\theta\\,\\hat n]$ with"
-            " $0\\le\\theta\\le\\pi$"
+            " $0\\le\\theta\\le\\pi$",
+            "at 1 and −1 any unit vector will do",
         ),
         (39, "2"): holds(
             "$qq^*=q^*q=\\lvert q\\rvert^2$, so (2-4) is the inverse from both sides; for a unit"
-            " quaternion it is the conjugate"
+            " quaternion it is the conjugate",
+            "0 has none",
         ),
-        (40, "2"): holds("Division is an inverse operation of multiplication: $(q_1q_2)/q_2=q_1$"),
+        (40, "2"): holds(
+            "Division is an inverse operation of multiplication: $(q_1q_2)/q_2=q_1$",
+            "it takes away the factor on the right, not the one on the left",
+        ),
         (41, "2"): holds("$q\\,[0,\\vec r\\,]\\,q^*$ rotates about the U axis, (2-6)"),
     },
     "03-ordinary-rotation": {
@@ -210,7 +215,8 @@ ON_PAGE = {
     "04-general-rotation": {
         (7, "1, 3, 6"): holds(
             "Rotation, translation, scaling, shearing, reflection and projection make one matrix,"
-            " and each point is multiplied once"
+            " and each point is multiplied once",
+            "a division follows a perspective",
         ),
         (8, "6"): holds_if(
             "Quaternions cannot have that advantage",
@@ -235,7 +241,10 @@ ON_PAGE = {
             "what is fast enough depends on the machine",
         ),
         (46, "4"): holds("(4-2) is the product (4-1)"),
-        (47, "4"): holds("Axis and angle of the single rotation are those of (4-3) to (4-6)"),
+        (47, "4"): holds(
+            "Axis and angle of the single rotation are those of (4-3) to (4-6)",
+            "where nothing turns, there is no axis",
+        ),
         (48, "4"): holds_if(
             "In homogeneous coordinates the axis is $(a_u,a_v,a_w,1)$",
             "the tip of the axis is meant, a point; a direction ends in 0, E8",
@@ -259,7 +268,9 @@ ON_PAGE = {
             "as a matrix times a vector it has two forms, E7; with three components, one of them is"
             " (5-3)",
         ),
-        (49, "5"): holds("The axis of the arc is (5-1)"),
+        (49, "5"): holds(
+            "The axis of the arc is (5-1)", "between opposite points there are many arcs"
+        ),
         (50, "5"): slip(
             "The 4 × 4 matrix in (5-3), and in formulas like it, is defined in (3-3)",
             "that one is 3 × 3; (4-7) is meant, E9",
@@ -462,29 +473,40 @@ def claim_table(numbers: Iterable[int]) -> Table:
     return Table(["No.", "The claim", "In", "Verdict", "Shown in"], rows)
 
 
-def evidence_table(evidence: Mapping[int, str]) -> Table:
-    """Make the table of claims that a page judges, with what its readers have seen.
+def verdicts_on(page: str) -> Table:
+    """Make the table of the claims that a page judges, by their verdicts.
 
     Parameters
     ----------
-    evidence : mapping of int to str
-        What decides, in a few words of Markdown, by the number of the claim. The rows keep its
-        order, and numbers of equations and errata become links.
+    page : str
+        The page's file without its ending.
+
+    Returns
+    -------
+    Table
+        Each number leads to the claim and to the reason of its verdict.
+
+    Raises
+    ------
+    ValueError
+        If there is no such page, or it judges none.
 
     Examples
     --------
-    >>> evidence_table({3: "three are, E6"})
-    | No. | The paper says | Verdict | Evidence |
-    | --- | --- | --- | --- |
-    | 3 | Four of the nine entries of a rotation matrix are independent | × **does not hold** | three are, [E6](#erratum-e6) |
-    """  # noqa: E501
-    rows = []
-    for number, seen in evidence.items():
-        claim = next(claim for claim in CLAIMS if claim.number == number)
-        others = "".join(f" ({where})" for where in claim.where if where in OTHERS)
-        said = linked(claim.claim) + others
-        rows.append([str(number), said, signed(claim.verdict), linked(seen)])
-    return Table(["No.", "The paper says", "Verdict", "Evidence"], rows)
+    >>> verdicts_on("05-orientation-curves")
+    | Verdict | Claims |
+    | --- | --- |
+    | × **does not hold** | [24](#claim-24) |
+    """
+    if page not in ON_PAGE:
+        raise ValueError(f"page must be one of {', '.join(ON_PAGE)}; got {page!r}")
+
+    links: dict[str, list[str]] = {word: [] for word in VERDICTS}
+    for claim in CLAIMS:
+        if claim.chapter == page:
+            links[claim.verdict].append(f"[{claim.number}](#claim-{claim.number})")
+    rows = [[signed(word), ", ".join(some)] for word, some in links.items() if some]
+    return Table(["Verdict", "Claims"], rows)
 
 
 def verdict_table() -> Table:

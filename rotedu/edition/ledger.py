@@ -27,6 +27,9 @@ PAGES = (
     "beyond-five-numbers",
 )
 
+IN_PART = {"05-orientations", "05-orientation-curves", "beyond-motion", "beyond-rigid-motion"}
+"""Pages that show the rows they add to, and link to the others."""
+
 TASKS = {
     "compose": "compose two",
     "point": "turn one point",
@@ -106,7 +109,7 @@ class Row:
 def ledger(page: str) -> Table:
     """Show the ledger as far as a page of the book has come; what the page adds is bold.
 
-    What later pages find out is an ellipsis.
+    What later pages find out is an ellipsis. Pages `IN_PART` show only the rows that they add to.
 
     Parameters
     ----------
@@ -131,18 +134,19 @@ def ledger(page: str) -> Table:
     def known(text: str, since: str) -> str:
         return text if since in met else "…"
 
+    def added(row: Row) -> bool:
+        return page in (row.opened, row.counted, row.breaks.page, row.forgets.page)
+
     rows = [
         [
-            f"**{row.written_as}**"
-            if page in (row.opened, row.counted, row.breaks.page, row.forgets.page)
-            else row.written_as,
+            f"**{row.written_as}**" if added(row) else row.written_as,
             row.numbers,
             known(row.breaks.text, row.breaks.page),
             known(row.forgets.text, row.forgets.page),
             known(row.price, row.counted),
         ]
         for row in LEDGER
-        if row.opened in met
+        if row.opened in met and (added(row) or page not in IN_PART)
     ]
     return Table(
         ["Written as", "Numbers", "Where it breaks", "What it forgets", "What it costs"], rows

@@ -40,7 +40,8 @@ export function oneName({ angle }) {
   };
 }
 
-const written = (number) => number.toFixed(2).replace("-", "−");
+/** Two decimals, and no sign before nothing. */
+const written = (number) => (Math.round(100 * number) / 100).toFixed(2).replace("-", "−");
 
 // A thread is a path of unit quaternions, each near the one before. Angles on their sphere are half of
 // those of turns.

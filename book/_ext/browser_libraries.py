@@ -27,8 +27,9 @@ from lock import hold_checkout
 KATEX = LIBRARIES / "katex"
 LICENCES = LIBRARIES.parent / "LICENSES" / "VIEWER.txt"
 FONTS = [LIBRARIES / "@fontsource-variable" / name for name in ("source-serif-4", "source-sans-3")]
-# What the pages use of a font: regular to bold, pairs, ligatures, accents, figures of one width.
-WEIGHTS, FEATURES = (400, 700), ["kern", "liga", "mark", "tnum"]
+# What the pages use of a font: its weights by style; pairs, ligatures, accents, figures of one width.
+WEIGHTS = {"normal": (400, 700), "italic": 400}
+FEATURES = ["kern", "liga", "mark", "tnum"]
 
 
 def serve(app: Sphinx, config: Config) -> None:
@@ -44,9 +45,9 @@ def serve(app: Sphinx, config: Config) -> None:
     shutil.copy(KATEX / "dist" / "katex.min.css", static / "katex")
     (static / "fonts").mkdir()
     for font in FONTS:
-        for style in ("normal", "italic"):
+        for style, weights in WEIGHTS.items():
             file = font / "files" / f"{font.name}-latin-wght-{style}.woff2"
-            slim(file, static / "fonts" / file.name)
+            slim(file, weights, static / "fonts" / file.name)
     bundle(static)
     files = (LICENCES, *(font / "LICENSE" for font in FONTS))
     # Both fonts have the same licence.
@@ -54,14 +55,14 @@ def serve(app: Sphinx, config: Config) -> None:
     (static / "licences.txt").write_text(licences, encoding="utf-8")
 
 
-def slim(file: Path, target: Path) -> None:
-    """Write what the pages use of a font, two thirds of it, without the name it had as a whole."""
+def slim(file: Path, weights: int | tuple[int, int], target: Path) -> None:
+    """Write what the pages use of a font, half of it, without the name it had as a whole."""
     font = TTFont(file)
     options = subset.Options(flavor="woff2", hinting=False, layout_features=FEATURES, name_IDs=[])
     subsetter = subset.Subsetter(options)
     subsetter.populate(unicodes=font.getBestCmap())
     subsetter.subset(font)
-    instantiateVariableFont(font, {"wght": WEIGHTS}, inplace=True)
+    instantiateVariableFont(font, {"wght": weights}, inplace=True)
     font.save(target)
 
 

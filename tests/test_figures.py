@@ -100,7 +100,9 @@ class TestGltf:
         plotter = scene()
         gltf = read(plotter)
         assert len(gltf.parts()) == len(actors_of(plotter))
-        for (_, primitive, _), actor in zip(gltf.parts(), actors_of(plotter), strict=True):
+        for (node, primitive, _), actor in zip(gltf.parts(), actors_of(plotter), strict=True):
+            if "lengths" in node["extras"]:
+                continue
             mesh = actor.mapper.dataset
             positions = gltf.array(primitive["attributes"]["POSITION"])
             np.testing.assert_array_equal(positions, np.asarray(mesh.points, np.float32))
@@ -111,6 +113,27 @@ class TestGltf:
             given = sorted(min((a, b, c), (b, c, a), (c, a, b)) for a, b, c in triangles.tolist())
             assert primitive["mode"] == 5
             assert faces_of(gltf.array(primitive["indices"]).ravel()) == given
+
+    def test_what_the_viewer_draws_anew_travels_as_the_points_that_this_takes(self) -> None:
+        plotter = parts.new_scene((4, 1, 2), (0, 0, 0))
+        paths = [np.eye(3), np.array([[0, 0, 0], [2, 0, 0]])]
+        parts.add_lines(plotter, paths, "#000000")
+        parts.add_arrow(plotter, [1, 0, 0], [1, 0, 2], "#000000")
+        parts.add_point(plotter, [1, 2, 3], "#000000")
+        parts.add_sphere(plotter, [3, 2, 1])
+        gltf = read(plotter)
+        nodes, primitives, materials = zip(*gltf.parts(), strict=True)
+        places = np.concatenate(paths), [[1, 0, 0], [1, 0, 2]], [[1, 2, 3]], [[3, 2, 1]]
+        for primitive, points in zip(primitives, places, strict=True):
+            assert list(primitive["attributes"]) == ["POSITION"]
+            np.testing.assert_array_equal(gltf.array(primitive["attributes"]["POSITION"]), points)
+            assert "indices" not in primitive
+        lines, arrow, point, _ = extras = [node["extras"] for node in nodes]
+        assert [more["lengths"] for more in extras] == [[3, 2], [2], [1], [1]]
+        assert arrow["tip"] > 0 < lines["radius"]
+        assert "tip" not in lines
+        assert (point["at"], point["radius"]) == ([1, 2, 3], 0.03)
+        assert materials[3]["extras"]["ball"] == [3, 2, 1, 1]
 
     def test_normals_are_those_of_pyvista_to_half_a_degree(self) -> None:
         gltf, _, primitive, _ = single(pyvista.Sphere(), smooth_shading=True)

@@ -28,7 +28,7 @@ KATEX = LIBRARIES / "katex"
 LICENCES = LIBRARIES.parent / "LICENSES" / "VIEWER.txt"
 FONTS = [LIBRARIES / "@fontsource-variable" / name for name in ("source-serif-4", "source-sans-3")]
 # What the pages use of a font: weights by style; pairs, ligatures, accents, figures of one width.
-WEIGHTS = {"normal": (400, 700), "italic": 400}
+WEIGHTS: dict[str, int | tuple[int, int]] = {"normal": (400, 700), "italic": 400}
 FEATURES = ["kern", "liga", "mark", "tnum"]
 
 

@@ -5,6 +5,9 @@ looks go beyond the standard and travel as ``extras``. The scene has the camera'
 material says whether light falls on it and how much it gleams; each node says whether its part
 hides labels (``pickable``).
 
+Round lines, arrows, points and balls of glass travel as the points that they are drawn through or
+around, because the viewer can draw them anew.
+
 Positions are float32. Normals are rounded to 1/127. Colours are linear, as the standard requires.
 """
 
@@ -49,9 +52,14 @@ def scene_gltf(plotter: pyvista.Plotter) -> bytes:
         if place and "heap" in place:
             surface, places = place["heap"]
             node["extensions"] = {INSTANCES: {"attributes": _places(binary, *places)}}
+        if paths := _drawn_by_viewer(actor, place or {}):
+            node["extras"]["lengths"] = [len(path) for path in paths]
+            points = np.concatenate(paths).astype(np.float32)
+            primitive = {"attributes": _positions(points, binary)}
+        else:
+            primitive = _primitive(actor, surface, binary)
         nodes.append(node)
-        primitive = _primitive(actor, surface, binary, len(materials))
-        meshes.append({"name": name, "primitives": [primitive]})
+        meshes.append({"name": name, "primitives": [primitive | {"material": len(materials)}]})
         materials.append(_material(actor))
     camera, camera_node = _camera(plotter)
     document = {
@@ -138,13 +146,28 @@ def _places(binary: _Binary, points: ArrayLike, turns: ArrayLike) -> dict[str, i
     return {name: binary.add(np.asarray(a, np.float32), VERTEX_DATA) for name, a in arrays.items()}
 
 
-def _primitive(
-    actor: pyvista.Actor, surface: pyvista.PolyData, binary: _Binary, material: int
-) -> dict[str, Any]:
+def _drawn_by_viewer(actor: pyvista.Actor, place: dict[str, Any]) -> list[NDArray[np.float64]]:
+    """Return the points, shape (n, 3), of each line, or of an arrow, or of a ball."""
+    paths = place.get("paths", [])
+    if "tip" in place:
+        paths = [[place["from"], place["to"]]]
+    elif "at" in place and "radius" in place:
+        paths = [[place["at"]]]
+    elif ball := ball_looks(actor).get("ball"):
+        paths = [[ball[:3]]]
+    return [np.asarray(path, float) for path in paths]
+
+
+def _positions(points: NDArray[np.float32], binary: _Binary) -> dict[str, int]:
+    """Store points, shape (n, 3), and where they end."""
+    low, high = (extreme(axis=0).tolist() for extreme in (points.min, points.max))
+    return {"POSITION": binary.add(points, VERTEX_DATA, min=low, max=high)}
+
+
+def _primitive(actor: pyvista.Actor, surface: pyvista.PolyData, binary: _Binary) -> dict[str, Any]:
     """Store a surface as an actor shows it."""
     points = np.asarray(surface.points, np.float32)
-    low, high = (extreme(axis=0).tolist() for extreme in (points.min, points.max))
-    attributes = {"POSITION": binary.add(points, VERTEX_DATA, min=low, max=high)}
+    attributes = _positions(points, binary)
     normals = surface.point_data.active_normals
     if normals is not None and actor.prop.interpolation.value != 0:
         rounded = np.rint(127 * np.asarray(normals)).astype(np.int8)
@@ -154,7 +177,7 @@ def _primitive(
         attributes["_INSIDE"] = binary.add(share.reshape(-1, 1), VERTEX_DATA, normalized=True)
     index_type = np.uint16 if len(points) <= USHORT_POINTS else np.uint32
     indices = binary.add(_strip(surface).astype(index_type).reshape(-1, 1), INDICES)
-    return {"attributes": attributes, "indices": indices, "mode": STRIP, "material": material}
+    return {"attributes": attributes, "indices": indices, "mode": STRIP}
 
 
 def _strip(surface: pyvista.PolyData) -> NDArray[np.int64]:

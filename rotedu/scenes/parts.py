@@ -139,7 +139,7 @@ def add_point(
     ball = pyvista.Sphere(
         radius=radius, center=tuple(center), theta_resolution=16, phi_resolution=12
     )
-    return add_thin(plotter, ball, color, place_part(plotter, name, at=center))
+    return add_thin(plotter, ball, color, place_part(plotter, name, at=center, radius=radius))
 
 
 def add_thin(
@@ -148,12 +148,15 @@ def add_thin(
     color: str | NDArray[np.float64],
     name: str | None = None,
 ) -> pyvista.Actor:
-    """Add a thin part, which does not hide the labels behind it, and is pale behind a ball."""
+    """Add a thin part, which does not hide the labels behind it, and is pale behind a ball.
+
+    A mesh that brings no normals is smooth but for its sharp edges.
+    """
     actor = plotter.add_mesh(
         mesh,
         color=color,
         smooth_shading=True,
-        split_sharp_edges=True,
+        split_sharp_edges=mesh.point_data.active_normals is None,
         pickable=False,
         name=name,
     )

@@ -1,8 +1,12 @@
 /* The parts of a scene by name, and how a state moves them. */
-import { BufferAttribute, BufferGeometry } from "three";
+import { BufferAttribute, BufferGeometry, SphereGeometry } from "three";
 import { arrow, tubes } from "./shapes.js";
 
 /** @import { Change, Drawn, Part } from "./types.js" */
+
+// As `rotedu.scenes.parts` makes them: the middles of the faces touch a ball of glass, which its shader draws.
+const POINT = { across: 16, down: 11 };
+const GLASS = { across: 60, down: 30, share: Math.cos(Math.PI / 60) ** 2 };
 
 /**
  * Move a part.
@@ -42,8 +46,38 @@ function shift(objects, at, from) {
   for (const object of objects) object.matrix.makeTranslation(x, y, z);
 }
 
+/**
+ * The lines or the arrow through the points that a scene brings of them, or the ball around its middle.
+ * @param {BufferGeometry} points
+ * @param {Record<string, any>} looks how many points each line has, and what else a surface needs
+ */
+export function drawn({ attributes: { position } }, { at, ball, lengths, radius, tip }) {
+  if (ball) return around(ball, ball[3], GLASS);
+  if (at) return around(at, radius, POINT);
+  let i = 0;
+  const next = () => [position.getX(i), position.getY(i), position.getZ(i++)];
+  const paths = lengths.map((length) => Array.from({ length }, next));
+  const [from, to] = paths[0];
+  return wrapped(tip === undefined ? tubes(paths, radius) : arrow(from, to, radius, tip));
+}
+
+/** A ball, with so many faces around it and from pole to pole. */
+function around([x, y, z], radius, { across, down, share = 1 }) {
+  return new SphereGeometry(radius / share, across, down).rotateX(Math.PI / 2).translate(x, y, z);
+}
+
+/** A surface as three.js has it. */
+function wrapped({ positions, normals, corners }) {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new BufferAttribute(positions, 3));
+  geometry.setAttribute("normal", new BufferAttribute(normals, 3));
+  geometry.setIndex(new BufferAttribute(corners, 1));
+  return geometry;
+}
+
 /** Give a part the points of a new surface. */
-function dress(part, { positions, normals, corners }) {
+function dress(part, surface) {
+  const { corners } = surface;
   const [{ geometry }] = part.objects;
   if (part.corners === corners) {
     geometry.attributes.position.needsUpdate = true;
@@ -52,11 +86,7 @@ function dress(part, { positions, normals, corners }) {
     return;
   }
   part.corners = corners;
-  const fresh = new BufferGeometry();
-  fresh.setAttribute("position", new BufferAttribute(positions, 3));
-  fresh.setAttribute("normal", new BufferAttribute(normals, 3));
-  fresh.setIndex(new BufferAttribute(corners, 1));
-  replace(part, fresh);
+  replace(part, wrapped(surface));
   geometry.dispose();
 }
 

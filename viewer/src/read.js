@@ -2,7 +2,7 @@
 import { Sphere } from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 import { dress } from "./materials.js";
-import { castShadow } from "./parts.js";
+import { castShadow, drawn } from "./parts.js";
 
 /** @import { BufferGeometry, Material, Mesh } from "three" */
 
@@ -25,6 +25,9 @@ export async function read(file) {
   scene.traverse((object) => {
     const part = /** @type {Mesh<BufferGeometry, Material>} */ (object);
     if (!part.geometry) return;
+    if (part.userData.lengths) {
+      part.geometry = drawn(part.geometry, { ...part.userData, ...part.material.userData });
+    }
     const { geometry, matrixWorld } = part;
     const positions = geometry.attributes.position.clone().applyMatrix4(matrixWorld).array;
     clouds.push(positions);
@@ -34,13 +37,13 @@ export async function read(file) {
     const { userData } = part;
     const { userData: looks } = part.material;
     const { name, pickable, hidden, ...place } = userData;
-    const drawn = dress(part);
+    const dressed = dress(part);
     const hides = part.isMesh && pickable ? surface(part, positions) : undefined;
     if (hides) surfaces.push(hides);
-    for (const object of drawn) object.visible = !hidden;
-    parts.set(name, { objects: drawn, place, surface: hides });
-    if (looks.of) grounds.push({ of: looks.of, objects: drawn });
-    objects.push(...drawn);
+    for (const object of dressed) object.visible = !hidden;
+    parts.set(name, { objects: dressed, place, surface: hides });
+    if (looks.of) grounds.push({ of: looks.of, objects: dressed });
+    objects.push(...dressed);
   });
   for (const { of, objects } of grounds) {
     const spoon = /** @type {import("./types.js").Part} */ (parts.get(of));

@@ -58,7 +58,7 @@ function tube({ positions, normals }, path, radius, at) {
     // At a corner a ring halves the angle.
     const [into, on] = [unit(along(point, -1, before)), unit(along(after, -1, point))];
     const t = unit(along(into, 1, on));
-    n = i ? carried(n, last, t) : aside(t);
+    n = i ? carried(n, last, t) : beside(path, t);
     n = unit(along(n, -dot(n, t), t));
     last = t;
     const b = cross(t, n);
@@ -70,6 +70,19 @@ function tube({ positions, normals }, path, radius, at) {
     }
   }
   return at;
+}
+
+/** Across a path at its start, as VTK has it: at right angles to its first bend, if it has one. */
+function beside(path, t) {
+  for (let i = 1; i + 1 < path.length; i++) {
+    const bend = cross(along(path[i], -1, path[i - 1]), along(path[i + 1], -1, path[i]));
+    if (dot(bend, bend)) return unit(bend);
+  }
+  const k = t.findIndex((x) => x !== 0);
+  const n = [0, 0, 0];
+  n[(k + 1) % 3] = 1;
+  n[k] = -t[(k + 1) % 3] / t[k];
+  return n;
 }
 
 /** Turn a vector as little as turns one direction into another; back, there is no such turn. */

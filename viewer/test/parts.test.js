@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { BufferAttribute, BufferGeometry, Color, Matrix4, Mesh } from "three";
-import { move } from "../src/parts.js";
+import { BufferAttribute, BufferGeometry, Color, Matrix4, Mesh, Vector3 } from "three";
+import { drawn as anew, move } from "../src/parts.js";
 import { near, points } from "./near.js";
 
 const SQUARE = points("0,0,0 1,0,0 1,1,0 0,1,0");
@@ -56,6 +56,34 @@ test("a ball goes from where it was made to where it is now", () => {
   for (const [at, wanted] of [points("1,2,4 0,0,1"), points("5,1,3 4,-1,0")]) {
     move(part, { at });
     for (const { matrix } of part.objects) near(matrix.elements.slice(12, 15), wanted);
+  }
+});
+
+test("lines, arrows and balls are drawn from the points that a scene brings", () => {
+  const brought = new BufferGeometry().setFromPoints(
+    points("0,0,0 0,0,2 3,0,0 3,0,4 3,4,4").map((point) => new Vector3(...point)),
+  );
+  const lines = anew(brought, { lengths: [2, 3], radius: 0.1 });
+  lines.computeBoundingBox();
+  near(lines.boundingBox.max.toArray(), [3.1, 4, 4.1], 0.05);
+  // Eight sides, and nothing between the lines
+  assert.equal(lines.index.count, 3 * 2 * 8 * (1 + 2));
+  const up = anew(brought, { lengths: [2], radius: 0.1, tip: 0.4 });
+  up.computeBoundingBox();
+  near(up.boundingBox.min.toArray().slice(2), [0]);
+  near(up.boundingBox.max.toArray().slice(2), [2]);
+  assert.ok(up.attributes.normal);
+  const point = anew(brought, { lengths: [1], at: [1, 2, 3], radius: 0.5 });
+  const glass = anew(brought, { lengths: [1], ball: [1, 2, 3, 0.5] });
+  for (const [{ attributes }, least, most] of [
+    [point, 0.5, 0.5],
+    [glass, 0.5, 0.502],
+  ]) {
+    const { position } = attributes;
+    for (let i = 0; i < position.count; i++) {
+      const far = new Vector3().fromBufferAttribute(position, i).distanceTo({ x: 1, y: 2, z: 3 });
+      assert.ok(far > least - 1e-6 && far < most + 1e-6);
+    }
   }
 });
 

@@ -224,17 +224,15 @@ def add_axis(plotter: pyvista.Plotter, axis: ArrayLike, text: str, length: float
 
 
 def add_sphere(
-    plotter: pyvista.Plotter, center: ArrayLike = ORIGIN, radius: float = 1.0, around: int = 60
+    plotter: pyvista.Plotter, center: ArrayLike = ORIGIN, radius: float = 1.0
 ) -> pyvista.Actor:
     """Add a sphere of glass, which hides the labels behind it; its thin parts come after it."""
-    down = around // 2 + 1
     # The mesh contains the sphere: the middles of its faces touch it.
-    within = np.cos(np.pi / around) * np.cos(np.pi / (2 * (down - 1)))
     mesh = pyvista.Sphere(
-        radius=radius / within,
+        radius=radius / np.cos(np.pi / 60) ** 2,
         center=tuple(np.asarray(center, float)),
-        theta_resolution=around,
-        phi_resolution=down,
+        theta_resolution=60,
+        phi_resolution=31,
     )
     mesh.clear_data()
     actor = plotter.add_mesh(mesh, color=NEUTRAL, opacity=0.3, smooth_shading=False)

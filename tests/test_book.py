@@ -14,7 +14,7 @@ from html_pages import anchors, parse
 from notebook_language import notebooks, part_of
 
 ROOT = Path(__file__).parents[1]
-FILES = ("href", "src", "data-scene")
+FILES = ("href", "src", "data-scene", "data-shared")
 
 
 @pytest.fixture(scope="module")

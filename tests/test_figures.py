@@ -19,7 +19,7 @@ from rotedu import scenes
 from rotedu.figures import backend, describe, stack_on_phone
 from rotedu.figures.backend import MIME_TYPE, POSTER_SCALE, book_figure, scene_labels
 from rotedu.figures.gltf import scene_gltf
-from rotedu.figures.pages import LABEL, blanks, stacked_poster
+from rotedu.figures.pages import LABEL, blanks, in_two, stacked_poster
 from rotedu.figures.state import in_stack
 from rotedu.scenes import parts, teaspoon
 
@@ -134,6 +134,23 @@ class TestGltf:
         assert "tip" not in lines
         assert (point["at"], point["radius"]) == ([1, 2, 3], 0.03)
         assert materials[3]["extras"]["ball"] == [3, 2, 1, 1]
+
+    def test_a_page_has_the_spoon_of_its_scenes_once(self) -> None:
+        ends = set()
+        for color in ("red", "blue"):
+            plotter = parts.new_scene((4, 1, 2), (0, 0, 0))
+            for name in ("spoon", "pale"):
+                spoon = teaspoon(stations=9, around=6)
+                plotter.add_mesh(spoon, smooth_shading=True, color=color, name=name)
+            parts.add_sphere(plotter)
+            parts.add_line(plotter, np.eye(3), color)
+            gltf = scene_gltf(plotter)
+            own, shared = in_two(gltf)
+            assert own + shared == gltf
+            ends.add(shared)
+        assert len(ends) == 1
+        assert len(*ends) > 54 * 12
+        assert in_two(scene_gltf(demanding_scene()))[1] == b""
 
     def test_normals_are_those_of_pyvista_to_half_a_degree(self) -> None:
         gltf, _, primitive, _ = single(pyvista.Sphere(), smooth_shading=True)

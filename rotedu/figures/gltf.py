@@ -8,6 +8,9 @@ hides labels (``pickable``).
 Round lines, arrows, points and balls of glass travel as the points that they are drawn through or
 around, because the viewer can draw them anew.
 
+The surfaces of spoons come last, and ``shared`` says how many bytes they take: a page has these in
+a file of their own, which its figures share.
+
 Positions are float32. Normals are rounded to 1/127. Colours are linear, as the standard requires.
 """
 
@@ -40,37 +43,35 @@ USHORT_POINTS = 65535
 def scene_gltf(plotter: pyvista.Plotter) -> bytes:
     """Write a scene, without its labels, as binary glTF (``.glb``); refuse what it cannot carry."""
     _refuse_what_cannot_travel(plotter)
-    binary = _Binary()
-    nodes: list[dict[str, Any]] = []
-    meshes: list[dict[str, Any]] = []
-    materials: list[dict[str, Any]] = []
+    named = part_names(plotter)
     recorded = getattr(plotter, "record", None)
-    for name, actor in part_names(plotter):
-        place = recorded.parts.get(name) if recorded else None
-        node = _node(actor, len(meshes), name, place)
-        surface = surface_of(actor)
-        if place and "heap" in place:
-            surface, places = place["heap"]
-            node["extensions"] = {INSTANCES: {"attributes": _places(binary, *places)}}
-        if paths := _drawn_by_viewer(actor, place or {}):
-            node["extras"]["lengths"] = [len(path) for path in paths]
-            points = np.concatenate(paths).astype(np.float32)
-            primitive = {"attributes": _positions(points, binary)}
-        else:
-            primitive = _primitive(actor, surface, binary)
-        nodes.append(node)
-        meshes.append({"name": name, "primitives": [primitive | {"material": len(materials)}]})
-        materials.append(_material(actor))
+    places = {name: recorded.parts.get(name, {}) if recorded else {} for name, _ in named}
+    binary = _Binary()
+    made: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {}
+    for are_spoons in (False, True):
+        start = len(binary.content)
+        for name, actor in named:
+            if _is_spoon(actor, places[name]) == are_spoons:
+                made[name] = _part(actor, name, places[name], binary)
+    nodes = [made[name][0] | {"mesh": mesh} for mesh, (name, _) in enumerate(named)]
+    primitives = [made[name][1] | {"material": mesh} for mesh, (name, _) in enumerate(named)]
     camera, camera_node = _camera(plotter)
     document = {
-        "asset": {"version": "2.0", "generator": "rotedu.figures.gltf"},
+        "asset": {
+            "version": "2.0",
+            "generator": "rotedu.figures.gltf",
+            "extras": {"shared": len(binary.content) - start},
+        },
         "extensionsUsed": ["KHR_materials_unlit", "KHR_mesh_quantization", INSTANCES],
         "extensionsRequired": ["KHR_mesh_quantization"],
         "scene": 0,
         "scenes": [{"nodes": list(range(len(nodes) + 1)), "extras": _surroundings(plotter)}],
         "nodes": [*nodes, camera_node],
-        "meshes": meshes,
-        "materials": materials,
+        "meshes": [
+            {"name": name, "primitives": [primitive]}
+            for (name, _), primitive in zip(named, primitives, strict=True)
+        ],
+        "materials": [_material(actor) for _, actor in named],
         "cameras": [camera],
         "accessors": binary.accessors,
         "bufferViews": binary.views,
@@ -137,6 +138,27 @@ def surface_of(actor: pyvista.Actor) -> pyvista.PolyData:
     if isinstance(dataset, pyvista.PolyData):
         return dataset
     return cast(pyvista.PolyData, dataset.extract_surface(algorithm=None))
+
+
+def _is_spoon(actor: pyvista.Actor, place: dict[str, Any]) -> bool:
+    """Whether other scenes may have the same surface: a heap has places of its own."""
+    return INSIDE in surface_of(actor).point_data and "heap" not in place
+
+
+def _part(
+    actor: pyvista.Actor, name: str, place: dict[str, Any], binary: _Binary
+) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Store a part of a scene, and return its node and what it draws."""
+    node = _node(actor, name, place)
+    if paths := _drawn_by_viewer(actor, place):
+        node["extras"]["lengths"] = [len(path) for path in paths]
+        points = np.concatenate(paths).astype(np.float32)
+        return node, {"attributes": _positions(points, binary)}
+    surface = surface_of(actor)
+    if "heap" in place:
+        surface, places = place["heap"]
+        node["extensions"] = {INSTANCES: {"attributes": _places(binary, *places)}}
+    return node, _primitive(actor, surface, binary)
 
 
 def _places(binary: _Binary, points: ArrayLike, turns: ArrayLike) -> dict[str, int]:
@@ -234,20 +256,17 @@ def _material(actor: pyvista.Actor) -> dict[str, Any]:
     return material
 
 
-def _node(
-    actor: pyvista.Actor, mesh: int, name: str, place: dict[str, Any] | None
-) -> dict[str, Any]:
+def _node(actor: pyvista.Actor, name: str, place: dict[str, Any]) -> dict[str, Any]:
     """Place an actor in the scene, with what the viewer needs to draw a moved part anew."""
     extras: dict[str, Any] = {"pickable": bool(actor.GetPickable())}
     if not actor.visibility:
         extras["hidden"] = True
-    if place:
-        extras |= {
-            k: np.asarray(place[k], float).tolist()
-            for k in ("at", "radius", "tip", "count")
-            if k in place
-        }
-    node: dict[str, Any] = {"mesh": mesh, "name": name, "extras": extras}
+    extras |= {
+        k: np.asarray(place[k], float).tolist()
+        for k in ("at", "radius", "tip", "count")
+        if k in place
+    }
+    node: dict[str, Any] = {"name": name, "extras": extras}
     matrix = pyvista.array_from_vtkmatrix(actor.GetMatrix())
     if not np.array_equal(matrix, np.eye(4)):
         node["matrix"] = matrix.T.ravel().tolist()

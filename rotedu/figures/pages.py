@@ -14,6 +14,7 @@ import io
 import json
 import os
 import posixpath
+import struct
 from pathlib import Path
 from typing import Any, ClassVar, TypeVar
 
@@ -45,6 +46,10 @@ WRITE_PANELS = Path(__file__).parents[2] / "viewer" / "write-panels.js"
 
 class scene(addnodes.download_reference):  # noqa: N801 (docutils names nodes so)
     """A figure drawn by pyvista: a poster, its labels, and a file with the scene to turn."""
+
+
+class scene_shared(addnodes.download_reference):  # noqa: N801
+    """The end of a scene's file, which other scenes have as well."""
 
 
 class scene_view(nodes.Element):  # noqa: N801
@@ -103,12 +108,22 @@ def explorable_node(renderer: Any, spec: str, pictures: list[nodes.Element]) -> 
 
 def scene_node(renderer: Any, content: dict[str, Any]) -> scene:
     """Write the files of a scene and build its node."""
-    gltf = write_file(renderer, base64.b64decode(content["gltf"]), "glb")
+    own, shared = in_two(base64.b64decode(content["gltf"]))
+    gltf = write_file(renderer, own, "glb")
     poster = base64.b64decode(content["poster"])
     # Pictures side by side stay on one line.
     blank = (0, 0) if content["views"] else blanks(poster, content["height"], content["labels"])
     node = scene(reftarget=gltf, stack=content["stack"], blank=blank)
+    if shared:
+        node += scene_shared(reftarget=write_file(renderer, shared, "bin"))
     return filled(renderer, node, content)
+
+
+def in_two(gltf: bytes) -> tuple[bytes, bytes]:
+    """Cut a scene's file where its spoons begin."""
+    (length,) = struct.unpack_from("<I", gltf, 12)
+    shared = json.loads(gltf[20 : 20 + length])["asset"]["extras"]["shared"]
+    return gltf[: len(gltf) - shared], gltf[len(gltf) - shared :]
 
 
 def view_node(renderer: Any, content: dict[str, Any]) -> scene_view:
@@ -198,6 +213,8 @@ def visit_box(writer: Any, node: scene | scene_view) -> None:
         attributes |= {"data-view": node["title"], "data-without": node["without"]}
     else:
         attributes["data-scene"] = posixpath.join(writer.builder.dlpath, node["filename"])
+        for end in node.findall(scene_shared):
+            attributes["data-shared"] = posixpath.join(writer.builder.dlpath, end["filename"])
         if node["stack"]:
             attributes["style"] += f"; --stacked: {node['stack']['aspect']:.4f}"
             attributes["data-stack"] = json.dumps(node["stack"])
@@ -235,6 +252,11 @@ def depart_explorable(writer: Any, node: explorable) -> None:
         writer.body.append(f"{panel}</div>\n")
     else:
         writer.body.append(f'<p class="scene-note">{ON_PAPER}</p>\n')
+
+
+def skip(writer: Any, node: scene_shared) -> None:
+    """Write nothing; the box of the scene says where the file is."""
+    raise nodes.SkipNode
 
 
 def visit_picture(writer: Any, node: scene_poster | scene_stacked) -> None:
@@ -298,6 +320,7 @@ def setup(app: Sphinx) -> dict[str, Any]:
     """Register the nodes, and choose the backend ``book`` for the notebooks that Sphinx runs."""
     os.environ["PYVISTA_JUPYTER_BACKEND"] = "book"
     app.add_node(scene, html=(visit_box, depart_box))
+    app.add_node(scene_shared, html=(skip, None))
     app.add_node(explorable, html=(visit_explorable, depart_explorable))
     app.add_node(scene_view, html=(visit_box, depart_box))
     app.add_node(scene_poster, html=(visit_picture, None))

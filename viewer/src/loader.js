@@ -25,7 +25,7 @@ async function goLive(scene) {
   const loaded = loading(scene);
   try {
     const figure = scene.closest(".explorable");
-    const needed = [loadModule(VIEWER), load(scene.dataset.scene)];
+    const needed = [loadModule(VIEWER), load(scene.dataset.scene, scene.dataset.shared)];
     if (figure) needed.push(loadModule(EXPLORABLES), load(figure.dataset.explore));
     context ??= openWebGL(scene);
     const [viewer, file, explorables, data] = await Promise.all(needed);
@@ -50,7 +50,9 @@ function loadModule(name) {
   });
 }
 
-async function load(url) {
+/** Fetch a file; what other scenes have as well is an end of its own. */
+async function load(url, end) {
+  if (end) return new Blob(await Promise.all([load(url), load(end)])).arrayBuffer();
   const answer = await fetch(url).catch(() => {
     throw new Error("its scene did not load");
   });

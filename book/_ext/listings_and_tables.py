@@ -42,7 +42,7 @@ class PlainPunctuation(HtmlFormatter):
 
 
 # Beside the table that it hides on a screen
-FOLD = '<details class="rows"><summary>Which of the paper’s claims hold</summary></details>'
+FOLD = '<details class="rows"><summary>The claims that this page judges</summary></details>'
 
 
 class LedgerAndClaims(SphinxTransform):

@@ -16,7 +16,7 @@ __all__ = ["CLAIMS", "VERDICTS", "Claim", "claim_table", "verdict_table", "verdi
 
 VERDICTS = {
     "holds": "true; cases that numbers taken at random never meet do not count, such as 0/0 between"
-    " equal points, but are named beside it",
+    " equal points, but may be named beside it",
     "holds under a condition": "true in one use, range or reading of the words, which is named"
     " beside it, and false in another",
     "does not hold": "false in every use, range and reading that we know, such rare cases apart",
@@ -146,7 +146,10 @@ ON_PAGE = {
             "The geometric meaning of quaternions is more obvious (reported as a belief)",
             "the question is about axis and angle; where a point goes, a matrix shows better",
         ),
-        (30, "abstract, 1"): holds("Axis and angle are easily recovered from a quaternion"),
+        (30, "abstract, 1"): holds(
+            "Axis and angle are easily recovered from a quaternion",
+            "at 1 and −1 any axis will do",
+        ),
         (35, "2"): slip(
             "The quaternions are called $S^3$, the unit quaternions $S^2$",
             "they have four and three dimensions, E1",
@@ -164,7 +167,7 @@ ON_PAGE = {
         (39, "2"): holds(
             "$qq^*=q^*q=\\lvert q\\rvert^2$, so (2-4) is the inverse from both sides; for a unit"
             " quaternion it is the conjugate",
-            "0 has none",
+            "0 has no inverse",
         ),
         (40, "2"): holds(
             "Division is an inverse operation of multiplication: $(q_1q_2)/q_2=q_1$",
@@ -187,7 +190,7 @@ ON_PAGE = {
         ),
         (25, "3"): holds(
             "A teaspoon of 100 vertices is enough for the matrix to pay, against (2-6)",
-            "4 points are",
+            "4 points are, and 2 by the leanest formulas",
         ),
         (31, "1"): holds_if(
             "Axis and angle are not easy to find in a matrix (reported as a reason for"
@@ -216,7 +219,7 @@ ON_PAGE = {
         (7, "1, 3, 6"): holds(
             "Rotation, translation, scaling, shearing, reflection and projection make one matrix,"
             " and each point is multiplied once",
-            "a division follows a perspective",
+            "with a perspective, one division comes after it",
         ),
         (8, "6"): holds_if(
             "Quaternions cannot have that advantage",
@@ -254,7 +257,10 @@ ON_PAGE = {
             "the three angles of (4-1) are given",
             "for a matrix the paper has no method",
         ),
-        (69, "4"): holds("The matrices about U, V and W are the three principal rotations"),
+        (69, "4"): holds(
+            "The matrices about U, V and W are the three principal rotations",
+            "each is (3-3) about its axis",
+        ),
     },
     "05-arcs": {
         (11, "5"): holds(
@@ -269,7 +275,9 @@ ON_PAGE = {
             " (5-3)",
         ),
         (49, "5"): holds(
-            "The axis of the arc is (5-1)", "between opposite points there are many arcs"
+            "The axis of the arc is (5-1)",
+            "between equal points, which have no one axis, and between opposite ones, which have"
+            " many arcs, it is 0/0",
         ),
         (50, "5"): slip(
             "The 4 × 4 matrix in (5-3), and in formulas like it, is defined in (3-3)",
@@ -277,12 +285,10 @@ ON_PAGE = {
         ),
     },
     "05-control-points": {
-        (18, "5"): not_confirmed(
-            "The control points are those of Shoemake's second approach",
-            "the paper goes one half of the way, Shoemake one third according to a secondary"
-            " source; we had no copy of his article",
+        (52, "5"): holds(
+            "$a_i$ and $b_i$ follow by Double and Bisect from three points",
+            "between opposite points Bisect has no answer",
         ),
-        (52, "5"): holds("$a_i$ and $b_i$ follow by Double and Bisect from three points"),
         (53, "5"): holds(
             "Each step has a formula and a rotation matrix",
             "the axis is 0/0 if the two points are equal or opposite",
@@ -294,10 +300,10 @@ ON_PAGE = {
         ),
         (55, "5"): holds_if(
             "The angle between $P_{i-1}$ and $\\bar P_{i-1}$ is $2\\theta_{i-1}$",
-            "$\\theta_{i-1}$ is at most 90°, or an angle of rotation is meant",
+            "$\\theta_{i-1}$ is at most 90°, or an angle of rotation is meant, E11",
         ),
         (56, "5"): holds_if(
-            "The indices $i-1$ and $i+1$ count modulo $n$", "$P_n$ is $P_0$, as in Figure 8"
+            "The indices $i-1$ and $i+1$ count modulo $n$", "$P_n$ is $P_0$, as in Figure 8, E12"
         ),
         (57, "5"): slip(
             "The axis of the second step is (5-9)",
@@ -307,6 +313,11 @@ ON_PAGE = {
     },
     "05-closed-curve": {
         (13, "1, 5, 6"): holds("A smooth curve through points of the sphere needs no quaternions"),
+        (18, "5"): not_confirmed(
+            "The control points are those of Shoemake's second approach",
+            "the paper goes one half of the way, Shoemake one third according to a secondary"
+            " source; we had no copy of his article",
+        ),
         (19, "not claimed"): holds(
             "Whether $a_i$ goes one half or one third of the way makes a visible difference"
         ),
@@ -326,20 +337,22 @@ ON_PAGE = {
         (59, "5"): slip(
             "The program, as printed, generates a good $C^1$ curve on the sphere through all"
             " points",
-            "it reads what was never written, E4; once corrected, its points lie on the curve,"
-            " joined by straight lines",
+            "it reads what was never written, E4, and no line computes $\\theta$, E4c; once"
+            " corrected, its points lie on the curve, joined by straight lines",
         ),
         (60, "5"): slip(
             "The sine of an angle is negative if its cosine is", "the sine of 120° is positive, E4b"
         ),
         (61, "5"): holds_if(
             "(5-2) or (5-3) is used for the control polygon only",
-            "every level of de Casteljau's construction counts as a control polygon",
+            "every level of de Casteljau's construction, to which the program applies (5-2),"
+            " counts as a control polygon",
         ),
         (66, "5"): holds("Piece $C_i$ has the control points $P_{i-1}$, $a_{i-1}$, $b_i$, $P_i$"),
         (67, "5"): holds(
             "De Casteljau's construction, with arcs in place of segments, draws each piece",
-            "(5-2) is 0/0 if the two points that it joins are equal",
+            "(5-2) is 0/0 if the two points that it joins are equal, without answer if they are"
+            " opposite",
         ),
         (68, "5"): holds_if(
             "A smooth curve needs cubic composite Bézier curves",
@@ -399,8 +412,8 @@ ON_PAGE = {
         (28, "abstract, 1"): holds_if(
             "Quaternions are more efficient for rotations than ordinary rotation (reported as a"
             " belief)",
-            "general turns are composed, or joined by an arc used once; points are best turned by a"
-            " matrix, whichever it is made from",
+            "general turns are composed, or joined by an arc used once; many points are best turned"
+            " by a matrix, whichever it is made from",
             "to keep or repair a turn takes less than with matrices, but not than with an axis and"
             " its angle",
         ),
@@ -421,7 +434,7 @@ ON_PAGE = {
         (70, "1"): holds(
             "The usual reasons for quaternions are partly true, but pass over what matrices do"
             " well",
-            "composing takes less, while turning a point takes about twice as much until the"
+            "composing takes less, while turning a point takes up to twice as much until the"
             " quaternion is made into a matrix",
         ),
     },
@@ -496,7 +509,7 @@ def verdicts_on(page: str) -> Table:
     >>> verdicts_on("05-orientation-curves")
     | Verdict | Claims |
     | --- | --- |
-    | × **does not hold** | [24](#claim-24) |
+    | × **does not hold** | [24](#claim-24) (not claimed) |
     """
     if page not in ON_PAGE:
         raise ValueError(f"page must be one of {', '.join(ON_PAGE)}; got {page!r}")
@@ -504,7 +517,8 @@ def verdicts_on(page: str) -> Table:
     links: dict[str, list[str]] = {word: [] for word in VERDICTS}
     for claim in CLAIMS:
         if claim.chapter == page:
-            links[claim.verdict].append(f"[{claim.number}](#claim-{claim.number})")
+            others = "".join(f" ({where})" for where in claim.where if where in OTHERS)
+            links[claim.verdict].append(f"[{claim.number}](#claim-{claim.number}){others}")
     rows = [[signed(word), ", ".join(some)] for word, some in links.items() if some]
     return Table(["Verdict", "Claims"], rows)
 

@@ -1,5 +1,6 @@
 """The figures in three dimensions: they show what their functions promise."""
 
+import gzip
 from typing import Any
 
 import numpy as np
@@ -13,7 +14,8 @@ from rotedu import colors, scenes
 from rotedu.arcs import angle_between
 from rotedu.control_points import bisect, control_points, double
 from rotedu.figures.backend import scene_labels, seen_from, still_picture, take_poster
-from rotedu.figures.pages import light_poster
+from rotedu.figures.gltf import scene_gltf
+from rotedu.figures.pages import in_two, light_poster
 from rotedu.figures.state import record_of
 from rotedu.ordinary_rotation import rotate
 from rotedu.scenes import control_points as construction
@@ -78,6 +80,8 @@ def test_a_small_figure_is_small(scene: Any) -> None:
         assert 150 <= plotter.window_size[1] <= 300
         assert len(record_of(plotter).outputs) <= 1
         assert len(light_poster(take_poster(plotter))) <= 25_000
+        # All that is its own: the spoon is a file that figures share.
+        assert len(gzip.compress(in_two(scene_gltf(plotter))[0])) <= 12_000
 
 
 def in_picture(plotter: pyvista.Plotter, points: np.ndarray) -> np.ndarray:

@@ -75,8 +75,9 @@ def figures(browser: Browser, host: str, html: Path, path: str) -> Iterator[str]
     for figure in page.locator(".explorable").all():
         name = figure.get_attribute("data-name")
         scene = figure.locator(".scene")
-        files = (figure.get_attribute("data-explore"), scene.get_attribute("data-scene"))
-        fetched = sum(packed((html / path).parent / str(file)) for file in files)
+        told = figure.get_attribute("data-explore")
+        files = (told, *map(scene.get_attribute, ("data-scene", "data-shared")))
+        fetched = sum(packed((html / path).parent / file) for file in files if file)
         turn, drag, work = frames(page, figure)
         print(
             f"  {name}: fetches {fetched:.0f} kB gzipped; a frame of a drag takes {drag:.1f} ms, of"

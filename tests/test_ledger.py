@@ -332,7 +332,7 @@ class TestTables:
         here = [row.td.get_text() for row in page.select(".tag_ledger .ledger tr.here")]
         names = [name.get_text() for name in page.select(".ledger strong")]
         assert names == ["quaternion"]
-        assert here == [f"new: {name}" for name in names]
+        assert here == [f"new here: {name}" for name in names]
         assert len(page.select(".ledger tbody tr")) > len(here) == len(page.select(".here"))
         (fold,) = page.select("details.rows")
         assert fold.find_parent(class_="cell")["class"][1] == "tag_claims"

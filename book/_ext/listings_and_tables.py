@@ -68,7 +68,7 @@ def mark_rows(ledger: nodes.table) -> None:
     for row in ledger.findall(nodes.row):
         if row[0].next_node(nodes.strong):
             row["classes"].append("here")
-            row[0].next_node(nodes.paragraph).insert(0, spoken("new: "))
+            row[0].next_node(nodes.paragraph).insert(0, spoken("new here: "))
 
 
 def visit_entry(writer: HTML5Translator, cell: nodes.entry) -> None:

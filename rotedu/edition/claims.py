@@ -148,7 +148,7 @@ ON_PAGE = {
         ),
         (30, "abstract, 1"): holds(
             "Axis and angle are easily recovered from a quaternion",
-            "at 1 and −1 any axis will do",
+            "by an arctangent; at 1 and −1 any axis will do",
         ),
         (35, "2"): slip(
             "The quaternions are called $S^3$, the unit quaternions $S^2$",
@@ -171,7 +171,7 @@ ON_PAGE = {
         ),
         (40, "2"): holds(
             "Division is an inverse operation of multiplication: $(q_1q_2)/q_2=q_1$",
-            "it takes away the factor on the right, not the one on the left",
+            "dividing takes away the factor on the right, not the one on the left",
         ),
         (41, "2"): holds("$q\\,[0,\\vec r\\,]\\,q^*$ rotates about the U axis, (2-6)"),
     },
@@ -190,7 +190,7 @@ ON_PAGE = {
         ),
         (25, "3"): holds(
             "A teaspoon of 100 vertices is enough for the matrix to pay, against (2-6)",
-            "4 points are, and 2 by the leanest formulas",
+            "4 are enough by the paper's 19 + 7, 3 by 18 + 12, and 2 by the leanest formulas",
         ),
         (31, "1"): holds_if(
             "Axis and angle are not easy to find in a matrix (reported as a reason for"
@@ -219,7 +219,7 @@ ON_PAGE = {
         (7, "1, 3, 6"): holds(
             "Rotation, translation, scaling, shearing, reflection and projection make one matrix,"
             " and each point is multiplied once",
-            "with a perspective, one division comes after it",
+            "with a perspective, each point is then divided by its last number",
         ),
         (8, "6"): holds_if(
             "Quaternions cannot have that advantage",
@@ -246,7 +246,7 @@ ON_PAGE = {
         (46, "4"): holds("(4-2) is the product (4-1)"),
         (47, "4"): holds(
             "Axis and angle of the single rotation are those of (4-3) to (4-6)",
-            "where nothing turns, there is no axis",
+            "where nothing turns, no axis is singled out",
         ),
         (48, "4"): holds_if(
             "In homogeneous coordinates the axis is $(a_u,a_v,a_w,1)$",
@@ -276,7 +276,7 @@ ON_PAGE = {
         ),
         (49, "5"): holds(
             "The axis of the arc is (5-1)",
-            "between equal points, which have no one axis, and between opposite ones, which have"
+            "between equal points, which have no single axis, and between opposite ones, which have"
             " many arcs, it is 0/0",
         ),
         (50, "5"): slip(
@@ -287,7 +287,7 @@ ON_PAGE = {
     "05-control-points": {
         (52, "5"): holds(
             "$a_i$ and $b_i$ follow by Double and Bisect from three points",
-            "between opposite points Bisect has no answer",
+            "for opposite points Bisect has no answer",
         ),
         (53, "5"): holds(
             "Each step has a formula and a rotation matrix",
@@ -295,15 +295,16 @@ ON_PAGE = {
         ),
         (54, "5"): holds(
             "The formulas give the control points",
-            "(5-7) and (5-10) are 0/0 if the two points are equal, without answer if they are"
+            "(5-7) and (5-10) are 0/0 if the two points are equal, and have no answer if they are"
             " opposite",
         ),
         (55, "5"): holds_if(
             "The angle between $P_{i-1}$ and $\\bar P_{i-1}$ is $2\\theta_{i-1}$",
-            "$\\theta_{i-1}$ is at most 90°, or an angle of rotation is meant, E11",
+            "$\\theta_{i-1}$ is at most 90°, or the angle of the rotation is meant, E11",
         ),
         (56, "5"): holds_if(
-            "The indices $i-1$ and $i+1$ count modulo $n$", "$P_n$ is $P_0$, as in Figure 8, E12"
+            "The indices $i-1$ and $i+1$ count modulo $n$",
+            "$P_n$ is $P_0$, as the caption of Figure 8 says, E12",
         ),
         (57, "5"): slip(
             "The axis of the second step is (5-9)",
@@ -345,13 +346,13 @@ ON_PAGE = {
         ),
         (61, "5"): holds_if(
             "(5-2) or (5-3) is used for the control polygon only",
-            "every level of de Casteljau's construction, to which the program applies (5-2),"
-            " counts as a control polygon",
+            "every level of de Casteljau's construction counts as a control polygon",
+            "the program applies (5-2) to all of them",
         ),
         (66, "5"): holds("Piece $C_i$ has the control points $P_{i-1}$, $a_{i-1}$, $b_i$, $P_i$"),
         (67, "5"): holds(
             "De Casteljau's construction, with arcs in place of segments, draws each piece",
-            "(5-2) is 0/0 if the two points that it joins are equal, without answer if they are"
+            "(5-2) is 0/0 if the two points that it joins are equal, and has no answer if they are"
             " opposite",
         ),
         (68, "5"): holds_if(
@@ -413,9 +414,9 @@ ON_PAGE = {
             "Quaternions are more efficient for rotations than ordinary rotation (reported as a"
             " belief)",
             "general turns are composed, or joined by an arc used once; many points are best turned"
-            " by a matrix, whichever it is made from",
-            "to keep or repair a turn takes less than with matrices, but not than with an axis and"
-            " its angle",
+            " by a matrix, whatever it is made from",
+            "keeping or repairing a turn takes less with quaternions than with matrices, but no"
+            " less than with an axis and its angle",
         ),
         (32, "abstract"): holds_if(
             "Rotations, too, are interpolated more efficiently by ordinary rotation",
@@ -434,7 +435,8 @@ ON_PAGE = {
         (70, "1"): holds(
             "The usual reasons for quaternions are partly true, but pass over what matrices do"
             " well",
-            "composing takes less, while turning a point takes up to twice as much until the"
+            "composing takes less, while turning a point takes up to twice as much as by a"
+            " matrix that is there, until the"
             " quaternion is made into a matrix",
         ),
     },

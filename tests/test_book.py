@@ -360,4 +360,5 @@ def test_what_belongs_together_stays_on_one_line(
     ]
     whole = {span.get_text() for soup in pages.values() for span in soup.select(".unbroken")}
     assert {"(2-6)", "18 + 12"} <= whole
+    assert not [each for each in whole if re.match(r"\d{4} ", each)], "a part of a decimal"
     assert followed.count(["unbroken"]) > 0.8 * len(followed) > 100

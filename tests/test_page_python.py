@@ -259,6 +259,9 @@ def test_pages_mark_the_cells_that_run_and_the_exercises(pages: dict[str, Beauti
             cells = [cell["data-cell"] for cell in each.select("[data-cell]")]
             assert cells[0] == exercise.start.id
             assert each.p.get_text().startswith(f"Exercise {exercise.number} ")
+            sections = len(each.find_parents("section"))
+            name = each.select_one(f"[role=heading][aria-level='{sections + 1}']")
+            assert name.get_text() == f"Exercise {exercise.number}"
             assert bool(each.select(".tag_hide-cell > details > p")) == bool(exercise.why)
             assert not each.select(".sd-dropdown")
         assert len(soup.select(f"script[src*='{SCRIPT}']")) == 1

@@ -13,6 +13,7 @@ from typing import Any
 from docutils import nodes
 from sphinx.application import Sphinx
 from sphinx.transforms.post_transforms import SphinxPostTransform
+from sphinx.writers.html5 import HTML5Translator
 
 from cells import (
     belongs_to_solution,
@@ -37,6 +38,10 @@ STUB = re.compile(
 
 class marked(nodes.container):  # noqa: N801 (docutils names nodes so)
     """A cell or an exercise with a mark for the script of the page."""
+
+
+class heard(nodes.strong):  # noqa: N801
+    """The bold name of an exercise, a heading for those who hear the page."""
 
 
 class MarkCells(SphinxPostTransform):
@@ -72,6 +77,8 @@ def enclose(solution: nodes.Element, number: str) -> None:
         end -= 1
         _, *reason = around.pop(end).children
         solution += reason
+    title = around[first].next_node(nodes.strong)
+    title.replace_self(heard("", *title.children))
     mark = {"data-exercise": number, "role": "group", "aria-label": f"Exercise {number}"}
     around[first:end] = [marked("", *around[first:end], classes=["exercise"], mark=mark)]
 
@@ -79,6 +86,12 @@ def enclose(solution: nodes.Element, number: str) -> None:
 def asks(node: nodes.Node, number: str) -> bool:
     """Tell whether a node is the paragraph with which an exercise begins."""
     return isinstance(node, nodes.paragraph) and exercise_of(node) == number
+
+
+def visit_heard(writer: Any, node: heard) -> None:
+    """Open a bold text as a heading."""
+    level = str(writer.section_level + 1)
+    writer.body.append(writer.starttag(node, "strong", "", role="heading", **{"aria-level": level}))
 
 
 def visit_marked(writer: Any, node: marked) -> None:
@@ -114,6 +127,7 @@ def setup(app: Sphinx) -> dict[str, Any]:
     """Register the setting, the marks and the files."""
     app.add_config_value("python_in_page", True, "html", [bool])
     app.add_node(marked, html=(visit_marked, depart_marked))
+    app.add_node(heard, html=(visit_heard, HTML5Translator.depart_strong))
     app.add_post_transform(MarkCells)
     app.connect("builder-inited", serve)
     app.connect("html-page-context", add_script)

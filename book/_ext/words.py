@@ -27,7 +27,7 @@ OPENING = re.compile(r"[(\N{LEFT DOUBLE QUOTATION MARK}]+$")
 MARKS = re.compile(r"[.,;:!?)\N{RIGHT DOUBLE QUOTATION MARK}]+")
 UNSEEN = re.compile(r"\\textcolor\{[^}]*\}|\\[A-Za-z]+|[\\{}^_\s]")
 # Numbers of equations and of pictures, counts of operations, shapes.
-NUMBERS = re.compile(r"(\(\d-\d+\)|\b[\dA-Z]-[a-z]\b|\d+ [+×] \d+)")
+NUMBERS = re.compile(r"(\(\d-\d+\)|\b[\dA-Z]-[a-z]\b|(?<![\d.])\d+ [+×] \d+(?!\.?\d))")
 AROUND = (
     *(nodes.paragraph, nodes.caption, nodes.emphasis, nodes.strong),
     *(nodes.inline, nodes.reference),

@@ -10,6 +10,7 @@ from rotedu.figures import State, describe, draw_chart, explorable, read_out
 from rotedu.figures.inputs import Handles, Slider, Switch
 from rotedu.scenes.looks import Arrow, Ball, Lines, Look, Mesh, Text, draw
 from rotedu.scenes.parts import (
+    HEAD,
     LITTLE,
     add_angle,
     add_arc,
@@ -77,16 +78,16 @@ def camera_arcs() -> pyvista.Plotter:
     """Draw a camera, the directions in which it looks in turn, and the arcs between them."""
     points = normalised(CAMERA_TARGETS)
 
-    plotter = sphere_scene(eye=(4.3, -1.9, 3.2), target=(0, 0, 0.06))
+    plotter = sphere_scene(eye=(4.31, -1.87, 3.2), target=(0.01, 0.03, 0.06))
     plotter.add_mesh(camera(points[0]), color=NEUTRAL, pickable=False)
     for point, after, name in zip(points, np.roll(points, -1, axis=0), CAMERA_SEES, strict=True):
         add_line(plotter, [ORIGIN, point], NEUTRAL, radius=0.004)
         add_arc(plotter, point, after, RESULT, radius=0.014)
         tail, tip = slerp(point, after, [0.5, 0.6])
-        add_arrow(plotter, tail, tip, RESULT)
+        add_arrow(plotter, tail, tip, RESULT, tip=HEAD)
         thing = THINGS[name]().transform(facing(point, point), inplace=False)
         plotter.add_mesh(thing, color=VECTOR, pickable=False)
-        add_label(plotter, 1.2 * point, name, VECTOR)
+        add_label(plotter, 1.24 * point, name, VECTOR)
     describe(
         plotter,
         "A see-through unit sphere with a camera at its centre. Thin lines lead from the camera to"

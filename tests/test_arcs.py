@@ -6,28 +6,10 @@ import numpy as np
 import pytest
 from scipy.spatial import geometric_slerp
 from scipy.spatial.transform import Rotation
-from spheres import (
-    E1,
-    E2,
-    E3,
-    HERE,
-    PAIRS,
-    TwoPoints,
-    close,
-    on_the_sphere,
-    random_units,
-    refuses,
-)
+from spheres import E1, E2, E3, HERE, PAIRS, TwoPoints, close, on_the_sphere, random_units, refuses
 from symbolic import symbolic, vanishes
 
-from rotedu.arcs import (
-    angle_between,
-    arc_axis,
-    nlerp,
-    rotation_between,
-    slerp,
-    slerp_by_rotation,
-)
+from rotedu.arcs import angle_between, arc_axis, nlerp, rotation_between, slerp, slerp_by_rotation
 from rotedu.control_points import bisect, bisect_by_rotation
 from rotedu.ordinary_rotation import rotate
 

@@ -8,11 +8,7 @@ from hypothesis.extra.numpy import arrays
 from scipy.spatial.transform import Rotation
 from spheres import E1, E3, Array, close, random_units, refuses
 
-from rotedu.averages import (
-    angular_distance,
-    chordal_distance,
-    mean_rotation,
-)
+from rotedu.averages import angular_distance, chordal_distance, mean_rotation
 from rotedu.ordinary_rotation import rotation_matrix
 from rotedu.quaternions import Quaternion
 
@@ -20,7 +16,6 @@ RNG = np.random.default_rng(2904)
 R1, R2 = (Rotation.random(300, rng=RNG) for _ in range(2))
 M1, M2 = R1.as_matrix(), R2.as_matrix()
 HALF_TURNS = np.array([np.diag(d) for d in [(1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1)]])
-LENGTHS = arrays(float, 3, elements=st.floats(-3, 3))
 
 
 def by_quaternions(q: Array, weights: Array) -> Array:

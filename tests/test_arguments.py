@@ -6,8 +6,9 @@ from typing import Any
 
 import numpy as np
 import pytest
+import sympy as sp
 from scipy.spatial.transform import Rotation
-from spheres import E1, E2, E3, HERE, PAIRS, RNG, UNEVEN, close, on_the_sphere, random_units
+from spheres import E1, E2, E3, HERE, PAIRS, RNG, UNEVEN, close, on_the_sphere
 
 from rotedu import _arguments as arguments
 from rotedu.arcs import slerp, slerp_by_rotation
@@ -330,55 +331,79 @@ CLOSED = {
     "periodic_spline": "values",
 }
 OF_ANY_DIMENSION = {"de_casteljau", "de_casteljau_levels", *CLOSED} - {"closed_rotation_curve"}
-ONE, TWICE, MIRROR = np.eye(3), 2 * np.eye(3), -np.eye(3)
-NEARLY, MOVED = np.diag([1 - 1e-9, 1, 1]), np.eye(4) + np.diag([5], 3)
-BAD: dict[str, list[tuple[dict[str, Any], str]]] = {
-    "slerp": [
-        ({"q": [1, 0]}, "q must have shape (..., 3); got shape (2,)"),
-        ({"p": 1}, "p must have shape (..., d); got shape ()"),
-        ({"p": PAIRS[0, :4], "q": PAIRS[1, :5]}, "p and q and t must broadcast over their leading"),
-        ({"p": [0, np.nan, np.inf]}, "p must be finite in float64; got nan at index (1,)"),
-    ],
-    "de_casteljau": [
-        ({"control": random_units(5, 4, 3), "u": [1, 2]}, "control and u must broadcast over"),
-        ({"control": np.empty((0, 3))}, "control must number at least 1; got 0"),
-    ],
-    "closed_curve": [
-        ({"points": np.empty((3, 0))}, "points must not be the zero vector"),
-        ({"points": E1}, "points must have shape (..., n, d); got shape (3,)"),
-    ],
-    "slerp_rotations": [
-        ({"r1": np.eye(4)}, "r1 must have shape (..., 3, 3); got shape (4, 4)"),
-        ({"r2": MIRROR}, "r2 must be a rotation: it is orthogonal, but its determinant is -1, so "),
-    ],
-    "closed_rotation_curve": [
-        ({"rotations": ONE}, "rotations must have shape (..., n, 3, 3); got shape (3, 3)"),
-        ({"rotations": [ONE, TWICE, 3 * ONE]}, f"rotations {ASKEW} 3.0e+00 at index (1,); "),
-        (
-            {"rotations": [NEARLY, MIRROR, ONE]},
-            "rotations must be a rotation: it is orthogonal, but its determinant is -1, so it "
-            "reflects at index (1,)",
-        ),
-    ],
-    "euler_angles": [
-        (
-            {"matrix": [np.eye(4), np.eye(4), MOVED]},
-            "matrix must be a rotation: its fourth row and column must be those of the identity, "
-            "but differ by 5.0e+00 at index (2,)",
-        ),
-    ],
-    "mean_rotation": [
-        ({"rotations": np.empty((0, 3, 3))}, "rotations must number at least 1; got 0"),
-        ({"weights": [1, 2]}, "weights must have shape (..., 3); got shape (2,)"),
-        ({"weights": 1}, "weights must have shape (..., 3); got shape ()"),
-        ({"weights": [1, -0.5, -2]}, "weights must not be negative; got -0.5 at index (1,)"),
-        ({"weights": [0, 0, 0]}, "weights must not all be zero; got zeros"),
-        (
-            {"weights": [[1, 0, 0], [0, 0, 0]]},
-            "weights must not all be zero; got zeros at index (1,)",
-        ),
-    ],
-}
+MIRROR, NEARLY, MOVED = -np.eye(3), np.diag([1 - 1e-9, 1, 1]), np.eye(4) + np.diag([5], 3)
+NO_ROTATION = "must be a rotation: it is orthogonal, but its determinant is -1, so it reflects"
+BAD: list[tuple[str, dict[str, Any], str]] = [
+    ("slerp", {"q": [1, 0]}, "q must have shape (..., 3); got shape (2,)"),
+    ("slerp", {"p": 1}, "p must have shape (..., d); got shape ()"),
+    ("slerp", {"p": [0, np.nan, np.inf]}, "p must be finite in float64; got nan at index (1,)"),
+    (
+        "slerp",
+        {"p": PAIRS[0, :4], "q": PAIRS[1, :5]},
+        "p and q and t must broadcast over their leading axes; got (4, 3) and (5, 3) and ()",
+    ),
+    # Objects are not exempt from the check of shapes.
+    ("rotate", {"axis": sp.symbols("x y")}, "axis must have shape (..., 3); got shape (2,)"),
+    ("rotation_matrix", {"axis": [E3, 0 * E3]}, "axis must not be the zero vector; got zeros at "),
+    (
+        "transform",
+        {"matrix": np.ones((3, 4))},
+        "matrix must have shape (..., 3, 3) or (..., 4, 4); got shape (3, 4)",
+    ),
+    ("scaling", {"s": np.ones((2, 4))}, "s must have shape () or (..., 3); got shape (2, 4)"),
+    ("perspective", {"distance": [1, 0]}, "distance must not be zero; got 0 at index (1,)"),
+    ("de_casteljau", {"control": THREE, "u": [1, 2]}, "control and u must broadcast over"),
+    ("de_casteljau", {"control": np.empty((0, 3))}, "control must number at least 1; got 0"),
+    ("closed_curve", {"points": np.empty((3, 0))}, "points must not be the zero vector"),
+    ("closed_curve", {"points": E1}, "points must have shape (..., n, d); got shape (3,)"),
+    ("axis_angle", {"matrix": np.full((3, 3), 1e200)}, f"matrix {ASKEW} inf; "),
+    ("slerp_rotations", {"r1": np.eye(4)}, "r1 must have shape (..., 3, 3); got shape (4, 4)"),
+    ("slerp_rotations", {"r2": MIRROR}, f"r2 {NO_ROTATION}"),
+    (
+        "closed_rotation_curve",
+        {"rotations": np.eye(3)},
+        "rotations must have shape (..., n, 3, 3); got shape (3, 3)",
+    ),
+    (
+        "closed_rotation_curve",
+        {"rotations": np.eye(3) * [[[1]], [[2]], [[3]]]},
+        f"rotations {ASKEW} 3.0e+00 at index (1,); ",
+    ),
+    (
+        "closed_rotation_curve",
+        {"rotations": [NEARLY, MIRROR, NEARLY]},
+        f"rotations {NO_ROTATION} at index (1,)",
+    ),
+    (
+        "euler_angles",
+        {"matrix": [np.eye(4), np.eye(4), MOVED]},
+        "matrix must be a rotation: its fourth row and column must be those of the identity, "
+        "but differ by 5.0e+00 at index (2,)",
+    ),
+    (
+        "screw",
+        {"matrix": MOVED.T},
+        "matrix must be a rigid motion: its fourth row must be 0, 0, 0, 1, but is 5, 0, 0, 1",
+    ),
+    ("screw", {"matrix": np.diag([2, 2, 2, 1])}, f"the upper left part of matrix {ASKEW} 3.0e+00"),
+    ("angular_velocity", {"rotations": THREE[:1]}, "rotations must number at least 2; got 1"),
+    ("angular_velocity", {"dt": 0}, "dt must not be zero; got 0"),
+    ("angular_velocity", {"dt": [1, 1]}, "dt must be one number; got shape (2,)"),
+    ("mean_rotation", {"rotations": THREE[:0]}, "rotations must number at least 1; got 0"),
+    ("mean_rotation", {"weights": [1, 2]}, "weights must have shape (..., 3); got shape (2,)"),
+    ("mean_rotation", {"weights": 1}, "weights must have shape (..., 3); got shape ()"),
+    (
+        "mean_rotation",
+        {"weights": [1, -0.5, -2]},
+        "weights must not be negative; got -0.5 at index (1,)",
+    ),
+    ("mean_rotation", {"weights": [0, 0, 0]}, "weights must not all be zero; got zeros"),
+    (
+        "mean_rotation",
+        {"weights": [[1, 0, 0], [0, 0, 0]]},
+        "weights must not all be zero; got zeros at index (1,)",
+    ),
+]
 
 
 class TestRefusals:
@@ -425,10 +450,9 @@ class TestRefusals:
             few = f"ValueError: {name} must number at least 3 to make a closed curve; got {n}"
             assert found == few
 
-    @pytest.mark.parametrize("f", BAD)
-    def test_what_does_not_fit(self, f: str) -> None:
-        for bad, message in BAD[f]:
-            assert refusal(f, **bad).startswith(f"ValueError: {message}")
+    @pytest.mark.parametrize(("f", "bad", "message"), BAD)
+    def test_what_does_not_fit(self, f: str, bad: dict[str, Any], message: str) -> None:
+        assert refusal(f, **bad).startswith(f"ValueError: {message}")
 
     def test_a_pair_in_a_stack_of_curves_is_named(self) -> None:
         pair = r"^Double\(points\[0, 3\], points\[0, 0\]\) and points\[0, 1\] are antipodal"

@@ -3,7 +3,6 @@
 Against scipy, sympy and their own laws.
 """
 
-import re
 from typing import Any
 
 import numpy as np
@@ -112,18 +111,11 @@ class TestAngularVelocity:
             body = np.einsum("kij,ki->kj", spline(t).as_matrix(), fixed)
             close(body, spline(t, 1), within)
 
-    def test_refusals(self) -> None:
+    def test_half_turns_are_refused(self) -> None:
         half = [np.eye(3), rotation_matrix(E1, 1), np.diag([1, -1, -1]) @ rotation_matrix(E1, 1)]
         message = "rotations[1] and the next are half a turn apart"
         refuses(message, angular_velocity, half, 1)
         refuses("rotations[1, 1] and the next", angular_velocity, [[np.eye(3)] * 3, half], 1)
-        for rotations, dt, message in [
-            (half[:1], 1, "rotations must number at least 2; got 1"),
-            (half, 0, "dt must not be zero; got 0"),
-            (half, [1, 1], "dt must be one number; got shape (2,)"),
-        ]:
-            with pytest.raises(ValueError, match=f"^{re.escape(message)}$"):
-                angular_velocity(rotations, dt)
 
 
 class TestIntegrators:

@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 from scipy.spatial.transform import Rotation
-from spheres import E3, Array, close, random_units
+from spheres import Array, close, random_units
 from symbolic import matrix, symbolic
 
 from rotedu.cost import OperationCount, count
@@ -199,44 +199,6 @@ class TestSinglePrecision:
             rotate(r, [0, 0, 1e200], 0.3)
         with pytest.raises(ValueError, match="axis must not be the zero vector"):
             rotate(r, [0, 0, 1e-200], 0.3)
-
-
-class TestRefusals:
-    @pytest.mark.parametrize(
-        ("refused", "message"),
-        [
-            (lambda: rotate(1, E3, 1), r"points must have shape \(..., 3\); got shape \(\)$"),
-            (lambda: axis_angle(np.eye(4)), r"matrix must .* \(..., 3, 3\); got shape \(4, 4\)$"),
-            (
-                lambda: transform(np.ones((3, 4)), E3),
-                r"matrix must have shape \(..., 3, 3\) or \(..., 4, 4\); got shape \(3, 4\)$",
-            ),
-            (lambda: rotation_matrix([E3, [0, 0, 0]], 1), r"axis must not be .* at index \(1,\)"),
-            (
-                lambda: rotation_matrix(np.ones((4, 3)), [1, 2, 3]),
-                r"axis and angle must broadcast over .* got \(4, 3\) and \(3,\)$",
-            ),
-            # Objects are not exempt from the check of shapes.
-            (lambda: rotate([1, 2, 3], sp.symbols("x y"), 1), r"axis must .*; got shape \(2,\)"),
-        ],
-    )
-    def test_what_does_not_fit(self, refused: Any, message: str) -> None:
-        with pytest.raises(ValueError, match=f"^{message}"):
-            refused()
-
-    @pytest.mark.parametrize(
-        ("matrix", "message"),
-        [
-            (2 * np.eye(3), r"differs by 3\.0e\+00; .*nearest_rotation"),
-            (np.full((3, 3), 1e200), r"differs by inf; "),
-            (-np.eye(3), r"determinant is -1, so it reflects$"),
-            ([np.eye(3), -np.eye(3)], r"determinant is -1, so it reflects at index \(1,\)$"),
-            ([np.eye(3), 3 * np.eye(3)], r"differs by 8\.0e\+00 at index \(1,\); "),
-        ],
-    )
-    def test_not_a_rotation(self, matrix: Any, message: str) -> None:
-        with pytest.raises(ValueError, match=f"^matrix must be a rotation: .*{message}"):
-            axis_angle(matrix)
 
 
 class TestProofs:

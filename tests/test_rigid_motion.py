@@ -102,16 +102,6 @@ class TestDualQuaternion:
         with pytest.raises(TypeError):
             DualQuaternion(q, q) * 2  # type: ignore[operator]
 
-    def test_what_is_no_rigid_motion(self) -> None:
-        squeezed = ONE.copy()
-        squeezed[3, 2] = 0.5
-        with pytest.raises(
-            ValueError, match=r"its fourth row must be 0, 0, 0, 1, but is 0, 0, 0.5, 1"
-        ):
-            screw(squeezed)
-        with pytest.raises(ValueError, match=r"upper left part of matrix must be a rotation: M"):
-            screw(np.diag([2, 2, 2, 1]))
-
 
 class TestScrew:
     def test_there_and_back(self) -> None:

@@ -152,6 +152,8 @@ class TestShapes:
             other = np.concatenate([np.roll(good[..., :3], 1, axis=-1), good[..., 3:] / 2], -1)
             other[..., 3, 3] = 1
         several = np.array([good, other, other])
+        none = results(f, **{name: several[:0]})
+        assert [part.shape for part in none] == [(0, *part.shape) for part in results(f)]
         loop = zip(*(results(f, **{name: one}) for one in several), strict=True)
         for found, expected in zip(results(f, **{name: several}), loop, strict=True):
             close(found, expected)
@@ -172,6 +174,12 @@ class TestShapes:
         every_t = np.broadcast_to(t, expected[:-1])
         for i in np.ndindex(expected[:-1]):
             close(found[i], slerp(*(each[i] for each in every), every_t[i]), 1e-15)
+
+    @pytest.mark.parametrize("f", GOOD)
+    def test_results_share_no_memory_with_arguments(self, f: str) -> None:
+        given = {name: np.array(value, float) for name, value in GOOD[f].items()}
+        shared = [np.shares_memory(p, x) for p in results(f, **given) for x in given.values()]
+        assert not any(shared)
 
     def test_sequences_integers_and_views(self) -> None:
         expected = rotate(np.array([1.0, 2, 3]), np.array([0.0, 0, 1]), 2.0)

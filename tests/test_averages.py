@@ -86,15 +86,6 @@ class TestMean:
             close(mean_rotation(r[:3], scale * np.array([2, 1, 1.0])), expected)
         close(mean_rotation(r[:3], [0, 0, 2]), r[2], 3e-15)
 
-    def test_broadcasts(self) -> None:
-        r, weights = M1[:12].reshape(4, 3, 3, 3), RNG.uniform(0.1, 1, (4, 3))
-        several, one_set = mean_rotation(r, weights), mean_rotation(r, weights[0])
-        of_one_set = mean_rotation(r[0], weights)
-        for i in range(4):
-            close(several[i], mean_rotation(r[i], weights[i]), 1e-15)
-            close(one_set[i], mean_rotation(r[i], weights[0]), 1e-15)
-            close(of_one_set[i], mean_rotation(r[0], weights[i]), 1e-15)
-
     @pytest.mark.parametrize(
         "rotations",
         [
@@ -140,15 +131,15 @@ class TestSumsOfQuaternions:
     """What page B says of the third way to average."""
 
     def test_are_as_far_from_the_truth_as_both_means(self) -> None:
-        found = []
-        for vectors in RNG.normal(scale=np.radians(40) / 3**0.5, size=(200, 10, 3)):
+        found, rng = [], np.random.default_rng(2007)
+        for vectors in rng.normal(scale=np.radians(40) / 3**0.5, size=(200, 10, 3)):
             scattered = Rotation.from_rotvec(vectors)
             q = scattered.as_quat()
             by_sum = Rotation.from_quat(np.where(q @ q[:1].T < 0, -q, q).sum(axis=0))
             by_angle = scattered.mean()
             for _ in range(20):
                 by_angle *= Rotation.from_rotvec((by_angle.inv() * scattered).as_rotvec().mean(0))
-            at_random = Rotation.from_quat(RNG.choice([-1, 1], 10) @ q)
+            at_random = Rotation.from_quat(rng.choice([-1, 1], 10) @ q)
             means = by_sum, scattered.mean(), by_angle, at_random, scattered[0]
             found.append([mean.magnitude() for mean in means])
         *truth, at_random, single = np.degrees(np.median(found, axis=0))

@@ -210,12 +210,6 @@ class TestControlPoints:
         close(a[1], bisect(-E1, bisect(E1, E2)))
         on_the_sphere(closed_curve([E1, -E1, E2], 50))
 
-    def test_stacks_of_points_of_any_length(self) -> None:
-        points = random_units(2, 3, 5, 3)
-        found = control_points(points * [[1], [2], [3], [1e-200], [1e5]])
-        assert found[0].shape == found[1].shape == (2, 3, 5, 3)
-        close([part[1, 2] for part in found], control_points(points[1, 2]), 1e-15)
-
 
 class TestProofs(TwoPoints):
     """The same code, run on symbols."""

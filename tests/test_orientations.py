@@ -287,22 +287,6 @@ class TestPeriodicSpline:
         close(periodic_spline(np.roll(values, 1, axis=0), 9), np.roll(curve, 9, axis=0))
 
 
-@pytest.mark.parametrize(
-    ("curve", "given"),
-    [
-        (closed_curve, random_units(2, 3, 5, 4)),
-        (squad, random_units(2, 3, 5, 4)),
-        (periodic_spline, RNG.normal(size=(2, 3, 5, 4))),
-        (closed_rotation_curve, R1[:30].reshape(2, 3, 5, 3, 3)),
-    ],
-)
-def test_stacks_of_curves_with_a_hundred_samples_a_segment(curve: Any, given: Array) -> None:
-    found, rest = curve(given), given.shape[3:]
-    assert found.shape == (2, 3, 500, *rest)
-    close(found[1, 2], curve(given[1, 2]), 1e-14)
-    assert curve(np.empty((0, 5, *rest)), 4).shape == (0, 20, *rest)
-
-
 def test_whoever_follows_the_matrices_needs_no_half_angles() -> None:
     """`one_turn` finds one turn for two."""
     v, w = np.random.default_rng(15).normal(scale=1.2, size=(2, 500, 3))

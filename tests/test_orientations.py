@@ -20,21 +20,15 @@ from spheres import (
 )
 
 from rotedu.closed_curve import closed_curve
-from rotedu.ordinary_rotation import axis_angle, rotation_matrix
+from rotedu.ordinary_rotation import rotation_matrix
 from rotedu.orientation_curves import closed_rotation_curve, one_turn, periodic_spline, squad
 from rotedu.orientations import nearest_rotation, slerp_rotations
-from rotedu.quaternions import Quaternion
 
 # The warnings about unstable curves have tests of their own.
 pytestmark = pytest.mark.filterwarnings("ignore:.* are almost .*:UserWarning")
 
 R1, R2 = (Rotation.random(300, rng=RNG).as_matrix() for _ in range(2))
 ONE, HALF_TURN = np.eye(3), np.diag([1.0, -1, -1])
-
-
-def are_rotations(matrices: Array) -> None:
-    close(matrices.swapaxes(-1, -2) @ matrices, np.broadcast_to(ONE, matrices.shape))
-    close(np.linalg.det(matrices), 1)
 
 
 class TestSlerp:
@@ -45,10 +39,6 @@ class TestSlerp:
             close(slerp_rotations(r1, r2, t), oracle, 1e-13)
 
     def test_laws(self) -> None:
-        t = RNG.uniform(0, 1, 300)
-        turns = slerp_rotations(R1, R2, t)
-        are_rotations(turns)
-        close(slerp_rotations(R2, R1, 1 - t), turns, 1e-13)
         close(slerp_rotations(R1, R2, 0), R1, 1e-15)
         close(slerp_rotations(R1, R2, 1), R2, 4e-15)
         close(slerp_rotations(R1, R2, 2), R2 @ R1.swapaxes(-1, -2) @ R2, 1e-13)
@@ -72,15 +62,6 @@ class TestSlerp:
 
 
 class TestClosedCurve:
-    ROUND = rotation_matrix([1, 2, 2], np.arange(5) * 2 * np.pi / 5)
-
-    @staticmethod
-    def gentle(n: int) -> Array:
-        """Orientations that turn by less than a quarter."""
-        rng = np.random.default_rng(n)
-        axes, sizes = random_units(n, 3, rng=rng), rng.uniform(0.1, 0.5, n)
-        return rotation_matrix(E3, 0.3) @ rotation_matrix(axes, sizes)
-
     @pytest.mark.parametrize(("theta", "dtype"), LENGTHS_AND_DTYPES)
     def test_with_turns_of_any_size(self, theta: float, dtype: Any) -> None:
         # Fraction 0 makes the angles in the first segment 3 u^2 - 2 u^3 times theta.
@@ -121,15 +102,18 @@ class TestClosedCurve:
         given = q if q[-1] @ q[0] > 0 else np.concatenate([q, -q])
         curve = closed_curve(given, 5, fraction)[: len(q) * 5]
         expected = Rotation.from_quat(curve, scalar_first=True).as_matrix()
-        close(closed_rotation_curve(rotations.as_matrix(), 5, fraction), expected, 1e-12)
+        found = closed_rotation_curve(rotations.as_matrix(), 5, fraction)
+        close(found, expected, 1e-12)
+        close(found[::5], rotations.as_matrix(), 1e-15)
 
     @pytest.mark.parametrize("fraction", [0.2, *FRACTIONS, 1])
     @pytest.mark.parametrize("scale", [0.1, 0.35, 0.5, 0.8, 1.2, 1.5])
     def test_follows_the_route_of_quaternions(self, scale: float, fraction: float) -> None:
         for vectors in np.random.default_rng(2).normal(scale=scale, size=(40, 5, 3)):
             self.follows_quaternions_whose_signs_agree(vectors, fraction)
-        swing = np.outer(np.radians([0, 100, 0, -100]), E3)
-        self.follows_quaternions_whose_signs_agree(swing, fraction)
+        for swing_or_round in [0, 100, 0, -100], [0, 72, 144, 216, 288]:
+            vectors = np.outer(np.radians(swing_or_round), E3)
+            self.follows_quaternions_whose_signs_agree(vectors, fraction)
 
     @pytest.mark.slow
     def test_no_random_loop_is_refused_or_leaves_the_route(self) -> None:
@@ -137,35 +121,6 @@ class TestClosedCurve:
         for scale in rng.uniform(0.1, 1.5, 5000):
             vectors = rng.normal(scale=scale, size=(rng.integers(3, 9), 3))
             self.follows_quaternions_whose_signs_agree(vectors, 0.5)
-
-    def test_laws(self) -> None:
-        matrices, turn = self.gentle(7), R1[0]
-        assert closed_rotation_curve(matrices).shape == (700, 3, 3)
-        curve = closed_rotation_curve(matrices, 20)
-        close(curve[::20], matrices, 1e-15)
-        are_rotations(curve)
-        close(closed_rotation_curve(turn @ matrices, 20), turn @ curve, 1e-13)
-        close(closed_rotation_curve(matrices @ turn, 20), curve @ turn, 1e-13)
-        back = closed_rotation_curve(np.roll(matrices[::-1], 1, axis=0), 20)
-        close(np.roll(back[::-1], 1, axis=0), curve, 1e-13)
-
-    def test_is_c1(self) -> None:
-        curve = closed_rotation_curve(self.gentle(5), 4000)
-        left = (curve[4000::4000] - curve[3999:-1:4000]) * 4000
-        right = (curve[4001::4000] - curve[4000::4000]) * 4000
-        close(left, right, 0.01)
-        assert np.abs(left).max() > 0.3
-
-    def test_turning_right_round(self) -> None:
-        curve = closed_rotation_curve(self.ROUND, 10, 1 / 3)
-        close(curve, rotation_matrix([1, 2, 2], np.arange(50) * 2 * np.pi / 50))
-        half = closed_rotation_curve(self.ROUND, 10)
-        steps = axis_angle(half.swapaxes(-1, -2) @ np.roll(half, -1, axis=0))[1]
-        close(steps.sum(), 2 * np.pi)
-        # Five quaternions whose signs agree end at the opposite of the first.
-        q = Quaternion.from_axis_angle([1, 2, 2], np.arange(5) * 2 * np.pi / 5)
-        message = "Double(points[4], points[0]) and points[1] are antipodal"
-        refuses(message, closed_curve, q.components)
 
     def test_degenerate(self) -> None:
         message = "rotations[0] and rotations[1] are half a turn apart"
@@ -275,16 +230,9 @@ class TestPeriodicSpline:
     def test_against_scipy(self, n: int, d: int) -> None:
         values = np.random.default_rng(n).normal(size=(n, d))
         oracle = CubicSpline(np.arange(n + 1), [*values, values[0]], bc_type="periodic")
-        close(periodic_spline(values, 7), oracle(np.arange(7 * n) / 7), 1e-13)
-
-    def test_laws(self) -> None:
-        rng = np.random.default_rng(2)
-        values, other, m = rng.normal(size=(6, 4)), rng.normal(size=(6, 4)), rng.normal(size=(4, 4))
-        curve = periodic_spline(values, 9)
-        close(curve[::9], values, 1e-15)
-        close(periodic_spline(values + 2 * other, 9), curve + 2 * periodic_spline(other, 9))
-        close(periodic_spline(values @ m, 9), curve @ m)
-        close(periodic_spline(np.roll(values, 1, axis=0), 9), np.roll(curve, 9, axis=0))
+        found = periodic_spline(values, 7)
+        close(found, oracle(np.arange(7 * n) / 7), 1e-13)
+        close(found[::7], values, 1e-15)
 
 
 def test_whoever_follows_the_matrices_needs_no_half_angles() -> None:
@@ -304,17 +252,14 @@ def test_whoever_follows_the_matrices_needs_no_half_angles() -> None:
 
 class TestNearestRotation:
     def test_against_scipy(self) -> None:
-        noisy = R1 + np.random.default_rng(12).normal(scale=0.3, size=R1.shape)
-        # The rotation that takes the axes to the columns of M, as well as it can.
-        for m in noisy:
+        rng = np.random.default_rng(12)
+        for m in [*R1 + rng.normal(scale=0.3, size=R1.shape), *rng.normal(size=R1.shape)]:
+            # The rotation that takes the axes to the columns of M, as well as it can.
             oracle, _ = Rotation.align_vectors(m.T, ONE)
             close(nearest_rotation(m), oracle.as_matrix(), 1e-12)
 
-    def test_commutes_with_rotations_and_ignores_size(self) -> None:
-        m = np.random.default_rng(14).normal(size=(3, 3))
-        are_rotations(nearest_rotation(R1 @ m))
-        close(nearest_rotation(R1 @ m), R1 @ nearest_rotation(m), 1e-13)
-        close(nearest_rotation(1e200 * m), nearest_rotation(m), 1e-15)
+    def test_ignores_size_and_leaves_rotations(self) -> None:
+        close(nearest_rotation(1e200 * R2), nearest_rotation(R2), 1e-15)
         close(nearest_rotation(R1), R1, 3e-15)
 
     @pytest.mark.parametrize(

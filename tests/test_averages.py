@@ -42,15 +42,6 @@ class TestDistances:
         turned = M1 @ rotation_matrix(random_units(300, 3, rng=RNG), angle)
         close(angular_distance(M1, turned), angle, 2e-15)
 
-    def test_are_metrics_that_no_frame_changes(self) -> None:
-        a, b, c = (m.as_matrix()[:100] for m in (R1, R2, R2 * R1))
-        for distance in (angular_distance, chordal_distance):
-            close(distance(a, b), distance(b, a))
-            close(distance(a, a), 0, 2e-15)
-            assert (distance(a, c) <= distance(a, b) + distance(b, c) + 1e-14).all()
-            close(distance(c @ a @ b, c @ b @ b), distance(a, b), 1e-13)
-            close(distance(a[:4, np.newaxis], a[:4])[1, 3], distance(a[1], a[3]), 0)
-
 
 class TestMean:
     def test_against_scipy(self) -> None:
@@ -74,17 +65,11 @@ class TestMean:
         found = mean_rotation(rotations.as_matrix(), weights)
         close(found, by_quaternions(q, weights), 1e-12)
 
-    def test_laws(self) -> None:
-        r, a, b = M1[:9], M2[0], M2[1]
-        close(mean_rotation(a @ r @ b), a @ mean_rotation(r) @ b)
-        close(mean_rotation(r.swapaxes(1, 2)), mean_rotation(r).T)
-        for number in (1, 3):
-            close(mean_rotation(np.repeat(M1[:, np.newaxis], number, axis=1)), M1, 3e-15)
-        # Only ratios of weights matter.
-        expected = mean_rotation(r[[0, 1, 2, 0]])
-        for scale in (1, 1e-300, 8e307):
-            close(mean_rotation(r[:3], scale * np.array([2, 1, 1.0])), expected)
-        close(mean_rotation(r[:3], [0, 0, 2]), r[2], 3e-15)
+    @pytest.mark.parametrize("scale", [1, 1e-300, 8e307])
+    def test_only_ratios_of_weights_matter(self, scale: float) -> None:
+        expected = mean_rotation(M1[[0, 1, 2, 0]])
+        close(mean_rotation(M1[:3], scale * np.array([2, 1, 1.0])), expected)
+        close(mean_rotation(M1[:3], [0, 0, scale]), M1[2], 3e-15)
 
     @pytest.mark.parametrize(
         "rotations",

@@ -100,6 +100,9 @@ class TestAngularVelocity:
         assert turns.shape == (41, 3, 3)
         close(angular_velocity(turns, dt), velocities, 1e-12)
         close(integrate(turns[0], angular_velocity(turns, dt), dt), turns, 1e-13)
+        close(integrate(turns[-1], velocities[::-1], -dt), turns[::-1], 1e-13)
+        for steps in (integrate, matrix_steps):
+            close(steps(ALL[0], velocities[:0], dt), ALL[:1], 1e-15)
 
     def test_against_scipy_s_spline_of_rotations(self) -> None:
         """Its rates are in the body's frame: R^T omega."""
@@ -175,22 +178,6 @@ class TestIntegrators:
         whole, half = (angle - n * np.angle(np.polyval(series, 1j * angle / n)) for n in (1, 2))
         close(whole / half, 16, 0.2)
 
-    def test_back_and_forth(self) -> None:
-        velocities, dt = spinning(25)
-        there = integrate(START, velocities, dt)
-        close(integrate(there[-1], velocities[::-1], -dt)[::-1], there, 1e-13)
-
-    def test_stacks_and_no_steps(self) -> None:
-        velocities, start = RNG.normal(size=(2, 4, 5, 3)), ALL[:4]
-        found = integrate(start, velocities, 0.1)
-        assert found.shape == matrix_steps(start, velocities, 0.1).shape == (2, 4, 6, 3, 3)
-        close(found[1, 2], integrate(start[2], velocities[1, 2], 0.1), 1e-15)
-        q = Quaternion.from_matrix(start).components
-        assert quaternion_steps(q, velocities, 0.1).shape == (2, 4, 6, 4)
-        assert integrate(np.eye(3), np.empty((0, 3)), 1).shape == (1, 3, 3)
-        turns = ALL[:24].reshape(2, 3, 4, 3, 3)
-        close(angular_velocity(turns, 0.5)[1, 2], angular_velocity(turns[1, 2], 0.5), 1e-14)
-
 
 class TestLookAt:
     def test_against_scipy(self) -> None:
@@ -199,17 +186,7 @@ class TestLookAt:
         for direction, up, found in zip(directions, ups, look_at(directions, 3 * ups), strict=True):
             oracle, _ = Rotation.align_vectors([direction, up], [E3, E2], weights=[np.inf, 1])
             close(found, oracle.as_matrix(), 1e-12)
-
-    def test_laws(self) -> None:
-        directions, ups = random_units(2, 500, 3)
-        m = look_at(directions, ups)
-        assert look_at(directions[:4, None], ups[:5]).shape == (4, 5, 3, 3)
-        close(m.swapaxes(-1, -2) @ m, np.broadcast_to(np.eye(3), m.shape), 1e-14)
-        close(np.linalg.det(m), 1, 1e-14)
-        close(m[..., 2], directions, 1e-15)
-        close(np.sum(m[..., 0] * ups, axis=-1), 0, 1e-14)
-        assert (np.sum(m[..., 1] * ups, axis=-1) > 0).all()
-        close(look_at(E1, E3), [[0, 0, 1], [1, 0, 0], [0, 1, 0]], 0)
+            close(found[:, 2], direction, 1e-15)
 
     @pytest.mark.parametrize("lean", [1e-7, 1e-4, np.pi - 1e-7])
     def test_nearly_straight_up_is_still_a_rotation(self, lean: float) -> None:

@@ -90,35 +90,22 @@ class TestSteps:
     a = bisect(here, middle)
     b = double(a, here)
 
-    @pytest.mark.equation("5-5", "5-6")
-    def test_5_4_and_5_5(self) -> None:
-        close(self.reflected, [-0.5, 0.75**0.5, 0])
-        close(double_by_rotation(self.before, self.here), self.reflected)
-
-    @pytest.mark.equation("5-8")
-    def test_5_7_to_5_9(self) -> None:
-        close(self.middle, (self.reflected + self.after) / 2**0.5)
-        close(bisect_by_rotation(self.reflected, self.after), self.middle)
+    @pytest.mark.equation("5-5", "5-6", "5-8", "5-11", "5-12", "5-13", "5-14", "5-15")
+    def test_each_is_a_rotation_about_the_arc_s_axis(self) -> None:
+        for form, p, q, part, expected in [
+            (double_by_rotation, self.before, self.here, 2, self.reflected),
+            (bisect_by_rotation, self.reflected, self.after, 1 / 2, self.middle),
+            (bisect_by_rotation, self.middle, self.here, 1 / 2, self.a),
+            (double_by_rotation, self.a, self.here, 2, self.b),
+        ]:
+            close(form(p, q), expected)
+            close(rotate(p, arc_axis(p, q), part * angle_between(p, q)), expected)
 
     @pytest.mark.equation("5-9")
     def test_5_9_as_printed_turns_away_from_the_next_point(self) -> None:
         gap = angle_between(self.reflected, self.after)
         missed = rotate(self.reflected, arc_axis(self.after, self.reflected), gap / 2)
         close(angle_between(missed, self.middle), gap)
-        corrected = rotate(self.reflected, arc_axis(self.reflected, self.after), gap / 2)
-        close(corrected, self.middle)
-
-    @pytest.mark.equation("5-11", "5-12")
-    def test_5_10_to_5_12(self) -> None:
-        close(self.a, bisect(self.middle, self.here))
-        close(bisect_by_rotation(self.middle, self.here), self.a)
-        close(angle_between(self.here, self.a), angle_between(self.here, self.middle) / 2)
-
-    @pytest.mark.equation("5-13", "5-14", "5-15")
-    def test_5_13_to_5_15(self) -> None:
-        close(double_by_rotation(self.a, self.here), self.b)
-        close(arc_axis(self.a, self.here), arc_axis(self.middle, self.here))
-        close(angle_between(self.b, self.here), angle_between(self.here, self.a))
 
     def test_5_13_as_printed_goes_back_to_the_middle(self) -> None:
         close(2 * np.cos(angle_between(self.a, self.here)) * self.a - self.here, self.middle)
@@ -221,8 +208,7 @@ class TestProofs(TwoPoints):
             assert vanishes(self.back(form(self.p, self.q)) - self.of_5_2(sp.Rational(1, 2)))
 
     def test_double_of_quaternions_is_q_conjugate_p_q(self) -> None:
-        w1, x1, y1, z1, w2, x2, y2, z2 = sp.symbols("w1 x1 y1 z1 w2 x2 y2 z2")
-        p, q = Quaternion(w1, [x1, y1, z1]), Quaternion(w2, [x2, y2, z2])
+        p, q = (Quaternion(w, v) for w, *v in (sp.symbols("w x y z"), sp.symbols("a b c d")))
         difference = (q * p.conjugate() * q).components - double(p.components, q.components)
-        law = w2**2 + x2**2 + y2**2 + z2**2 - 1
-        assert all(sp.reduced(sp.expand(x), [law], w2)[1] == 0 for x in difference)
+        law = sum(x * x for x in q.components) - 1
+        assert all(sp.reduced(sp.expand(x), [law])[1] == 0 for x in difference)

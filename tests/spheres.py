@@ -6,6 +6,8 @@ from typing import Any
 import numpy as np
 import pytest
 import sympy as sp
+from hypothesis import strategies as st
+from hypothesis.extra.numpy import arrays
 from symbolic import matrix, symbolic
 
 from rotedu.control_points import control_points, double
@@ -24,6 +26,18 @@ FRACTIONS = [1 / 2, 1 / 3]
 def random_units(*shape: int, rng: np.random.Generator = RNG) -> Array:
     vectors = rng.normal(size=shape)
     return np.asarray(vectors / np.linalg.norm(vectors, axis=-1, keepdims=True))
+
+
+def vectors(largest: float) -> st.SearchStrategy[Array]:
+    """What hypothesis tries: vectors of three components up to a size."""
+    return arrays(float, 3, elements=st.floats(-largest, largest))
+
+
+UNITS = (
+    arrays(float, 3, elements=st.floats(-1, 1, allow_subnormal=False))
+    .filter(lambda v: bool(np.linalg.norm(v) > 1e-3))
+    .map(lambda v: v / np.linalg.norm(v))
+)
 
 
 def great_circle(degrees: Any) -> Array:

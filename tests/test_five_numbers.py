@@ -5,21 +5,18 @@ from typing import Any
 import numpy as np
 import pytest
 from hypothesis import assume, given
-from hypothesis import strategies as st
-from hypothesis.extra.numpy import arrays
 from scipy.spatial.transform import Rotation
-from spheres import E1, E2, Array, close, random_units, refuses
+from spheres import E1, E2, Array, close, random_units, refuses, vectors
 
 from rotedu.five_numbers import five_numbers, matrix_from_five_numbers, matrix_from_two_columns
 
 RNG = np.random.default_rng(1964)
 TURNS = Rotation.random(20_000, rng=RNG)
 M1 = TURNS.as_matrix()
-LENGTHS = arrays(float, 3, elements=st.floats(-3, 3))
 
 
 class TestTwoColumns:
-    @given(LENGTHS, LENGTHS)
+    @given(vectors(3), vectors(3))
     def test_against_qr_and_in_what_it_says(self, a: Array, b: Array) -> None:
         across = np.linalg.norm(np.cross(a, b))
         assume(across > 1e-3 * np.linalg.norm(a) * np.linalg.norm(b) > 1e-9)

@@ -8,10 +8,8 @@ import numpy as np
 import pytest
 import sympy as sp
 from hypothesis import given
-from hypothesis import strategies as st
-from hypothesis.extra.numpy import arrays
 from scipy.spatial.transform import Rotation
-from spheres import E1, E2, E3, Array, close, random_units, refuses
+from spheres import E1, E2, E3, Array, close, random_units, refuses, vectors
 from symbolic import matrix, symbolic
 
 from rotedu.cost import OperationCount, count
@@ -39,9 +37,6 @@ RNG = np.random.default_rng(47)
 EULER = RNG.uniform(-2 * np.pi, 2 * np.pi, size=(2000, 3))
 POINTS = RNG.normal(size=(50, 3))
 PRINCIPAL = {rotation_u: E1, rotation_v: E2, rotation_w: E3}
-
-angles = st.floats(-10, 10)
-vectors = arrays(float, 3, elements=st.floats(-10, 10))
 
 
 def test_product_against_scipy() -> None:
@@ -123,7 +118,7 @@ class TestEulerAngles:
 
 
 class TestTransforms:
-    @given(vectors, vectors)
+    @given(vectors(10), vectors(10))
     def test_translation(self, v: Array, r: Array) -> None:
         close(transform(translation(v), r), r + v, 0)
         close(translation(v) @ [*r, 0], [*r, 0], 0)
@@ -141,7 +136,7 @@ class TestTransforms:
         assert both.shape == (2, 3, 4, 4)
         close(both[1, 2] @ [1, 10, 100, 1], [31, 10, 101, 1], 0)
 
-    @given(vectors.filter(lambda n: bool(np.linalg.norm(n) > 1e-3)), vectors)
+    @given(vectors(10).filter(lambda n: bool(np.linalg.norm(n) > 1e-3)), vectors(10))
     def test_reflection(self, normal: Array, r: Array) -> None:
         n = normal / np.linalg.norm(normal)
         close(transform(reflection(normal), r), r - 2 * (r @ n) * n, 1e-13)

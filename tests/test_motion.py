@@ -9,11 +9,10 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from hypothesis.extra.numpy import arrays
 from scipy.integrate import solve_ivp
 from scipy.linalg import expm
 from scipy.spatial.transform import Rotation, RotationSpline
-from spheres import E1, E2, E3, Array, close, random_units, refuses
+from spheres import E1, E2, E3, Array, close, random_units, refuses, vectors
 
 from rotedu.motion import (
     angular_velocity,
@@ -32,7 +31,6 @@ AXES = np.vstack([np.eye(3), -np.eye(3), [[0.6, 0.8, 0], [0, -0.6, 0.8]], random
 SIZES = [0, 1e-300, 1e-12, 1e-8, 1e-4, 0.5, np.pi / 2, 3, np.pi - 1e-4, np.pi - 1e-9]
 ALL = Rotation.random(300, rng=RNG).as_matrix()
 START = ALL[7]
-vectors = arrays(float, 3, elements=st.floats(-20, 20))
 
 
 def crossed(v: Any) -> Array:
@@ -85,7 +83,7 @@ class TestLogarithm:
             close(v, np.pi * np.sign(first) * axis, 1e-13)
             close(matrix_from_rotation_vector(v), matrix_from_rotation_vector(-v), 2e-15)
 
-    @given(vectors)
+    @given(vectors(20))
     def test_is_the_shortest(self, v: Array) -> None:
         found = rotation_vector(matrix_from_rotation_vector(v))
         size = np.linalg.norm(v)
@@ -150,7 +148,7 @@ class TestIntegrators:
             close(turns[-1], expm(seconds * crossed(omega)) @ START, 2e-13)
             close(turns.swapaxes(-1, -2) @ turns, np.broadcast_to(np.eye(3), turns.shape), 1e-13)
 
-    @given(vectors, st.floats(1e-3, 1))
+    @given(vectors(20), st.floats(1e-3, 1))
     def test_what_an_euler_step_does(self, omega: Array, dt: float) -> None:
         m = matrix_steps(START, [omega], dt)[1]
         close(m, (np.eye(3) + dt * crossed(omega)) @ START, 1e-12)
@@ -162,7 +160,7 @@ class TestIntegrators:
         close(q, (start + dt / 2 * (Quaternion(0, omega) * start)).components, 1e-14)
         close(np.linalg.norm(q), np.sqrt(1 + size**2 / 4), 1e-12)
 
-    @given(vectors, st.floats(1e-3, 1))
+    @given(vectors(20), st.floats(1e-3, 1))
     def test_cayley_does_for_a_matrix_what_dividing_does_for_a_quaternion(
         self, omega: Array, dt: float
     ) -> None:

@@ -92,13 +92,6 @@ CURVES = [
     for k, fraction in zip("23", FRACTIONS, strict=True)
 ]
 
-# Lengths of arcs, where a sine or cosine loses digits and on both sides of `NEAR_PI`, 2.4981.
-LENGTHS = [1e-16, 1e-9, 1e-8, 3e-8, 1e-7, 1e-4, 0.1, 1, 2, 2.498, 2.4982, 2.6, 3, np.pi - 1e-2]
-LENGTHS_AND_DTYPES = [
-    *((length, np.float64) for length in [*LENGTHS, np.pi - 1e-4, np.pi - 1e-7]),
-    *((length, np.float32) for length in LENGTHS),
-]
-
 
 def segments(points: Array, fraction: float) -> list[Array]:
     """The control points of each segment, collected by hand."""

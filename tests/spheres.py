@@ -13,6 +13,7 @@ from symbolic import matrix, symbolic
 from rotedu.control_points import control_points, double
 from rotedu.errors import DegenerateError
 from rotedu.ordinary_rotation import rotation_matrix
+from rotedu.quaternions import Quaternion
 
 Array = np.ndarray[Any, Any]
 
@@ -55,7 +56,8 @@ def where(points: Array) -> Array:
 
 
 def close(actual: Any, desired: Any, atol: float = 1e-14, case: object = "") -> None:
-    np.testing.assert_allclose(actual, desired, rtol=0, atol=atol, err_msg=str(case))
+    parts = (x.components if isinstance(x, Quaternion) else x for x in (actual, desired))
+    np.testing.assert_allclose(*parts, rtol=0, atol=atol, err_msg=str(case))
 
 
 def on_the_sphere(points: Array, atol: float = 1e-15, case: object = "") -> None:
@@ -70,6 +72,8 @@ def refuses(message: str, function: Callable[..., Any], *given: Any) -> None:
 
 
 PAIRS = random_units(2, 500, 3)
+AXES = np.array([*np.eye(3), *-np.eye(3), [0.6, 0.8, 0], [0, -0.6, 0.8], *PAIRS[0]])
+POINTS = np.random.default_rng(32).normal(size=AXES.shape)
 # Gaps from 12.8 to 164 degrees in many directions.
 UNEVEN = great_circle(np.array([0, 12.8, 90, 210, 260])) + 0.4 * np.outer([0, 1, 0, -1, 2], E3)
 UNEVEN /= np.linalg.norm(UNEVEN, axis=-1, keepdims=True)

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 from scipy.linalg import expm
 from scipy.spatial.transform import Rotation, RotationSpline
-from spheres import E1, E2, E3, Array, close, random_units, refuses, vectors
+from spheres import AXES, E1, E2, E3, Array, close, random_units, refuses, vectors
 
 from rotedu.motion import (
     angular_velocity,
@@ -27,7 +27,6 @@ from rotedu.ordinary_rotation import rotation_matrix
 from rotedu.quaternions import Quaternion
 
 RNG = np.random.default_rng(29)
-AXES = np.vstack([np.eye(3), -np.eye(3), [[0.6, 0.8, 0], [0, -0.6, 0.8]], random_units(300, 3)])
 SIZES = [0, 1e-300, 1e-12, 1e-8, 1e-4, 0.5, np.pi / 2, 3, np.pi - 1e-4, np.pi - 1e-9]
 ALL = Rotation.random(300, rng=RNG).as_matrix()
 START = ALL[7]

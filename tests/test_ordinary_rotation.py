@@ -8,7 +8,7 @@ import sympy as sp
 from hypothesis import given
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
-from spheres import UNITS, Array, close, random_units, vectors
+from spheres import AXES, POINTS, UNITS, Array, close, vectors
 from symbolic import matrix, symbolic
 
 from rotedu.cost import OperationCount, count
@@ -25,9 +25,6 @@ RNG = np.random.default_rng(31)
 SMALL = [0, 1e-300, 1e-12, 1e-9, 1e-8, 1e-4]
 NEAR_PI = [np.pi - 1e-4, np.pi - 1e-8, np.pi - 1e-9]
 ALL_ANGLES = [*SMALL, 0.5, np.pi / 2, 2 * np.pi / 3, 3, *NEAR_PI, np.pi]
-
-AXES = np.vstack([np.eye(3), -np.eye(3), [[0.6, 0.8, 0], [0, -0.6, 0.8]], random_units(500, 3)])
-POINTS = RNG.normal(size=(len(AXES), 3))
 
 
 def oracle(axis: Array, angle: Any) -> Array:

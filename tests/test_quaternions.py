@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 import sympy as sp
 from scipy.spatial.transform import Rotation
-from spheres import E1, random_units
+from spheres import AXES, E1, POINTS, close
 from symbolic import matrix, symbolic, vanishes
 
 from rotedu.cost import OperationCount, count
@@ -18,16 +18,8 @@ from rotedu.errors import DegenerateError
 from rotedu.ordinary_rotation import rotation_matrix
 from rotedu.quaternions import Quaternion, rotate_about_u
 
-RNG = np.random.default_rng(26)
 ANGLES = [0, 1e-300, 1e-12, 1e-8, 1e-4, 0.5, np.pi / 2, 3, np.pi - 1e-8, np.pi]
 ONE, I, J, K = (Quaternion(w, v) for w, *v in np.eye(4))  # noqa: E741
-AXES = np.vstack([np.eye(3), -np.eye(3), [[0.6, 0.8, 0]], random_units(200, 3)])
-POINTS = RNG.normal(size=(len(AXES), 3))
-
-
-def close(actual: Any, desired: Any, atol: float = 1e-14) -> None:
-    parts = (x.components if isinstance(x, Quaternion) else x for x in (actual, desired))
-    np.testing.assert_allclose(*parts, rtol=0, atol=atol)
 
 
 def quaternion(components: Any) -> Quaternion:

@@ -2,6 +2,7 @@
 
 from fractions import Fraction
 from importlib import import_module
+from pkgutil import iter_modules
 from typing import Any
 
 import numpy as np
@@ -10,6 +11,7 @@ import sympy as sp
 from scipy.spatial.transform import Rotation
 from spheres import E1, E2, E3, HERE, PAIRS, RNG, UNEVEN, close, on_the_sphere
 
+import rotedu
 from rotedu import _arguments as arguments
 from rotedu.arcs import slerp, slerp_by_rotation
 from rotedu.closed_curve import closed_curve
@@ -26,22 +28,11 @@ from rotedu.rigid_motion import DualQuaternion
 pytestmark = pytest.mark.filterwarnings("ignore:.* are almost .*:UserWarning")
 
 
+NOT_CHECKED = "_arguments", "_vectors", "colors", "cost", "errors"
 MODULES = [
-    import_module(f"rotedu.{name}")
-    for name in (
-        "quaternions",
-        "ordinary_rotation",
-        "general_rotation",
-        "arcs",
-        "control_points",
-        "closed_curve",
-        "orientation_curves",
-        "orientations",
-        "motion",
-        "averages",
-        "rigid_motion",
-        "five_numbers",
-    )
+    import_module(f"rotedu.{module.name}")
+    for module in iter_modules(rotedu.__path__)
+    if not module.ispkg and module.name not in NOT_CHECKED
 ]
 PUBLIC = {name: getattr(module, name) for module in MODULES for name in module.__all__}
 METHODS = {

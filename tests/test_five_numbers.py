@@ -60,9 +60,7 @@ class TestFiveNumbers:
         plane = np.insert(five_numbers(M1), 0, 0, axis=1)
         # On the map the sphere's radius is 1.
         ray, away = sphere - pole, 2**0.5 * plane - pole
-        close(
-            np.sum(ray * away, axis=1), np.linalg.norm(ray, axis=1) * np.linalg.norm(away, axis=1)
-        )
+        close(np.sum(ray * away, axis=1), np.linalg.norm([ray, away], axis=2).prod(axis=0))
 
     @pytest.mark.parametrize("size", [1e-3, 1e-6])
     def test_nothing_jumps_anywhere(self, size: float) -> None:

@@ -70,20 +70,13 @@ class TestDualQuaternion:
 
     def test_the_rule_by_symbols(self) -> None:
         """The product of the 4x4 matrices, from the rule with eps^2 = 0."""
-        symbols = sp.symbols("a:8"), sp.symbols("b:8")
-        eps = sp.Symbol("eps")
-        whole = [
-            sp.Quaternion(*(x + eps * y for x, y in zip(s[:4], s[4:], strict=True)))
-            for s in symbols
-        ]
-        product = whole[0] * whole[1]
-        given = [
-            DualQuaternion(*(Quaternion(p[0], p[1:]) for p in (s[:4], s[4:]))) for s in symbols
-        ]
-        found = given[0] * given[1]
-        for k, part in enumerate((found.real, found.dual)):
-            for component, expected in zip(part.components, product.args[:4], strict=True):
-                assert sp.expand(component - sp.expand(expected).coeff(eps, k)) == 0
+        eps, a, b = sp.Symbol("eps"), sp.symbols("a:8"), sp.symbols("b:8")
+        p, q = (sp.Quaternion(*np.add(s[:4], np.multiply(eps, s[4:]))) for s in (a, b))
+        expected = [sp.expand(component) for component in (p * q).args[:4]]
+        x, y = (DualQuaternion(Quaternion(s[0], s[1:4]), Quaternion(s[4], s[5:])) for s in (a, b))
+        for k, part in enumerate(((x * y).real, (x * y).dual)):
+            for component, whole in zip(part.components, expected, strict=True):
+                assert sp.expand(component - whole.coeff(eps, k)) == 0
 
     def test_any_length_is_the_same_motion(self) -> None:
         d = DualQuaternion.from_matrix(A)
@@ -125,14 +118,12 @@ class TestScrew:
             close(np.cross(q - point, axis), 0, 1e-6)
 
     def test_a_mere_step_a_half_turn_and_nothing(self) -> None:
-        for found, expected in zip(
-            screw(about(0, (0, -3, 4))), ([0, -0.6, 0.8], 0, 0, 5), strict=True
-        ):
-            close(found, np.broadcast_to(expected, np.shape(found)))
-        for found, expected in zip(
-            screw(about(180, (2, 0, -1))), ([0, 0, 1], [1, 0, 0], np.pi, -1), strict=True
-        ):
-            close(found, expected, 1e-15)
+        for motion, expected in [
+            (about(0, (0, -3, 4)), ([0, -0.6, 0.8], [0, 0, 0], 0, 5)),
+            (about(180, (2, 0, -1)), ([0, 0, 1], [1, 0, 0], np.pi, -1)),
+        ]:
+            for found, wanted in zip(screw(motion), expected, strict=True):
+                close(found, wanted, 1e-15)
         refuses("matrix moves nothing: every line is an axis", screw, ONE)
         refuses("matrix at index (1,) moves nothing", screw, [A[0], ONE])
 
@@ -222,9 +213,8 @@ class TestBlends:
 
     def test_half_a_turn_apart(self) -> None:
         opposite = np.stack([ONE, about(180)])
-        refuses(
-            "matrices at index (1,) are half a turn from", blend_dual_quaternions, opposite, [1, 1]
-        )
+        message = "matrices at index (1,) are half a turn from"
+        refuses(message, blend_dual_quaternions, opposite, [1, 1])
         close(blend_dual_quaternions(opposite, [1, 0]), ONE)
         with pytest.raises(ValueError, match=r"^matrix has several nearest rotations"):
             blend_matrices(opposite, [1, 1], True)

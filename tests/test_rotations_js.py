@@ -194,10 +194,8 @@ def in_three_dimensions(rng: np.random.Generator) -> Iterator[Case]:
     yield Case("transpose", [a])
     yield from calls("arcAxis rotationBetween", *map(list, pairs(rng, 3)))
     turns = rotation_matrix(rng.normal(size=(3, 3)), rng.uniform(0, 1.4, 3))
-    poses, shares = (
-        np.concatenate([turns, rng.normal(size=(3, 3, 1))], axis=2),
-        rng.uniform(0, 1, 3),
-    )
+    poses = np.concatenate([turns, rng.normal(size=(3, 3, 1))], axis=2)
+    shares = rng.uniform(0, 1, 3)
     yield from calls("blendMatrices blendDualQuaternions", [poses, shares], [poses[:2], [1, 0]])
     yield Case("blendMatrices", [poses, shares, True])
     yield from calls("axisAngle", *([scale * np.eye(3)] for scale in (1, 1 + 1.4e-8, 1 + 4.9e-4)))

@@ -97,11 +97,11 @@ CURVES = [
 ]
 
 
-def segments(points: Array, fraction: float) -> list[Array]:
+def segments(points: Any, fraction: float = 1 / 2) -> Array:
     """The control points of each segment, collected by hand."""
     a, b = control_points(points, fraction)
     n = len(points)
-    return [np.array([points[i - 1], a[i - 1], b[i % n], points[i % n]]) for i in range(1, n + 1)]
+    return np.array([[points[i - 1], a[i - 1], b[i % n], points[i % n]] for i in range(1, n + 1)])
 
 
 def bezier(points: Array, fraction: float, u: Array) -> Array:

@@ -75,13 +75,6 @@ class TestLogarithm:
     def test_undoes_the_exponential(self, size: float) -> None:
         close(rotation_vector(matrix_from_rotation_vector(size * AXES)), size * AXES, 1e-14)
 
-    def test_half_turns(self) -> None:
-        for axis in AXES:
-            v = rotation_vector(rotation_matrix(axis, np.pi))
-            first = axis[np.abs(axis) > 1e-12][0]
-            close(v, np.pi * np.sign(first) * axis, 1e-13)
-            close(matrix_from_rotation_vector(v), matrix_from_rotation_vector(-v), 2e-15)
-
     @given(vectors(20))
     def test_is_the_shortest(self, v: Array) -> None:
         found = rotation_vector(matrix_from_rotation_vector(v))

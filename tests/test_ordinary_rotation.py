@@ -22,9 +22,8 @@ from rotedu.ordinary_rotation import (
 )
 
 RNG = np.random.default_rng(31)
-SMALL = [0, 1e-300, 1e-12, 1e-9, 1e-8, 1e-4]
-NEAR_PI = [np.pi - 1e-4, np.pi - 1e-8, np.pi - 1e-9]
-ALL_ANGLES = [*SMALL, 0.5, np.pi / 2, 2 * np.pi / 3, 3, *NEAR_PI, np.pi]
+ALL_ANGLES = [0, 1e-300, 1e-12, 1e-9, 1e-8, 1e-4, 0.5, np.pi / 2, 2 * np.pi / 3, 3]
+ALL_ANGLES += [np.pi - 1e-4, np.pi - 1e-8, np.pi - 1e-9, np.pi]
 
 
 def oracle(axis: Array, angle: Any) -> Array:

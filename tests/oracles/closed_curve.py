@@ -5,10 +5,10 @@ from typing import Any
 
 import numpy as np
 from scipy.spatial.transform import Rotation
+from spheres import segments
 
 from rotedu.arcs import angle_between, arc_axis
 from rotedu.closed_curve import closed_curve, de_casteljau, de_casteljau_levels
-from rotedu.control_points import control_points
 
 STEP = 3e-4
 LEG = 24
@@ -21,11 +21,6 @@ def motion(control: Any, u: Any) -> Any:
     acceleration = (after - 2 * here + before) / STEP**2
     sideways = np.sum(np.cross(here, velocity) * acceleration, axis=-1)
     return here, velocity, sideways / np.maximum(np.linalg.norm(velocity, axis=-1), STEP) ** 3
-
-
-def segments(points: Any, fraction: float = 1 / 2) -> Any:
-    a, b = control_points(points, fraction)
-    return np.stack([points, a, np.roll(b, -1, axis=0), np.roll(points, -1, axis=0)], axis=1)
 
 
 def closed_curve_by_hand(points: Any, u: float, fraction: float) -> dict[str, Any]:

@@ -1,21 +1,13 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { nameTops, path } from "../src/chart.js";
+import { points } from "./near.js";
 
 const RANGE = [-1, 1];
 
 test("what rises in a curve rises on the chart; pieces have one width", () => {
   assert.equal(path([-1, 0, 0.5], RANGE), "M0.0,128.0 160.0,64.0 320.0,32.0");
-  assert.equal(
-    path(
-      [
-        [-1, 0],
-        [1, 0],
-      ],
-      RANGE,
-    ),
-    "M0.0,128.0 160.0,64.0M160.0,0.0 320.0,64.0",
-  );
+  assert.equal(path(points("-1,0 1,0"), RANGE), "M0.0,128.0 160.0,64.0M160.0,0.0 320.0,64.0");
   assert.equal(path(null, RANGE), "");
 });
 
@@ -32,15 +24,7 @@ test("names stand beside the ends of curves, but apart, and without a curve ther
   for (const [one, two, ...wanted] of [
     [[0, 0.5], [0, -0.5], "25%", "75%"],
     [[0, 0.5], [0, 0.52], "37%", "24%"],
-    [
-      [
-        [1, 1],
-        [0, -1],
-      ],
-      [0, -3],
-      "87%",
-      "100%",
-    ],
+    [points("1,1 0,-1"), [0, -3], "87%", "100%"],
     [[0, 0], null, "50%", undefined],
   ]) {
     const tops = nameTops({ one, two }, RANGE);

@@ -195,14 +195,11 @@ test("other keys, and those of the browser, are left alone; the scene hears no k
 });
 
 test("a point on the far side cannot be caught; a near eye sees less than half of the sphere", () => {
-  for (const [eye, edge] of [
-    [100, -1 / 100],
-    [3, -1 / 3],
-    [2, -1 / 2],
-  ]) {
+  for (const eye of [100, 3, 2]) {
     const { view, handle, behind } = scene();
     view.aim.eye = () => [0, -eye, 0];
     // At the rim it can be caught, whatever rounding says.
+    const edge = -1 / eye;
     const found = [-1, edge - 1e-2, edge + 1e-9, edge + 1e-2, 1].map(behind);
     assert.deepEqual(found, [false, false, false, true, true]);
     assert.ok(!handle("points-1").hasAttribute("data-behind"));
@@ -253,11 +250,9 @@ test("handles come and go with their points", () => {
 test("a number has a ring on its path, which speaks", () => {
   const ring = only("angle").handle("angle");
   near(place(ring), on(30), 0.05);
-  const said = ["label", "valuemin", "valuemax", "valuenow", "valuetext"];
-  assert.deepEqual(
-    said.map((name) => ring.getAttribute(`aria-${name}`)),
-    ["angle", "-180", "180", "30", "30°"],
-  );
+  const names = ["label", "valuemin", "valuemax", "valuenow", "valuetext"];
+  const said = names.map((name) => ring.getAttribute(`aria-${name}`));
+  assert.deepEqual(said, ["angle", "-180", "180", "30", "30°"]);
   assert.equal(ring.getAttribute("role"), "slider");
 });
 
@@ -294,15 +289,7 @@ test("a body that turns with a number is grabbed in place of the path, wherever 
   const { element, update, state } = only("angle");
   const path = element.querySelector(".scene-path");
   const [x, y] = on(30).map((value) => (value - 50) / 25);
-  update({
-    angle: {
-      path: ROUND,
-      body: [
-        [0, 0, 0],
-        [x, 0, -y],
-      ],
-    },
-  });
+  update({ angle: { path: ROUND, body: points(`0,0,0 ${x},0,${-y}`) } });
   assert.equal(path.getAttribute("d"), "M50 50 75.98 35");
   drag(path, on(30, 15), on(70, 15));
   assert.equal(state.inputs.angle, 70);
@@ -355,10 +342,7 @@ test("where a picture is stacked, a body is measured in its own row", () => {
 });
 
 test("a body that the picture does not show cannot be grabbed", () => {
-  const { element, update, state } = scene(
-    { spoons: { kind: "poses", names: ["A", "B", "C"] } },
-    {},
-  );
+  const { element, update, state } = scene({ spoons: { kind: "poses", names: ["A", "B", "C"] } });
   const grabbed = () => element.querySelectorAll("[data-handle]").length;
   state.inputs.spoons = Array(3).fill([1, 0, 0, 0]);
   update({ spoons: { at: points("0,0,0 1,0,0"), size: 0.5 } });

@@ -89,11 +89,7 @@ test("an arrow is closed, whichever way it goes, and keeps its shape if it is sh
 });
 
 test("an arrow reaches from one point to the other with a head of one size, but if it is short", () => {
-  for (const [length, width] of [
-    [1, 0.06],
-    [2, 0.06],
-    [0.15, 0.04],
-  ]) {
+  for (const [length, width] of points("1,0.06 2,0.06 0.15,0.04")) {
     const all = triples(arrow([1, 0, 0], [1, 0, length], 0.02, 0.8).positions);
     const heights = all.map(([, , z]) => z);
     near([Math.min(...heights), Math.max(...heights)], [0, length], 1e-6);

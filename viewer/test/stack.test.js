@@ -4,7 +4,7 @@ import { Sphere, Vector3 } from "three";
 import { Aim, lens } from "../src/aim.js";
 import { project } from "../src/labels.js";
 import { Rows, rowOf, stacked, toBox, toPicture, WHOLE } from "../src/stack.js";
-import { near } from "./near.js";
+import { near, points, X, Y, Z } from "./near.js";
 
 // Left a ball, right a spoon, which is half as wide in a stack that is as high as twice its width.
 const ROWS = [
@@ -22,9 +22,7 @@ const POSE = {
 
 /** A camera, and how it turns about what it looks at. */
 function aimed() {
-  const aim = new Aim(POSE, new Sphere(new Vector3(), 1.2), [
-    [1, 0, 0, -1, 0, 0, 0, 1, 0, 0, 0, 1],
-  ]);
+  const aim = new Aim(POSE, new Sphere(new Vector3(), 1.2), [[...X, -1, 0, 0, ...Y, ...Z]]);
   const turn = (x, y, z) => {
     aim.camera.position.set(x, y, z);
     aim.camera.lookAt(new Vector3(...POSE.target));
@@ -72,10 +70,7 @@ test("a place of the picture is found in the box, and back", () => {
 test("through a place of the picture one sees what is there, wherever the camera has gone", () => {
   const { aim, turn } = aimed();
   near([aim.distance], [Math.hypot(4, -2, 1.9)]);
-  for (const eye of [
-    [4, -2, 2],
-    [-3, 1, -3],
-  ]) {
+  for (const eye of points("4,-2,2 -3,1,-3")) {
     turn(...eye);
     const point = aim.eye().map((x, k) => x + 3 * aim.through(0.3, 0.8)[k]);
     const { left, top } = project(lens(aim.camera), point);
@@ -91,10 +86,7 @@ test("a row shows what it showed at rest, in its middle and as large; without a 
   rows.fit(PHONE);
   const middles = ROWS.map(({ from }) => aim.middleOf(from));
   const sizes = [];
-  for (const eye of [
-    [4, -2, 2],
-    [3, 3, -1],
-  ]) {
+  for (const eye of points("4,-2,2 3,3,-1")) {
     turn(...eye);
     rows.follow();
     for (const [i, { to }] of ROWS.entries()) {

@@ -1,6 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { trails } from "../src/trails.js";
+import { points } from "./near.js";
 
 test("a way grows with its point, breaks where it jumps, and can be forgotten", () => {
   const ways = trails();
@@ -10,16 +11,7 @@ test("a way grows with its point, breaks where it jumps, and can be forgotten", 
   ways.follow({ way: [0.101, 0, 0] });
   ways.follow({ way: [0.9, 0, 0] });
   const { way } = ways.follow({ way: [1, 0, 0] });
-  const pieces = [
-    [
-      [0, 0, 0],
-      [0.1, 0, 0],
-    ],
-    [
-      [0.9, 0, 0],
-      [1, 0, 0],
-    ],
-  ];
+  const pieces = [points("0,0,0 0.1,0,0"), points("0.9,0,0 1,0,0")];
   assert.deepEqual(way, { paths: pieces, hidden: false });
   assert.deepEqual(ways.clear(), { way: { hidden: true } });
   assert.deepEqual(ways.clear(), {});

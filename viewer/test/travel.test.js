@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { beginning, between, duration, glide, slerp } from "../src/travel.js";
 import { tick } from "./dom.js";
-import { near } from "./near.js";
+import { near, points } from "./near.js";
 
 const SPECS = {
   u: { kind: "number", low: 0, high: 2, step: 0.01, plays: 4 },
@@ -45,11 +45,7 @@ test("what plays begins anew where a choice changes what it plays", () => {
 
 test("a way takes 600 to 900 milliseconds, slow at both ends", () => {
   const number = { u: SPECS.u };
-  for (const [u, wanted] of [
-    [0, 600],
-    [0.5, 750],
-    [2, 900],
-  ]) {
+  for (const [u, wanted] of points("0,600 0.5,750 2,900")) {
     near([duration(number, { u: 0 }, { u })], [wanted]);
   }
   const shown = [];

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { clipping, fieldOfView, outermost, reach, widened } from "../src/camera.js";
-import { near, points, X, Y, Z } from "./near.js";
+import { near, points, unit, X, Y, Z } from "./near.js";
 
 const close = (a, b) => near([a], [b]);
 const tan = (angle) => Math.tan((angle * Math.PI) / 360);
@@ -28,10 +28,9 @@ test("the outermost points are those at the corners, as seen from the center", (
 });
 
 test("a ball reaches as far whichever way it is turned", () => {
-  const ball = Array.from({ length: 10_000 }, (_, i) => {
-    const point = [0, 1, 2].map((k) => Math.sin((3 * i + k) ** 2));
-    return point.map((x) => x / Math.hypot(...point));
-  });
+  const ball = Array.from({ length: 10_000 }, (_, i) =>
+    unit([0, 1, 2].map((k) => Math.sin((3 * i + k) ** 2))),
+  );
   const ends = outermost([ball.flat()], [0, 0, 0]);
   for (const end of ends) assert.ok(Math.hypot(...end) > 0.999);
   const turned = [

@@ -12,10 +12,9 @@ import {
   turned,
 } from "../src/drag-geometry.js";
 import { stepped } from "../src/pointer.js";
-import { near, points, X, Y, Z } from "./near.js";
+import { near, points, unit, X, Y, Z } from "./near.js";
 
 const EYE = [5, 0, 0];
-const unit = (point) => point.map((x) => x / Math.hypot(...point));
 
 test("a line of sight meets the near side of the sphere, or leaves it on the far side", () => {
   near(alongSphere(EYE, [-1, 0, 0], 2), [2, 0, 0]);
@@ -45,17 +44,14 @@ test("a path gives the point of a share, and the share of what is nearest to a p
   near([share(points("0,0 0,0 2,0"), [1, 3])], [0.75]);
   // An open path ends; a closed one goes on.
   assert.ok(isClosed(SQUARE) && !isClosed(SQUARE.slice(1)));
-  near(
-    [share(SQUARE, [-1, 3.9], 0.02, 0.2), share(SQUARE, [-1, 1], 0.02, 0.2, true)],
-    [0, -0.0625],
-  );
+  near([share(SQUARE, [-1, 3.9], 0.02, 0.2)], [0]);
+  near([share(SQUARE, [-1, 1], 0.02, 0.2, true)], [-0.0625]);
   near([share(SQUARE, [1, -1], 0.98, 0.2, true)], [1.0625]);
   // Where it runs twice along one way, the finger stays on its own.
   const there_and_back = points("0,0 4,0 0,0");
-  near(
-    [0.2, 0.8].map((about) => share(there_and_back, [1, 1], about, 0.2)),
-    [0.125, 0.875],
-  );
+  for (const [about, wanted] of points("0.2,0.125 0.8,0.875")) {
+    near([share(there_and_back, [1, 1], about, 0.2)], [wanted]);
+  }
 });
 
 test("a ball rolls under a finger: what is under it stays there, and the rim turns it in the picture", () => {
@@ -101,8 +97,6 @@ test("a body turns as the camera sees it", () => {
 
 test("a number goes to the nearest step of its slider, and not beyond its ends", () => {
   const spec = { low: 1, high: 3, step: 0.5 };
-  near(
-    [1.8, 2.2, 9, -9].map((number) => stepped(spec, number)),
-    [2, 2, 3, 1],
-  );
+  const found = [1.8, 2.2, 9, -9].map((number) => stepped(spec, number));
+  near(found, [2, 2, 3, 1]);
 });

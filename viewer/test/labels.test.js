@@ -58,10 +58,8 @@ test("a label is hidden in and behind an opaque ball, behind a glass ball, nowhe
     [[], false, false, false, false, false],
   ]) {
     const places = [1.5, 0.999, 0, -0.999, -1.5].map((z) => [0.01, 0.01, z]);
-    assert.deepEqual(
-      places.map((place) => isHidden(surfaces, [0.3, 0.2, 5], place)),
-      wanted,
-    );
+    const hidden = places.map((place) => isHidden(surfaces, [0.3, 0.2, 5], place));
+    assert.deepEqual(hidden, wanted);
   }
 });
 
@@ -84,10 +82,8 @@ test("labels give way by half of the shorter way each, and not at all if they on
     [[box(0, 0), box(3, -6)], "0,2 0,-2"],
     [[box(0, 0), box(-17, 1)], "1.5,0 -1.5,0"],
   ]) {
-    near(
-      apart(boxes).map(({ x, y }) => [x, y]),
-      points(wanted),
-    );
+    const ways = apart(boxes).map(({ x, y }) => [x, y]);
+    near(ways, points(wanted));
   }
   assert.deepEqual(apart([]), []);
 });

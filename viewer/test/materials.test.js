@@ -15,8 +15,6 @@ function drawn(transparent) {
   return dress(part);
 }
 
-const uniform = ({ material }, name) => material.uniforms[name].value;
-
 test("what is see-through lets others through, and is drawn inside first", () => {
   const [both, back, front] = [0, -1, 1];
   for (const [transparent, ...sides] of [
@@ -24,10 +22,8 @@ test("what is see-through lets others through, and is drawn inside first", () =>
     [true, back, front],
   ]) {
     const made = drawn(transparent);
-    assert.deepEqual(
-      made.map((object) => uniform(object, "sides")),
-      sides,
-    );
+    const drawnSides = made.map((object) => object.material.uniforms.sides.value);
+    assert.deepEqual(drawnSides, sides);
     const { material } = made[0];
     assert.equal(material.transparent, transparent);
     assert.equal(material.depthWrite, !transparent);
@@ -45,10 +41,8 @@ test("a see-through surface counts by its far or its near end, where it is and a
   geometry.boundingSphere = new three.Sphere(new three.Vector3(0, 0, 1), 0.5);
   for (const object of made) object.matrixWorld.makeScale(2, 2, 2);
   sortSeeThrough(all, camera);
-  assert.deepEqual(
-    all.map(({ renderOrder }) => renderOrder),
-    [-8, -6, 0],
-  );
+  const order = all.map(({ renderOrder }) => renderOrder);
+  assert.deepEqual(order, [-8, -6, 0]);
   // A part that has changed its points has lost its sphere.
   geometry.boundingSphere = null;
   sortSeeThrough(made, camera);

@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 
 /** The points of a text, by blanks; their coordinates are separated by commas. */
 export const points = (text) => text.split(" ").map((point) => point.split(",").map(Number));
+export const unit = (point) => point.map((x) => x / Math.hypot(...point));
 export const [X, Y, Z] = points("1,0,0 0,1,0 0,0,1");
 
 /** Numbers, in lists of one form, differ by little. */

@@ -68,18 +68,14 @@ test("a panel stands in the order in which it is read", () => {
 test("each input has its control, with its value at the start", () => {
   const form = panel();
   const slider = form.querySelector("[type=range]");
-  assert.deepEqual(
-    ["name", "min", "max", "step", "value"].map((key) => slider.getAttribute(key)),
-    ["u", "0", "2", "0.01", "0.5"],
-  );
+  const said = ["name", "min", "max", "step", "value"].map((key) => slider.getAttribute(key));
+  assert.deepEqual(said, ["u", "0", "2", "0.01", "0.5"]);
   assert.equal(form.querySelectorAll("[type=range]").length, 1);
   assert.equal(form.querySelector(`label[for="${slider.id}"]`).textContent, "turn, °");
   assert.ok(form.querySelector("[name=on]").checked);
   assert.match(form.querySelector(".explorable-switch").textContent, /the "other" <way>/);
-  assert.deepEqual(
-    [...form.querySelectorAll("[name=way]")].map(({ checked }) => checked),
-    [false, true],
-  );
+  const ways = [...form.querySelectorAll("[name=way]")].map(({ checked }) => checked);
+  assert.deepEqual(ways, [false, true]);
   const actions = [...form.querySelectorAll("[data-input]")].map(({ dataset }) => dataset.action);
   assert.deepEqual(actions, ["play", "step", "add", "remove"]);
 });
@@ -103,13 +99,9 @@ test("a chart has curves, names at their ends, marks for its pieces, and hairlin
     ({ hidden, style }) => hidden || style.top,
   );
   assert.deepEqual(names, ["38%", true]);
-  assert.deepEqual(
-    [...chart.querySelectorAll(".explorable-marks span")].map(({ hidden }) => hidden),
-    [false, false, true],
-  );
-  const lines = [...chart.querySelectorAll("[data-tick]")].map((line) =>
-    line.getAttribute("data-tick"),
-  );
+  const marks = [...chart.querySelectorAll(".explorable-marks span")].map(({ hidden }) => hidden);
+  assert.deepEqual(marks, [false, false, true]);
+  const lines = [...chart.querySelectorAll("[data-tick]")].map(({ dataset }) => dataset.tick);
   assert.deepEqual(lines, ["-1", "-0.5", "0", "0.5", "1"]);
   assert.equal(chart.querySelector("[data-mark]").getAttribute("x1"), "80.0");
   assert.ok(!chart.hidden);

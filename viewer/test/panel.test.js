@@ -66,6 +66,9 @@ function bound(start = {}, specs = SPECS) {
   return { element, state, panel, find, press, write, play: find("[data-action=play]") };
 }
 
+/** Where u was asked to go. */
+const wayOf = ({ asked }) => asked.map(({ u }) => u);
+
 test("each control moves its own input, within its bounds, once the panel is bound", () => {
   const { state, find, write } = bound();
   assert.ok(!find("fieldset").disabled);
@@ -144,10 +147,7 @@ test("along a chart a number is dragged, and moved by keys", () => {
   for (const [key, shiftKey] of [["ArrowRight"], ["ArrowDown", true], ["a"]]) {
     tell(plot, "keydown", { key, shiftKey });
   }
-  near(
-    state.asked.map(({ u }) => u),
-    [2, 2.5, 2.51, 2.41],
-  );
+  near(wayOf(state), [2, 2.5, 2.51, 2.41]);
   assert.equal(plot.getAttribute("role"), "slider");
 });
 
@@ -187,18 +187,12 @@ test("a chip is followed wherever it is pressed, but with a key held it is a lin
 test("a step goes on to the next stride, and from the end to the beginning", () => {
   const { state, press } = bound({ u: 1.6 });
   for (let i = 0; i < 7; i++) press("step");
-  near(
-    state.asked.map(({ u }) => u),
-    [1.75, 2, 2.25, 2.5, 2.75, 3],
-  );
+  near(wayOf(state), [1.75, 2, 2.25, 2.5, 2.75, 3]);
   assert.deepEqual(state.back, [{ u: 1 }]);
   // It may be as wide as another input says.
   const other = bound({ u: 1, w: 0.3 }, { ...SPECS, u: { ...SPECS.u, stride: "w" } });
   for (let i = 0; i < 3; i++) other.press("step");
-  near(
-    other.state.asked.map(({ u }) => u),
-    [1.3, 1.6, 1.9],
-  );
+  near(wayOf(other.state), [1.3, 1.6, 1.9]);
 });
 
 test("a field that is left says the number that the figure has", () => {

@@ -6,6 +6,7 @@ import { near, points } from "./near.js";
 /** Three numbers of each point. */
 const triples = (array) =>
   Array.from({ length: array.length / 3 }, (_, i) => [...array.slice(3 * i, 3 * i + 3)]);
+const lengths = (array) => array.map((point) => Math.hypot(...point));
 const dot = (a, b) => a.reduce((sum, x, i) => sum + x * b[i], 0);
 const cross = ([a, b, c], [d, e, f]) => [b * f - c * e, c * d - a * f, a * e - b * d];
 const times = (point, factor) => point.map((x) => factor * x);
@@ -48,16 +49,9 @@ test("a tube keeps its distance from its line, and its normals point outwards", 
   assert.equal(corners.length, 3 * 2 * 8 * (8 + 1));
   const [all, outward] = [triples(positions), triples(normals)];
   const centers = [...line, ...line.slice(0, 2)].flatMap((point) => Array(8).fill(point));
-  near(
-    all,
-    centers.map((center, i) => center.map((x, k) => x + 0.1 * outward[i][k])),
-    1e-6,
-  );
-  near(
-    outward.map((normal) => Math.hypot(...normal)),
-    Array(88).fill(1),
-    1e-6,
-  );
+  const wanted = centers.map((center, i) => center.map((x, k) => x + 0.1 * outward[i][k]));
+  near(all, wanted, 1e-6);
+  near(lengths(outward), Array(88).fill(1), 1e-6);
 });
 
 test("a tube with as many points is written over the old one", () => {
@@ -77,11 +71,7 @@ test("an arrow is closed, whichever way it goes, and keeps its shape if it is sh
       const [shaft, head] = [area(Math.min(0.02, tip / 4), 20), area(tip / 3, 20)];
       near([volume(made, 0.3)], [(2 / 3) * shaft * (length - tip) + (head * tip) / 3], 1e-9);
       const normals = triples(made.normals);
-      near(
-        normals.map((normal) => Math.hypot(...normal)),
-        Array(normals.length).fill(1),
-        1e-6,
-      );
+      near(lengths(normals), Array(normals.length).fill(1), 1e-6);
       // VTK, too, shades a tip by the mean of its faces.
       near(normals.slice(-20), Array(20).fill(way), 1e-6);
     }

@@ -4,7 +4,7 @@ import { Sphere, Vector3 } from "three";
 import { Aim, lens } from "../src/aim.js";
 import { project } from "../src/labels.js";
 import { Rows, rowOf, stacked, toBox, toPicture, WHOLE } from "../src/stack.js";
-import { near, points, X, Y, Z } from "./near.js";
+import { near, points, unit, X, Y, Z } from "./near.js";
 
 // Left a ball, right a spoon, which is half as wide in a stack that is as high as twice its width.
 const ROWS = [
@@ -49,10 +49,8 @@ test("a stack stands in the middle of a box of another shape, as a whole", () =>
 });
 
 test("a place goes with the row in whose part it lies deeper", () => {
-  assert.deepEqual(
-    [0.44, 0.46, 2].map((left) => rowOf(ROWS, { left })),
-    [0, 1, 1],
-  );
+  const rows = [0.44, 0.46, 2].map((left) => rowOf(ROWS, { left }));
+  assert.deepEqual(rows, [0, 1, 1]);
   assert.equal(rowOf(WHOLE, { left: 2 }), 0);
 });
 
@@ -98,10 +96,7 @@ test("a row shows what it showed at rest, in its middle and as large; without a 
       sizes.push(rows.project(beside, middles[i]).left - left);
       const { direction } = rows.sight(left, top, middles[i]);
       const way = middles[i].map((x, k) => x - aim.eye()[k]);
-      near(
-        direction,
-        way.map((x) => x / Math.hypot(...way)),
-      );
+      near(direction, unit(way));
     }
   }
   near([sizes[0] / sizes[1]], [sizes[2] / sizes[3]]);

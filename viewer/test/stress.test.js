@@ -42,10 +42,8 @@ test("what is lit stands out, what is faint steps back, and both end", () => {
 
 test("what has the colour of a word stands out, its label with it; what is hidden has none", () => {
   const { stress, levels, faint } = shown();
-  assert.deepEqual(
-    [stress.has(BLUE), stress.has(GREEN), stress.helping()],
-    [true, false, ["ground", "axes"]],
-  );
+  assert.deepEqual([stress.has(BLUE), stress.has(GREEN)], [true, false]);
+  assert.deepEqual(stress.helping(), ["ground", "axes"]);
   stress.mean(BLUE);
   assert.deepEqual([levels(), faint()], [[2, 0.35, 0.35, 0.35], ["O"]]);
   stress.light();

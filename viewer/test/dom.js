@@ -45,6 +45,17 @@ export function tell(element, type, properties = {}) {
   return event;
 }
 
+/** What a reader of a figure does: finds something, presses a button, writes into a field. */
+export function readerOf(element) {
+  const find = (selector) => element.querySelector(selector);
+  const press = (action) => find(`[data-action=${action}]`).click();
+  const write = (name, value) => {
+    find(`[name="${name}"]`).value = value;
+    tell(find(`[name="${name}"]`), "input");
+  };
+  return { find, press, write };
+}
+
 /** Write a figure as a page has it: a scene and a panel. It is alone; no other hears of the window. */
 export function figure(panel) {
   for (const listener of listening) window.removeEventListener(...listener);

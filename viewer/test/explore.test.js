@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
-import { beforeEach, test } from "node:test";
+import { afterEach, beforeEach, mock, test } from "node:test";
 import { explore } from "../src/explore.js";
-import { calm, drag, figure, liveScene, tell, tick } from "./dom.js";
+import { calm, drag, figure, liveScene, readerOf, tell, tick } from "./dom.js";
 import { near, points } from "./near.js";
 
 const PANEL = `<p class="explorable-status" role="status"></p>
@@ -25,10 +25,12 @@ const stateOf = (u, v) => ({
 const HASH = "#explore-some-figure?";
 
 beforeEach(() => {
+  mock.timers.enable({ apis: ["setTimeout"] });
   history.replaceState(null, "", "/");
   // Most of what follows is about where a figure arrives.
   calm.matches = true;
 });
+afterEach(() => mock.timers.reset());
 
 /** A figure with a model, or with what is given instead. */
 function shown({ data = {}, model = ({ u, v }) => stateOf(u, v), python, past, around = "" } = {}) {
@@ -39,16 +41,11 @@ function shown({ data = {}, model = ({ u, v }) => stateOf(u, v), python, past, a
   const view = liveScene(scene);
   const figured = { name: "some-figure", inputs: INPUTS, start: START, constants: {}, ...data };
   const hand = explore(element, view, { ...figured, model: "add" }, { add: model }, python);
-  const find = (selector) => element.querySelector(selector);
-  const press = (action) => find(`[data-action=${action}]`).click();
-  const write = (name, value) => {
-    find(`[name=${name}]`).value = value;
-    tell(find(`[name=${name}]`), "input");
-  };
   const values = () => JSON.parse(element.dataset.values);
-  const status = () => find(".explorable-status").textContent;
+  const reader = readerOf(element);
+  const status = () => reader.find(".explorable-status").textContent;
   const name = () => view.canvas.getAttribute("aria-label");
-  return { scene, view, hand, find, press, write, values, status, name };
+  return { scene, view, hand, ...reader, values, status, name };
 }
 
 /** Come to an address, or back to an earlier entry of the history. */
@@ -82,10 +79,7 @@ test("a model is given the constants of its figure, and may correct inputs", () 
   assert.deepEqual(values(), { u: 0.5, v: 0.5, sum: 1.625 });
 });
 
-test("a geometry without an answer keeps the last picture, pale, and says why; other errors are some", ({
-  mock,
-}) => {
-  mock.timers.enable({ apis: ["setTimeout"] });
+test("a geometry without an answer keeps the last picture, pale, and says why; other errors are some", () => {
   const model = ({ u, v }) => {
     if (u === 0) throw new RangeError("no");
     if (u < 1) return stateOf(u, v);
@@ -106,8 +100,7 @@ test("a geometry without an answer keeps the last picture, pale, and says why; o
   assert.throws(() => hand.set({ u: 0 }), RangeError);
 });
 
-test("reset and chips go to a state as a whole, and say so once the hand rests", ({ mock }) => {
-  mock.timers.enable({ apis: ["setTimeout"] });
+test("reset and chips go to a state as a whole, and say so once the hand rests", () => {
   const { view, find, press, write, values, status } = shown();
   const said = () => {
     assert.equal(status(), "");
@@ -141,10 +134,7 @@ test("the address leads to the state, and the state follows the address", () => 
   }
 });
 
-test("a link is copied, or else shown to be copied by hand; nothing talks over that", async ({
-  mock,
-}) => {
-  mock.timers.enable({ apis: ["setTimeout"] });
+test("a link is copied, or else shown to be copied by hand; nothing talks over that", async () => {
   const copied = [];
   const clipboard = { writeText: async (text) => copied.push(text) };
   const { write, press, find, status } = shown();
@@ -166,8 +156,7 @@ test("a link is copied, or else shown to be copied by hand; nothing talks over t
   assert.deepEqual(copied, [`http://localhost/${HASH}u=0.5`]);
 });
 
-test("the history keeps the state for Back and for a reload, until Reset", ({ mock }) => {
-  mock.timers.enable({ apis: ["setTimeout"] });
+test("the history keeps the state for Back and for a reload, until Reset", () => {
   const past = { another: "#explore-another?w=1" };
   const { press, write } = shown({ past });
   write("u", "0.5");
@@ -207,10 +196,7 @@ test("Back brings an earlier state back, also if the address stays", () => {
   }
 });
 
-test("a change is told in a sentence, and the picture's name with it, once the hand rests", ({
-  mock,
-}) => {
-  mock.timers.enable({ apis: ["setTimeout"] });
+test("a change is told in a sentence, and the picture's name with it, once the hand rests", () => {
   const inputs = { u: { ...INPUTS.u, label: "turn, °" }, v: INPUTS.v };
   const { write, press, status, name, find } = shown({ data: { inputs } });
   write("u", "0.5");
@@ -229,8 +215,7 @@ test("a change is told in a sentence, and the picture's name with it, once the h
   assert.equal(name(), "A ball");
 });
 
-test("what a model shows only while the hand moves goes once it rests; so do ways", ({ mock }) => {
-  mock.timers.enable({ apis: ["setTimeout"] });
+test("what a model shows only while the hand moves goes once it rests; so do ways", () => {
   const model = ({ u, v }, _, changed) => {
     const labels = { P: changed };
     return { ...stateOf(u, v), labels, ...(u < 1 && { trails: { way: [v, 0, 0] } }) };
@@ -255,8 +240,7 @@ test("what a model shows only while the hand moves goes once it rests; so do way
   ]);
 });
 
-test("what Python sets is not announced, but the picture's name follows", ({ mock }) => {
-  mock.timers.enable({ apis: ["setTimeout"] });
+test("what Python sets is not announced, but the picture's name follows", () => {
   const { hand, status, name } = shown();
   hand.set({ v: 2 });
   mock.timers.tick(500);
@@ -264,8 +248,7 @@ test("what Python sets is not announced, but the picture's name follows", ({ moc
   assert.equal(name(), "Changed: v 2. sum 2.25");
 });
 
-test("a dragged point keeps its length; the status line says where it lies", ({ mock }) => {
-  mock.timers.enable({ apis: ["setTimeout"] });
+test("a dragged point keeps its length; the status line says where it lies", () => {
   const inputs = { p: { kind: "points", names: ["P", "Q"], length: 2, reach: 1 } };
   const data = { inputs, start: { p: points("0,-2,0 0,0,2") } };
   const model = ({ p }) => ({ parts: {}, labels: {}, outputs: { sum: p[0][0] } });
@@ -294,6 +277,7 @@ test("in a notebook the figure starts where Python is, and tells it what the han
 
 /** A chip leads from u = 0.25 to 1, in 900 ms; u is 0.625 half way. */
 function onTheWay(given) {
+  history.replaceState(null, "", "/");
   calm.matches = false;
   const panel = shown(given);
   panel.find(".try").click();
@@ -302,8 +286,7 @@ function onTheWay(given) {
   return panel;
 }
 
-test("chips and Reset move there; only the target is told, kept and said", ({ mock }) => {
-  mock.timers.enable({ apis: ["setTimeout"] });
+test("chips and Reset move there; only the target is told, kept and said", () => {
   const told = [];
   const { values, press, status, view } = onTheWay({
     python: { values: START, tell: (inputs) => told.push(inputs) },
@@ -331,7 +314,6 @@ test("the history gets the target alone, and Back on the way leads back", () => 
   tick(900);
   assert.deepEqual(history.state, kept);
   assert.equal(values().u, 1);
-  history.replaceState(null, "", "/");
   const again = onTheWay();
   go("popstate", { "some-figure": HASH }, "/");
   // The browser tells the same twice.
@@ -350,12 +332,10 @@ test("who takes hold of something stops the way; who does anything else comes to
     [".scene", "wheel", 1],
     [".try", "pointerdown", 0.625],
   ]) {
-    history.replaceState(null, "", "/");
     const { find, values } = onTheWay();
     tell(find(taken), kind);
     near([values().u], [wanted]);
   }
-  history.replaceState(null, "", "/");
   const { write, values } = onTheWay();
   write("v", "2");
   tick(900);
@@ -367,7 +347,6 @@ test("out of sight a figure is there at once; a refused state on the way does no
   view.canvas.closest(".explorable").getBoundingClientRect = () => ({ top: 801, bottom: 900 });
   tick(500);
   assert.equal(values().u, 1);
-  history.replaceState(null, "", "/");
   const model = ({ u, v }) => {
     if (u > 0.7 && u < 1) throw Object.assign(new Error("no"), { name: "DegenerateError" });
     return stateOf(u, v);

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Panel } from "../src/panel.js";
-import { calm, figure, hold, tell, tick } from "./dom.js";
+import { calm, figure, hold, readerOf, tell, tick } from "./dom.js";
 import { near, points } from "./near.js";
 
 const PANEL = `<form class="explorable-panel"><fieldset disabled>
@@ -57,13 +57,8 @@ function bound(start = {}, specs = SPECS) {
     follow: ({ hash }) => state.asked.push(hash),
   };
   const panel = new Panel(element, specs, () => state.inputs, actions);
-  const find = (selector) => element.querySelector(selector);
-  const press = (action) => find(`[data-action=${action}]`).click();
-  const write = (name, value) => {
-    find(`[name="${name}"]`).value = value;
-    tell(find(`[name="${name}"]`), "input");
-  };
-  return { element, state, panel, find, press, write, play: find("[data-action=play]") };
+  const play = element.querySelector("[data-action=play]");
+  return { element, state, panel, ...readerOf(element), play };
 }
 
 /** Where u was asked to go. */

@@ -1,4 +1,5 @@
 /* Cases that Python has computed, and how close Node must come to them. */
+import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 
 /** Read the cases that `tests/node.py` has written. */
@@ -16,22 +17,20 @@ export function answer(compute) {
   }
 }
 
+const rounding = (value) => 2e-6 * Math.max(1, Math.abs(value));
+
 /**
- * Say where a result differs from Python's, which may have more keys.
+ * A result is Python's, which may have more keys.
  * @param {function} allowed the difference allowed from a number
  */
-export function difference(mine, python, allowed, where = "") {
+export function close(mine, python, allowed = rounding, where = "") {
+  const compared = `${where}: ${mine}, Python: ${python}`;
   if (typeof mine === "number" && typeof python === "number") {
-    return Math.abs(mine - python) <= allowed(python) ? "" : `${where}: ${mine}, Python: ${python}`;
+    assert.ok(Math.abs(mine - python) <= allowed(python), compared);
+  } else if ([mine, python].some((value) => value === null || typeof value !== "object")) {
+    assert.equal(mine, python, compared);
+  } else {
+    if (Array.isArray(mine)) assert.equal(mine.length, python.length, compared);
+    for (const key of Object.keys(mine)) close(mine[key], python[key], allowed, `${where} ${key}`);
   }
-  if (mine === null || typeof mine !== "object" || python === null || typeof python !== "object") {
-    return mine === python ? "" : `${where}: ${mine}, Python: ${python}`;
-  }
-  if (Array.isArray(mine) && mine.length !== python.length) {
-    return `${where}: ${mine.length} of them, Python: ${python.length}`;
-  }
-  const found = Object.keys(mine).map((key) =>
-    difference(mine[key], python[key], allowed, `${where} ${key}`),
-  );
-  return found.find(Boolean) ?? "";
 }

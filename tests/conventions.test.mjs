@@ -3,21 +3,14 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { test } from "node:test";
 import { Euler, Matrix4, Object3D, PerspectiveCamera, Quaternion, Vector3 } from "three";
+import { near, points } from "../viewer/test/near.js";
 
 const page = await readFile(new URL("../book/conventions.md", import.meta.url), "utf8");
 const row = page.split("\n").find((line) => line.startsWith("| three.js"));
 const [, axes, order, angles, matrices, rotation] = row.split(" | ");
-const [X, Y, Z] = [
-  [1, 0, 0],
-  [0, 1, 0],
-  [0, 0, 1],
-].map((axis) => new Vector3(...axis));
+const [X, Y, Z] = points("1,0,0 0,1,0 0,0,1").map((axis) => new Vector3(...axis));
 const about = (axis, angle) => new Matrix4().makeRotationAxis(axis, angle);
-const close = (a, b) => {
-  for (const [i, number] of a.entries()) {
-    assert.ok(Math.abs(number - b[i]) < 1e-14);
-  }
-};
+const close = (a, b) => near(a, b, 1e-14);
 
 test("axes", () => {
   assert.equal(axes, "right-handed, Y up");

@@ -10,35 +10,33 @@ import {
   quaternionMatrix,
   rotationMatrix,
 } from "../rotedu/scenes/rotations.js";
-import { difference, read } from "./cases.mjs";
+import { points, unit } from "../viewer/test/near.js";
+import { close, read } from "./cases.mjs";
 
-const allowed = (value) => 2e-6 * Math.max(1, Math.abs(value));
 const { figures } = await read("models");
-const specOf = (model) => figures.find(({ spec }) => spec.model === model).spec;
+
+/** What a model returns for its start, with some other inputs, of which some have just changed. */
+function stateOf(model, inputs, changed = []) {
+  const { start, constants } = figures.find(({ spec }) => spec.model === model).spec;
+  return models[model]({ ...start, ...inputs }, constants, changed);
+}
 
 test("every model belongs to a figure", () => {
   assert.deepEqual(new Set(Object.keys(models)), new Set(figures.map(({ spec }) => spec.model)));
 });
 
 test("a ring stays on the point that it holds", () => {
-  const spec = specOf("controlPointsByHand");
-  const points = [
-    [1, 0, 0],
-    [0, 1, 0],
-    [0.2, -0.5, 0.8],
-  ];
+  const given = points("1,0,0 0,1,0 0.2,-0.5,0.8");
   const corrected = (one_circle) =>
-    models.controlPointsByHand({ ...spec.start, points, one_circle }, spec.constants, []).inputs;
-  const length = Math.hypot(0.2, 0.5);
-  const there = [...points.slice(0, 2), [0.2 / length, -0.5 / length, 0]];
-  assert.equal(difference(corrected(true).points, there, allowed), "");
+    stateOf("controlPointsByHand", { points: given, one_circle }).inputs;
+  const there = [...given.slice(0, 2), unit([0.2, -0.5, 0])];
+  close(corrected(true).points, there);
   assert.deepEqual(corrected(false), {});
 });
 
 test("the arrows of Figure 1 grow one after another, and a second vector has its own", () => {
-  const spec = specOf("figure1ByHand");
   const drawn = (inputs) => {
-    const { parts } = models.figure1ByHand({ ...spec.start, ...inputs }, spec.constants, []);
+    const { parts } = stateOf("figure1ByHand", inputs);
     return ["", "other "].map((whose) =>
       [1, 2, 3].map((i) => parts[`${whose}term ${i}`]).map(({ hidden, to }) => !hidden && to),
     );
@@ -48,36 +46,26 @@ test("the arrows of Figure 1 grow one after another, and a second vector has its
   assert.deepEqual(drawn({ drawn: 0, around: 130 }), [none, none]);
   const [[first, second, third]] = drawn({ drawn: 1.5 });
   assert.deepEqual([first, third], [whole[0], false]);
-  assert.equal(difference(second, combine(0.5, whole[0], 0.5, whole[1]), allowed), "");
+  close(second, combine(0.5, whole[0], 0.5, whole[1]));
   const [same, theirs] = drawn({ drawn: 3, around: 130 });
   assert.deepEqual(same, whole);
   assert.ok(theirs.every(Boolean));
 });
 
 test("who turns the spoon of Picture 4-b takes its rings along, by the nearest angles", () => {
-  const spec = specOf("eulerAnglesByHand");
-  const led = (inputs) =>
-    models.eulerAnglesByHand({ ...spec.start, ...inputs }, spec.constants, ["spoon"]);
+  const led = (inputs) => stateOf("eulerAnglesByHand", inputs, ["spoon"]);
   const radians = (angles) => angles.map((angle) => (angle * Math.PI) / 180);
   const about = (angles, axis, degrees) => {
     const turn = rotationMatrix(axis, (degrees * Math.PI) / 180);
     return quaternionFromMatrix(product(turn, matrixFromEulerAngles(...radians(angles))));
   };
   const set = ([u, v, w]) => ({ u, v, w });
-  for (const from of [
-    [10, 20, 30],
-    [10, 160, 30],
-    [179, -40, -179],
-    [-100, -130, 50],
-  ]) {
+  for (const from of points("10,20,30 10,160,30 179,-40,-179 -100,-130,50")) {
     const spoon = about(from, [1, -2, 2], 2);
     const { inputs, outputs } = led({ ...set(from), spoon });
     const { u, v, w } = inputs;
     const there = matrixFromEulerAngles(...radians([u, v, w]));
-    assert.equal(
-      difference(there, quaternionMatrix(spoon), () => 1e-12),
-      "",
-    );
+    close(there, quaternionMatrix(spoon), () => 1e-12);
     assert.deepEqual(outputs.rings, [u, v, w]);
     [u, v, w].forEach((angle, i) => {
       assert.ok(Math.abs(angle) <= 180);
@@ -88,42 +76,33 @@ test("who turns the spoon of Picture 4-b takes its rings along, by the nearest a
   assert.deepEqual(led({}).inputs, set([90, 90, 90]));
   const { u, v, w } = led({ spoon: about([90, 90, 90], [0, 1, 0], -1) }).inputs;
   assert.ok(Math.abs(v - 89) < 1e-6 && Math.abs(u - w) < 1e-6 && Math.abs(u % 180) < 1e-6);
-  const rings = models.eulerAnglesByHand({ ...spec.start, u: 20 }, spec.constants, ["u"]).inputs;
+  const rings = stateOf("eulerAnglesByHand", { u: 20 }, ["u"]).inputs;
   assert.deepEqual(Object.keys(rings), ["spoon"]);
   const wanted = quaternionFromMatrix(matrixFromEulerAngles(...radians([20, 90, 90])));
-  assert.equal(
-    difference(rings.spoon, wanted, () => 1e-12),
-    "",
-  );
+  close(rings.spoon, wanted, () => 1e-12);
 });
 
 test("a spoon follows what the hand has set last", () => {
-  const spec = specOf("grabTheSpoon");
+  const { start } = figures.find(({ spec }) => spec.model === "grabTheSpoon").spec;
   const after = (inputs, changed) => {
-    const given = { ...spec.start, ...inputs };
-    return { ...given, ...models.grabTheSpoon(given, spec.constants, changed).inputs };
+    return { ...start, ...inputs, ...stateOf("grabTheSpoon", inputs, changed).inputs };
   };
   const pose = [0.5, 0.5, -0.5, 0.5];
   const turned = after({ spoon: pose }, ["spoon"]);
   assert.deepEqual([turned.way, turned.along, turned.left], ["by hand", 0, pose]);
   const begun = after({ ...turned, way: "home by nlerp" }, ["way"]);
   assert.equal(begun.along, 0);
-  assert.equal(difference(begun.spoon, pose, allowed), "");
+  close(begun.spoon, pose);
   const slid = after({ ...turned, along: 1 }, ["along"]);
   assert.equal(slid.way, "home by slerp");
-  assert.equal(difference(slid.spoon, [1, 0, 0, 0], allowed), "");
+  close(slid.spoon, [1, 0, 0, 0]);
   // All ways home begin where the hand has left the spoon.
   const other = after({ ...slid, way: "home by Euler angles" }, ["way"]);
-  assert.equal(difference(other.spoon, pose, allowed), "");
+  close(other.spoon, pose);
 });
 
 test("a trail is drawn by hand alone, and the ways of opposites differ by the axis", () => {
-  const spec = specOf("grabTheSpoon");
-  const frame = (inputs) => models.grabTheSpoon({ ...spec.start, ...inputs }, spec.constants, []);
-  assert.equal(frame({}).trails, undefined);
-  const { trails } = frame({ way: "by hand", spoon: [0, 0.6, 0, 0.8] });
-  assert.equal(
-    difference(trails, { trail: [0.3, 0, 0.4], "opposite trail": [-0.3, 0, -0.4] }, allowed),
-    "",
-  );
+  assert.equal(stateOf("grabTheSpoon").trails, undefined);
+  const { trails } = stateOf("grabTheSpoon", { way: "by hand", spoon: [0, 0.6, 0, 0.8] });
+  close(trails, { trail: [0.3, 0, 0.4], "opposite trail": [-0.3, 0, -0.4] });
 });

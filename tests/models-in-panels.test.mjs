@@ -28,40 +28,40 @@ function shown(element) {
 for (const { spec, cases } of figures) {
   const model = models[spec.model];
   const written = (start) => panelHtml({ ...spec, start }, model(start, spec.constants, []));
+  const begun = () => {
+    const element = figure(written(spec.start));
+    const view = liveScene(element.firstElementChild);
+    const { set } = explore(element, view, spec, models);
+    return { element, view, set, values: () => JSON.parse(element.dataset.values) };
+  };
 
   test(`the panel of ${spec.name} follows`, () => {
-    const element = figure(written(spec.start));
-    const { set } = explore(element, liveScene(element.firstElementChild), spec, models);
+    const { element, set, values } = begun();
     for (const inputs of cases) {
       set(inputs);
       const { value: panel } = answer(() => written(inputs));
       if (!panel) continue;
       const other = document.createElement("div");
       other.innerHTML = panel;
-      assert.deepEqual(
-        shown(element),
-        shown(other),
-        `EXPLORE_SEED=${seed}: ${JSON.stringify(inputs)}`,
-      );
+      const where = `EXPLORE_SEED=${seed}: ${JSON.stringify(inputs)}`;
+      assert.deepEqual(shown(element), shown(other), where);
       for (const { name, value } of element.querySelectorAll("[type=range], [type=number]")) {
         const key = name.replace("-number", "");
         // A model may have corrected it.
-        const now = JSON.parse(element.dataset.values)[key];
-        assert.ok(Math.abs(value - now) <= spec.inputs[key].step / 2, name);
+        assert.ok(Math.abs(value - values()[key]) <= spec.inputs[key].step / 2, name);
       }
     }
   });
 
   test(`each slider of ${spec.name} moves its own input`, () => {
-    const element = figure(written(spec.start));
-    explore(element, liveScene(element.firstElementChild), spec, models);
+    const { element, values } = begun();
     for (const slider of element.querySelectorAll("[type=range]")) {
-      const before = JSON.parse(element.dataset.values);
+      const before = values();
       const { low, high } = spec.inputs[slider.name];
       const wanted = before[slider.name] === high ? low : high;
       slider.value = String(wanted);
       tell(slider, "input");
-      const after = JSON.parse(element.dataset.values);
+      const after = values();
       const given = { ...before, [slider.name]: wanted };
       const { inputs: corrected = {} } = model(given, spec.constants, [slider.name]);
       for (const name of Object.keys(spec.inputs).filter((name) => !(name in corrected))) {
@@ -72,10 +72,7 @@ for (const { spec, cases } of figures) {
 
   test(`each chip of ${spec.name} moves where it leads, and Reset back`, () => {
     history.replaceState(null, "", "/");
-    const element = figure(written(spec.start));
-    const view = liveScene(element.firstElementChild);
-    const { set } = explore(element, view, spec, models);
-    const values = () => JSON.parse(element.dataset.values);
+    const { element, view, set, values } = begun();
     const [[only, { high }]] = Object.entries(spec.inputs);
     // A small figure has no chips.
     if (!spec.tries.length) set({ [only]: high });
@@ -93,9 +90,7 @@ for (const { spec, cases } of figures) {
   });
 
   test(`each handle of ${spec.name} names the parts that it holds`, () => {
-    const element = figure(written(spec.start));
-    const view = liveScene(element.firstElementChild);
-    explore(element, view, spec, models);
+    const { element, view } = begun();
     const { parts } = model(spec.start, spec.constants, []);
     for (const handle of element.querySelectorAll(".scene [data-handle]")) {
       tell(handle, "pointerover");

@@ -3,8 +3,6 @@
 import base64
 import gzip
 import io
-import subprocess
-import sys
 from pathlib import Path
 from typing import Any, ClassVar
 
@@ -192,9 +190,3 @@ def test_without_a_reader_or_widgets_there_are_pictures(
     ]
     _, *shown = run(monkeypatch, *cells, reader=reader).cells
     assert ["image/png" in output.data for cell in shown for output in cell.outputs] == [True, True]
-
-
-def test_outside_a_kernel_no_widgets_are_loaded() -> None:
-    code = "import sys, rotedu.figures; print('anywidget' in sys.modules)"
-    run = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True)
-    assert run.stdout == "False\n"

@@ -12,16 +12,7 @@ from explorables import EXPLORABLES, SEED, moved, outputs, panels, spec, states
 from node import run_cases
 
 from rotedu import scenes
-from rotedu.figures import (
-    Choice,
-    Handles,
-    Slider,
-    State,
-    Switch,
-    explorable,
-    explore,
-    model,
-)
+from rotedu.figures import Choice, Handles, Slider, State, Switch, explorable, explore, model
 from rotedu.figures.explorable import Explorable
 from rotedu.figures.model import RefusedError
 

@@ -29,6 +29,8 @@ SCENES = [
     and function is not scenes.two_curves
 ]
 
+TARGETS = scenes.CAMERA_TARGETS / np.linalg.norm(scenes.CAMERA_TARGETS, axis=1, keepdims=True)
+
 
 @pytest.mark.parametrize("scene", SCENES, ids=lambda scene: scene.__name__)
 def test_a_scene_says_what_it_shows_and_keeps_its_labels_in_the_picture(scene) -> None:
@@ -130,9 +132,7 @@ def test_figure_1_stays_in_the_picture_when_its_axis_is_tilted() -> None:
 @pytest.mark.parametrize("path", ["arcs", "curve"])
 def test_the_path_of_the_camera_leads_through_its_targets(path: str) -> None:
     [way] = states("camera_by_hand", [{}])[0]["parts"][path]["paths"]
-    targets = np.array(scenes.CAMERA_TARGETS)
-    targets /= np.linalg.norm(targets, axis=1, keepdims=True)
-    assert np.linalg.norm(way - targets[:, None], axis=2).min(axis=1).max() < 1e-5
+    assert np.linalg.norm(way - TARGETS[:, None], axis=2).min(axis=1).max() < 1e-5
 
 
 def test_the_camera_looks_ahead_and_stands_upright() -> None:
@@ -278,8 +278,7 @@ def test_the_path_of_the_arm_reaches_the_skin_after_one_turn_and_shrinks(turns, 
 
 
 @pytest.mark.parametrize(
-    ("misprints", "wrong"),
-    [([], []), (["printed_axis"], [1, 2, 3]), (["printed_double"], [3])],
+    ("misprints", "wrong"), [([], []), (["printed_axis"], [1, 2, 3]), (["printed_double"], [3])]
 )
 def test_what_a_misprint_makes_wrong_is_red(misprints: list[str], wrong: list[int]) -> None:
     plotter = scenes.control_points_by_hand(step=4, **dict.fromkeys(misprints, True))
@@ -302,8 +301,7 @@ def test_construction_of_figures_3_to_7_is_that_of_control_points() -> None:
 
 
 def test_reversed_axis_is_that_of_5_9_as_printed() -> None:
-    p = np.array(scenes.CAMERA_TARGETS)
-    p /= np.linalg.norm(p, axis=1, keepdims=True)
+    p = TARGETS
     reflected, after = double(np.roll(p, 1, axis=0), p), np.roll(p, -1, axis=0)
     printed = np.cross(after, reflected)
     middle = rotate(reflected, printed, angle_between(reflected, after) / 2)
@@ -365,9 +363,7 @@ def test_speed_jumps_on_arcs_and_not_on_the_curve() -> None:
         name: np.subtract(s, np.roll(s, 1, axis=0)[:, [-1]])[:, 0] for name, s in speeds.items()
     }
     assert abs(jumps["curve"]).max() < 1e-4
-    arcs = np.array(scenes.CAMERA_TARGETS)
-    arcs /= np.linalg.norm(arcs, axis=1, keepdims=True)
-    lengths = np.degrees(np.arccos(np.sum(arcs * np.roll(arcs, -1, axis=0), axis=1)))
+    lengths = np.degrees(np.arccos(np.sum(TARGETS * np.roll(TARGETS, -1, axis=0), axis=1)))
     np.testing.assert_allclose(jumps["arcs"], lengths - np.roll(lengths, 1), atol=1e-4)
 
 

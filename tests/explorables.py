@@ -42,6 +42,11 @@ def states(name: str, cases: Sequence[dict[str, Any]]) -> list[State]:
     return figure.scene.model.states([figure.start | figure.checked(case) for case in cases])
 
 
+def turn_of(state: State, part: str) -> np.ndarray:
+    """The matrix that turns a part."""
+    return np.reshape(state["parts"][part]["matrix"], (4, 4)).T[:3, :3]
+
+
 def outputs(name: str, **inputs: Any) -> dict[str, Any]:
     """The outputs of a figure."""
     [state] = states(name, [inputs])

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 import pytest
 import pyvista
-from explorables import states
+from explorables import states, turn_of
 from nightly import nightly
 from scipy.spatial.transform import Rotation, Slerp
 
@@ -164,11 +164,6 @@ def test_two_mirrors_turn_the_letter_by_twice_their_angle(between: float) -> Non
     assert np.isclose(np.linalg.det(mirrored), -1)
     turned = Rotation.from_euler("z", [[140], [140 + 2 * between]], degrees=True).as_matrix()
     np.testing.assert_allclose([before, after], turned, rtol=0, atol=1e-14)
-
-
-def turn_of(state: dict[str, Any], name: str) -> np.ndarray:
-    """The matrix that turns a part."""
-    return np.reshape(state["parts"][name]["matrix"], (4, 4)).T[:3, :3]
 
 
 def half_of_ribbon(done: float) -> np.ndarray:

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from explorables import EXPLORABLES, outputs, panels, states
+from explorables import EXPLORABLES, outputs, panels, states, turn_of
 from oracles.motion import spinning_bodies
 from scipy.spatial.transform import Rotation
 
@@ -150,10 +150,7 @@ SHOWN: dict[str, dict[str, dict[str, str]]] = {
         },
     },
     "mean_by_hand": {
-        "give *q₃* the other sign": {
-            "apart": "73.0°",
-            "by_matrices": "37, 36, 42°",
-        },
+        "give *q₃* the other sign": {"apart": "73.0°", "by_matrices": "37, 36, 42°"},
         "no choice of signs helps": {"apart": "22.6°"},
         "thirds of a whole turn": {
             "apart": "not unique",
@@ -283,13 +280,10 @@ def test_past_the_opposite_point_the_arc_swings_to_the_other_side() -> None:
 
 def test_a_spoon_at_the_end_does_not_tell_the_sign() -> None:
     flipped = tried("slerp_by_hand", "flip the sign of the end")
-    frames = [
-        states("slerp_by_hand", [inputs])[0]["parts"]
-        for inputs in (tried("slerp_by_hand"), flipped)
-    ]
-    there, opposite = (parts["end"]["at"] for parts in frames)
-    assert np.allclose(there, -np.array(opposite))
-    spoons = [parts["spoon at the end"]["matrix"] for parts in frames]
+    frames = states("slerp_by_hand", [tried("slerp_by_hand"), flipped])
+    there, opposite = (np.array(state["parts"]["end"]["at"]) for state in frames)
+    assert np.allclose(there, -opposite)
+    spoons = [state["parts"]["spoon at the end"]["matrix"] for state in frames]
     assert np.allclose(*spoons, atol=1e-5)
 
 
@@ -341,11 +335,10 @@ def test_acceleration_jumps_as_told() -> None:
 @pytest.mark.parametrize("words", ["", *EXPLORABLES["spinning_by_hand"].tries])
 def test_a_spinning_body_is_drawn_where_scipy_has_it(words: str) -> None:
     inputs = tried("spinning_by_hand", words)
-    parts = states("spinning_by_hand", [inputs])[0]["parts"]
-    bodies = spinning_bodies(**inputs)
-    for name, expected in bodies.items():
-        drawn = np.reshape(parts[name]["matrix"], (4, 4)).T[:3, :3]
-        np.testing.assert_allclose(drawn, expected, atol=2e-6)
+    [state] = states("spinning_by_hand", [inputs])
+    for name, expected in spinning_bodies(**inputs).items():
+        np.testing.assert_allclose(turn_of(state, name), expected, atol=2e-6)
+    parts = state["parts"]
     turned = Rotation.from_rotvec(np.pi / 2 * inputs["t"] * np.array(inputs["space"]))
     np.testing.assert_allclose(parts["body"]["to"], 0.85 * turned.apply(inputs["body"]), atol=2e-6)
     np.testing.assert_allclose(parts["space"]["to"], 0.85 * np.array(inputs["space"]), atol=2e-6)
@@ -396,9 +389,8 @@ def test_two_arrows_close_together_can_have_spoons_that_are_not() -> None:
     """Either is nearly half a turn, about axes at right angles to each other."""
     ends = [tried("from_a_to_b", words) for words in ("almost opposite", "from the other side")]
     assert np.degrees(angle_between(ends[0]["b"], ends[1]["b"])) < 12
-    spoons = [x["parts"]["spoon after"]["matrix"] for x in states("from_a_to_b", ends)]
-    turns = [Rotation.from_matrix(np.reshape(m, (4, 4))[:3, :3].T) for m in spoons]
-    assert np.degrees((turns[0].inv() * turns[1]).magnitude()) > 175
+    first, second = (turn_of(state, "spoon after") for state in states("from_a_to_b", ends))
+    assert np.degrees(Rotation.from_matrix(first.T @ second).magnitude()) > 175
 
 
 @pytest.mark.parametrize("turns", [1, 2, 3, 4])

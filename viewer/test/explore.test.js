@@ -17,11 +17,7 @@ const PANEL = `<p class="explorable-status" role="status"></p>
 const NUMBER = { kind: "number", step: 0.01, stride: 0.1, plays: 0 };
 const INPUTS = { u: { ...NUMBER, low: 0, high: 1 }, v: { ...NUMBER, low: 0, high: 2 } };
 const START = { u: 0.25, v: 1 };
-const stateOf = (u, v) => ({
-  parts: { ball: { at: [u, v, 0] } },
-  labels: {},
-  outputs: { sum: u + v },
-});
+const stateOf = (u, v) => ({ parts: { ball: { at: [u, v, 0] } }, outputs: { sum: u + v } });
 const HASH = "#explore-some-figure?";
 
 beforeEach(() => {
@@ -251,7 +247,7 @@ test("what Python sets is not announced, but the picture's name follows", () => 
 test("a dragged point keeps its length; the status line says where it lies", () => {
   const inputs = { p: { kind: "points", names: ["P", "Q"], length: 2, reach: 1 } };
   const data = { inputs, start: { p: points("0,-2,0 0,0,2") } };
-  const model = ({ p }) => ({ parts: {}, labels: {}, outputs: { sum: p[0][0] } });
+  const model = ({ p }) => ({ parts: {}, outputs: { sum: p[0][0] } });
   const { scene, values, status } = shown({ data, model });
   const handle = scene.querySelector("[data-handle=p-0]");
   drag(handle, [50, 50], [75, 50]);

@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { addHandles } from "../src/handles.js";
 import { drag, figure, hold, liveScene, tell } from "./dom.js";
-import { near, points, X } from "./near.js";
+import { near, points, X, Z } from "./near.js";
 
 const SPECS = {
   u: { kind: "number" },
@@ -22,13 +22,8 @@ const on = (degrees, radius = 30) => [
   50 - radius * Math.sin(radians(degrees)),
 ];
 const GRIPS = { angle: { path: ROUND }, spoon: { at: X, size: 0.5 } };
-const START = {
-  u: 0,
-  points: points("0,-1,0 0.6,-0.8,0"),
-  axis: [0, 0, 1],
-  angle: 30,
-  spoon: [1, 0, 0, 0],
-};
+const REST = [1, 0, 0, 0];
+const START = { u: 0, points: points("0,-1,0 0.6,-0.8,0"), axis: Z, angle: 30, spoon: REST };
 
 /** A scene with handles, its inputs, and what has been said. */
 function scene(specs = SPECS, grips = undefined) {
@@ -99,14 +94,14 @@ test("a handle goes to another place together with the picture", () => {
 });
 
 test("a handle moves its own point, to where the pointer is", () => {
-  for (const [i, other] of [0, 1].entries()) {
+  for (const i of [0, 1]) {
     const { state, handle } = scene();
     const [left, top] = place(handle(`points-${i}`));
     // The finger need not hold it by its middle.
     drag(handle(`points-${i}`), [left + 2, top + 1], [left + 7, top - 9]);
     near(place(handle(`points-${i}`)), [left + 5, top - 10], 1e-3);
     near([Math.hypot(...state.inputs.points[i])], [1]);
-    assert.deepEqual(state.inputs.points[1 - other], START.points[1 - other]);
+    assert.deepEqual(state.inputs.points[1 - i], START.points[1 - i]);
     assert.deepEqual(state.inputs.axis, START.axis);
     assert.deepEqual(state.said, [handle(`points-${i}`).getAttribute("aria-label")]);
   }
@@ -325,7 +320,7 @@ test("a body turns under the finger, and a whole turn leads to the opposite quat
   // From the left to the right: about z, which points up in the picture, by asin(0.6).
   near(state.inputs.spoon, [Math.cos(Math.asin(0.6) / 2), 0, 0, Math.sin(Math.asin(0.6) / 2)]);
   assert.equal(state.said.at(-1), "the spoon at 0.95, 0.00, 0.00, 0.32");
-  state.inputs.spoon = [1, 0, 0, 0];
+  state.inputs.spoon = REST;
   for (let i = 0; i < 72; i++) tell(body, "keydown", { key: "ArrowRight" });
   near(state.inputs.spoon, [-1, 0, 0, 0]);
 });
@@ -344,10 +339,10 @@ test("where a picture is stacked, a body is measured in its own row", () => {
 test("a body that the picture does not show cannot be grabbed", () => {
   const { element, update, state } = scene({ spoons: { kind: "poses", names: ["A", "B", "C"] } });
   const grabbed = () => element.querySelectorAll("[data-handle]").length;
-  state.inputs.spoons = Array(3).fill([1, 0, 0, 0]);
+  state.inputs.spoons = Array(3).fill(REST);
   update({ spoons: { at: points("0,0,0 1,0,0"), size: 0.5 } });
   assert.equal(grabbed(), 2);
-  state.inputs.spoons = [[1, 0, 0, 0]];
+  state.inputs.spoons = [REST];
   update();
   assert.equal(grabbed(), 1);
 });

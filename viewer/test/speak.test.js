@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { changedSince, numberText, outputText, statement, titleOf } from "../src/speak.js";
-import { points } from "./near.js";
+import { points, Z } from "./near.js";
 
 const SPECS = {
   theta: { kind: "number", label: "turned by θ, °" },
@@ -23,15 +23,7 @@ test("a title has no unit, a number has it", () => {
 });
 
 test("each kind of input has its words", () => {
-  const inputs = {
-    theta: 30,
-    u: 0.5,
-    w: 1,
-    flip: true,
-    what: "poses",
-    axis: [0, 0, 1],
-    points: [],
-  };
+  const inputs = { theta: 30, u: 0.5, w: 1, flip: true, what: "poses", axis: Z, points: [] };
   assert.equal(
     statement(SPECS, Object.keys(SPECS), inputs),
     "turned by θ 30°, once round, u 0.5, w 1, flip the end: on, between: poses, n moved, points moved",

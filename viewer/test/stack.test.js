@@ -12,13 +12,7 @@ const ROWS = [
   { from: [0.4, 0.1, 0.5, 0.8], to: [0.25, 0.6, 0.5, 0.4] },
 ];
 const PHONE = { width: 300, height: 600 };
-const POSE = {
-  position: [4, -2, 2],
-  target: [0, 0, 0.1],
-  up: [0, 0, 1],
-  viewAngle: 30,
-  aspect: 1.5,
-};
+const POSE = { position: [4, -2, 2], target: [0, 0, 0.1], up: Z, viewAngle: 30, aspect: 1.5 };
 
 /** A camera, and how it turns about what it looks at. */
 function aimed() {

@@ -15,7 +15,6 @@ from PIL import Image
 from playwright.sync_api import Route
 
 ROOT = Path(__file__).parents[1]
-AXE = ROOT / "node_modules" / "axe-core" / "axe.min.js"
 PHONE = {"viewport": {"width": 390, "height": 800}, "has_touch": True, "is_mobile": True}
 Open = Callable[..., Any]
 Place = tuple[float, float]
@@ -64,6 +63,8 @@ PICTURES = """async (element, which) => {
     };
     return Promise.all([...element.querySelectorAll(which)].map(draw));
 }"""
+COMPLAINTS = """async (where) => (await axe.run(where)).violations.flatMap(({ id, nodes }) =>
+    nodes.map(({ target }) => `${id}: ${target}`))"""
 INK = "element => getComputedStyle(element.querySelector('[data-label=O] > *')).color"
 AT_REST = """() => {
     const before = window.scrolled;
@@ -275,10 +276,9 @@ def turn(figure: Any, selector: str, *keys: str) -> None:
 
 
 def complaints_of_axe(page: Any, where: str) -> list[str]:
-    """What axe finds wrong with a part of a page."""
-    page.add_script_tag(path=AXE)
-    run = "where => axe.run(where).then(({violations}) => violations.map(({id}) => id))"
-    found: list[str] = page.evaluate(run, where)
+    """What axe finds wrong with a part of a page, and where."""
+    page.add_script_tag(path=ROOT / "node_modules" / "axe-core" / "axe.min.js")
+    found: list[str] = page.evaluate(COMPLAINTS, where)
     return found
 
 

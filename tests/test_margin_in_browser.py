@@ -5,6 +5,7 @@ from typing import Any
 
 import pytest
 from html_pages import ROOT
+from nightly import nightly
 
 NAMES = sorted(file.stem for file in ROOT.glob("book/*.ipynb"))
 # Notes and captions, by their words, and where they stand.
@@ -13,13 +14,7 @@ NOTES = """() => [...document.querySelectorAll("article :is(.misprint, .in-margi
     .filter(([, { width }]) => width)"""
 
 
-@pytest.mark.parametrize(
-    "name",
-    [
-        pytest.param(name, marks=[] if name == "05-control-points" else pytest.mark.slow)
-        for name in NAMES
-    ],
-)
+@pytest.mark.parametrize("name", nightly(NAMES, "05-control-points"))
 def test_no_note_stands_on_another(name: str, browser: Any, site: str) -> None:
     page = browser.new_page(viewport={"width": 1440, "height": 900})
     page.goto(f"{site}/book/{name}.html")

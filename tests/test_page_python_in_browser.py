@@ -1,13 +1,12 @@
 """Python in the page, as readers meet it: they run and change cells, answer, stop and save."""
 
-import json
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
 import nbformat
 import pytest
-from live_pages import AXE, Open, open_page, settle
+from live_pages import PHONE, Open, arrived, complaints_of_axe, figure_in, open_page
 from nbformat import NotebookNode
 from nightly import nightly
 from notebook_language import notebooks, pages, tags
@@ -23,7 +22,6 @@ HINT = "For a hint, press Check again."
 KEYS = "Object.keys(localStorage).filter((key) => key.startsWith('rotedu-2:'))"
 RUNNABLE = """[...document.querySelectorAll(".cell[data-cell]:has(button[name=run])")].map(
     (cell) => cell.dataset.cell)"""
-PHONE = {"viewport": {"width": 390, "height": 844}, "has_touch": True, "is_mobile": True}
 
 
 class Reader:
@@ -270,19 +268,12 @@ def test_stop_and_go_on_without_a_network(at_desk: Reader) -> None:
     reader.page.context.set_offline(False)
 
 
-SLERP = ".explorable[data-name=slerp-by-hand]"
-
-
 def test_the_hand_and_python_meet(read: Callable[..., Reader]) -> None:
     reader = read("05-arcs")
-    figure = reader.page.locator(SLERP)
+    figure = figure_in(reader.page, "slerp_by_hand")
     reader.run("try-farthest")
     # Nobody has touched the figure: it comes to life with what Python has set.
-    values_there = f"document.querySelector('{SLERP}').dataset.values"
-    reader.page.wait_for_function(values_there)
-    settle(reader.page)
-    values = json.loads(figure.get_attribute("data-values"))
-    assert f"at t = {values['t']:.2f}" in reader.output("try-farthest")
+    assert f"at t = {arrived(figure)['t']:.2f}" in reader.output("try-farthest")
     assert reader.message("try-farthest") == "Show the figure that Python has set"
     slider = figure.locator("input[type=range][name=t]")
     slider.fill("0.125")
@@ -621,9 +612,6 @@ HIT = """button => {
     return rows.filter(found).length;
 }"""
 
-FOUND = """async () => (await axe.run()).violations.flatMap(({ id, nodes }) =>
-    nodes.map(({ target }) => `${id}: ${target}`))"""
-
 
 @pytest.mark.slow
 @pytest.mark.parametrize("theme", ["light", "dark"])
@@ -645,6 +633,4 @@ def test_a_finger_can_do_it_and_axe_agrees(read: Callable[..., Reader], theme: s
         assert min(box["width"], box["height"]) >= 44, button.inner_text()
         assert button.evaluate(HIT) >= 42, button.inner_text()
     assert reader.page.evaluate("document.documentElement.scrollWidth") <= 390
-    reader.page.add_script_tag(path=AXE)
-    found = reader.page.evaluate(FOUND)
-    assert found == []
+    assert complaints_of_axe(reader.page, "html") == []

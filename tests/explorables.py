@@ -1,5 +1,6 @@
 """What the tests of explorables share: the figures, other inputs, and what they compute."""
 
+import functools
 import importlib
 import json
 import os
@@ -56,15 +57,15 @@ def outputs(name: str, **inputs: Any) -> dict[str, Any]:
 
 def panels(cases: Sequence[tuple[str, dict[str, Any]]]) -> list[BeautifulSoup]:
     """The panels of figures for some inputs, as a page has them, written at once."""
-    specs = {name: spec(name) for name, _ in cases}
     wanted = [
-        specs[name] | {"start": specs[name]["start"] | Explorable(EXPLORABLES[name]).checked(case)}
+        spec(name) | {"start": spec(name)["start"] | Explorable(EXPLORABLES[name]).checked(case)}
         for name, case in cases
     ]
     written = json.loads(run_node(json.dumps(wanted), WRITE_PANELS))
     return [BeautifulSoup(html, "html.parser") for html in written]
 
 
+@functools.cache
 def spec(name: str) -> dict[str, Any]:
     """What the viewer is told of a figure."""
     figure = Explorable(EXPLORABLES[name])

@@ -201,13 +201,6 @@ def values(figure: Any) -> dict[str, Any]:
     return found
 
 
-@functools.cache
-def outputs_of(name: str) -> list[dict[str, Any]]:
-    """How the outputs of a figure are written."""
-    found: list[dict[str, Any]] = spec(name)["outputs"]
-    return found
-
-
 def check(name: str, figure: Any) -> dict[str, Any]:
     """Compare the numbers of a figure with those of the oracle; return them."""
     settle(figure.page)
@@ -217,7 +210,7 @@ def check(name: str, figure: Any) -> dict[str, Any]:
     assert told.get("refused") == outputs.get("refused")
     if "refused" in told:
         return told
-    for output in outputs_of(name):
+    for output in spec(name)["outputs"]:
         key = output["name"]
         text = texts[key]
         if isinstance(outputs[key], str):

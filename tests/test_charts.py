@@ -13,7 +13,6 @@ from notebook_language import notebooks
 from rotedu import colors
 from rotedu.edition.notebook import SIDES, named
 
-ROOT = Path(__file__).parents[1]
 HUES = {getattr(colors, name) for name in colors.__all__}
 ALTS = {
     page.file.stem: [

@@ -16,8 +16,6 @@ from rotedu.figures import Choice, Handles, Slider, State, Switch, explorable, e
 from rotedu.figures.explorable import Explorable
 from rotedu.figures.model import RefusedError
 
-OPPOSITE = {"p": [0.6, 0, 0.8], "q": [-0.6, 0, -0.8]}
-
 
 def test_models_and_panels_follow_the_hand() -> None:
     """In Node, for other inputs in each run."""
@@ -49,7 +47,7 @@ def test_a_figure_says_what_it_takes(name: str) -> None:
 
 def test_opposite_ends_are_refused_in_words() -> None:
     with pytest.raises(RefusedError, match="the ends are antipodal: no unique arc joins them"):
-        explore(scenes.slerp_by_hand).draw(**OPPOSITE)
+        explore(scenes.slerp_by_hand).draw(p=[0.6, 0, 0.8], q=[-0.6, 0, -0.8])
 
 
 class TestWithoutNode:

@@ -48,7 +48,6 @@ from rotedu.figures import backend
 
 __all__ = ["open_figure", "open_page", "pages"]
 
-TRIES = 3
 # Out of 255, of whole pictures and of squares of 16 pixels: the viewer draws lines smoother than
 # VTK, and see-through faces in another order.
 TOLERANCE, TOLERANCE_IN_A_SQUARE = 1.5, 75
@@ -171,7 +170,7 @@ def test_a_figure_looks_as_python_draws_it(
     figure.page.add_style_tag(content=LIKE_A_POSTER)
     live(figure)
     rng = np.random.default_rng(SEED)
-    for _ in range(TRIES):
+    for _ in range(3):
         inputs = moved(rng, name)
         figure.evaluate(SET, inputs)
         told = check(name, figure)

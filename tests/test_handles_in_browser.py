@@ -36,7 +36,6 @@ WITH_POINTS = [
 ]
 # The handle under a place of the screen, if it can be caught there.
 CAUGHT = "([x, y]) => document.elementFromPoint(x, y)?.closest('[data-handle]')?.dataset.handle"
-IN_FULL_SCREEN = "() => document.fullscreenElement?.matches('.explorable')"
 
 
 def beyond(box: dict[str, float], angle: float) -> tuple[float, float]:
@@ -159,7 +158,7 @@ def test_in_full_screen_the_controls_stay(open_figure: Open) -> None:
     page = figure.page
     figure.locator(".scene-canvas").first.focus()
     page.keyboard.press("f")
-    page.wait_for_function(IN_FULL_SCREEN)
+    page.wait_for_function("() => document.fullscreenElement?.matches('.explorable')")
     settle(page)
     above, below = (figure.locator(x).bounding_box() for x in (".scene", ".explorable-controls"))
     assert above["height"] > 450

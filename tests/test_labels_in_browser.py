@@ -12,7 +12,6 @@ from rotedu.figures import Choice, Slider, Switch
 __all__ = ["open_figure", "open_page", "pages"]
 
 WIDTHS = {"wide": {"viewport": {"width": 1440, "height": 900}}, "phone": PHONE}
-PLACES = 13
 # By how many pixels two labels may cover each other: less than what is empty around letters.
 COVERED = 1.5
 # How far a label may be pushed, in heights of a label: it still stands beside its point.
@@ -44,7 +43,7 @@ SWEEP = """async ([figure, states]) => {
 }"""
 
 
-def swept(inputs: dict[str, Any], count: int) -> list[dict[str, Any]]:
+def swept(inputs: dict[str, Any], count: int = 13) -> list[dict[str, Any]]:
     """Each slider from end to end, for each switch and choice, the rest as at the start."""
     switched: list[dict[str, Any]] = [{}]
     for name, kind in inputs.items():
@@ -78,7 +77,7 @@ def check_sweep(figure: Any, name: str, states: list[dict[str, Any]]) -> None:
 @pytest.mark.parametrize("name", EXPLORABLES)
 def test_no_label_lies_on_another(name: str, width: str, open_figure: Open) -> None:
     figure = live(open_figure(name, **WIDTHS[width]))
-    check_sweep(figure, name, swept(EXPLORABLES[name].inputs, PLACES))
+    check_sweep(figure, name, swept(EXPLORABLES[name].inputs))
 
 
 @pytest.mark.parametrize(

@@ -34,7 +34,6 @@ SCREENS = {
     "landscape": {"viewport": {"width": 844, "height": 390}},
     "zoomed": {"viewport": {"width": 640, "height": 400}},
 }
-SAVE_DATA = "Object.defineProperty(navigator, 'connection', {value: {saveData: true}})"
 # The share of a drawing that a reader sees: nothing lies over it but what belongs to it. What is
 # empty above it takes the place of a margin (scene.css).
 SEEN = """scene => {
@@ -135,7 +134,8 @@ def test_a_drag_that_begins_on_the_poster_goes_on(open_figure: Open) -> None:
 
 @pytest.mark.slow
 def test_who_saves_data_follows_a_link_and_clicks(open_figure: Open) -> None:
-    figure = open_figure(CURVE, hash=STATE, script=SAVE_DATA)
+    saving = "Object.defineProperty(navigator, 'connection', {value: {saveData: true}})"
+    figure = open_figure(CURVE, hash=STATE, script=saving)
     figure.page.wait_for_timeout(500)
     assert not [name for name in loaded(figure.page) if name.endswith(".glb")]
     assert seen(figure) == 1

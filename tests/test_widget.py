@@ -24,7 +24,6 @@ from rotedu.figures.backend import scene_labels
 from rotedu.figures.gltf import scene_gltf
 from rotedu.figures.widget import Figure, figure, figure_of
 
-ROOT = Path(__file__).parents[1]
 VIEWER = b"export const render = () => 'the viewer';" * 100
 
 

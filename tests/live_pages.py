@@ -230,9 +230,7 @@ def center(handle: Any) -> Place:
     return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
 
 
-def fling(
-    page: Any, start: tuple[float, float], *ends: tuple[float, float], steps: int = 1
-) -> None:
+def fling(page: Any, start: Place, *ends: Place, steps: int = 1) -> None:
     """Drag by mouse: one event for each place, or steps on the way to it."""
     page.mouse.move(*start)
     page.mouse.down()

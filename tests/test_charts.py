@@ -13,6 +13,7 @@ from notebook_language import notebooks
 from rotedu import colors
 from rotedu.edition.notebook import SIDES, named
 
+Charts = dict[str, list[Tag]]
 HUES = {getattr(colors, name) for name in colors.__all__}
 ALTS = {
     page.file.stem: [
@@ -25,7 +26,7 @@ ALTS = {
 
 
 @pytest.fixture(scope="module")
-def drawn(book: Path) -> dict[str, list[Tag]]:
+def drawn(book: Path) -> Charts:
     """The charts of each page that has some."""
     return {
         name: parse(book / "book" / f"{name}.html").select("article .chart")
@@ -34,9 +35,7 @@ def drawn(book: Path) -> dict[str, list[Tag]]:
     }
 
 
-def test_every_chart_stands_in_its_page_as_few_elements_and_text(
-    drawn: dict[str, list[Tag]],
-) -> None:
+def test_every_chart_stands_in_its_page_as_few_elements_and_text(drawn: Charts) -> None:
     assert sum(map(len, ALTS.values())) >= 8
     for name, charts in drawn.items():
         assert [chart["aria-label"] for chart in charts] == ALTS[name]
@@ -48,7 +47,7 @@ def test_every_chart_stands_in_its_page_as_few_elements_and_text(
                 assert svg.select("text"), name
 
 
-def test_no_two_elements_of_a_page_have_one_id(book: Path, drawn: dict[str, list[Tag]]) -> None:
+def test_no_two_elements_of_a_page_have_one_id(book: Path, drawn: Charts) -> None:
     for name, charts in drawn.items():
         page = parse(book / "book" / f"{name}.html")
         ids = Counter(element["id"] for element in page.find_all(id=True))
@@ -59,7 +58,7 @@ def test_no_two_elements_of_a_page_have_one_id(book: Path, drawn: dict[str, list
             assert all(ids[target] == 1 for target in mine), name
 
 
-def test_a_drawing_has_colours_of_the_book_alone(drawn: dict[str, list[Tag]]) -> None:
+def test_a_drawing_has_colours_of_the_book_alone(drawn: Charts) -> None:
     """Whatever is filled or drawn has the colour of text, which pages change."""
     for name, charts in drawn.items():
         for element in (element for chart in charts for element in chart.select("svg [style]")):

@@ -62,12 +62,10 @@ class TestWithoutNode:
         monkeypatch.setattr(model, "run_node", None)
 
     def test_a_figure_is_drawn_as_it_starts(self) -> None:
-        plotter = scenes.closed_curve_by_hand()
-        first = explore(scenes.closed_curve_by_hand).points[0]
-        np.testing.assert_allclose(plotter.record.parts["P_0"]["at"], first, atol=1e-6)
-        assert set(plotter.record.outputs) == set(
-            explore(scenes.closed_curve_by_hand).state()["outputs"]
-        )
+        figure = explore(scenes.closed_curve_by_hand)
+        record = scenes.closed_curve_by_hand().record
+        np.testing.assert_allclose(record.parts["P_0"]["at"], figure.points[0], atol=1e-6)
+        assert set(record.outputs) == set(figure.state()["outputs"])
 
     def test_another_state_is_refused_with_a_sentence(self) -> None:
         figure = explore(scenes.closed_curve_by_hand)

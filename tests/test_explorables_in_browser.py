@@ -117,9 +117,7 @@ def changed(name: str, before: dict[str, Any], after: dict[str, Any]) -> set[str
 
 
 @pytest.mark.parametrize("name", EXPLORABLES)
-def test_a_figure_stands_on_a_page_and_loads_little(
-    name: str, pages: dict[str, str], book: Path
-) -> None:
+def test_a_figure_has_a_page_and_loads_little(name: str, pages: dict[str, str], book: Path) -> None:
     page = book / pages[name]
     [figure] = parse(page).select(f'.explorable[data-name="{name.replace("_", "-")}"]')
     # A cache of notebooks would sort them.

@@ -397,9 +397,7 @@ class TestStillPicture:
 
 
 @pytest.mark.parametrize("handler", [book_figure, backend.still_picture])
-def test_without_opengl_a_picture_is_refused_in_words(
-    handler: Any, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_without_opengl_a_picture_is_refused(handler: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(backend, "needs_no_display", lambda: True)
     monkeypatch.setattr(backend, "can_load", lambda _: False)
     with pytest.raises(RuntimeError, match="the package libosmesa6 or libegl1 on Debian"):

@@ -396,9 +396,7 @@ def failure(scene: Any) -> str:
         ("no webgl", {}, "WebGL"),
     ],
 )
-def test_what_does_not_load_is_said(
-    one: Open, files: str, answer: dict[str, Any], said: str
-) -> None:
+def test_what_does_not_load_is_said(one: Open, files: str, answer: Any, said: str) -> None:
     script = "" if answer else NO_WEBGL
     assert said in failure(one(quiet=False, answers={files: answer}, script=script))
 

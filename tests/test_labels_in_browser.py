@@ -90,7 +90,5 @@ def test_no_label_lies_on_another(name: str, width: str, open_figure: Open) -> N
         ),
     ],
 )
-def test_labels_that_met_give_way(
-    name: str, states: list[dict[str, Any]], open_figure: Open
-) -> None:
+def test_labels_that_met_give_way(name: str, states: list[Any], open_figure: Open) -> None:
     check_sweep(live(open_figure(name, **PHONE)), name, states)

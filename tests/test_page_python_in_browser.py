@@ -24,6 +24,10 @@ RUNNABLE = """[...document.querySelectorAll(".cell[data-cell]:has(button[name=ru
     (cell) => cell.dataset.cell)"""
 
 
+SHOWN = "all => all.map((chart) => [chart.checkVisibility(), chart.ariaLabel])"
+Read = Callable[..., "Reader"]
+
+
 class Reader:
     """Somebody who reads a page, types into its cells and presses buttons."""
 
@@ -119,7 +123,7 @@ def notebook_cell(number: str) -> NotebookNode:
 
 
 @pytest.fixture
-def read(site: str, open_page: Open) -> Callable[..., Reader]:
+def read(site: str, open_page: Open) -> Read:
     """Open a page of the book."""
     return lambda name=CURVE, **options: Reader(
         open_page(f"{site}/book/{name}.html", accept_downloads=True, **options)
@@ -159,7 +163,7 @@ def stored_output(name: str, page: str = CURVE) -> str:
     return str(cell.outputs[0].text)
 
 
-def test_nothing_is_fetched_before_a_click(read: Callable[..., Reader], site: str) -> None:
+def test_nothing_is_fetched_before_a_click(read: Read, site: str) -> None:
     reader = read()
     asked: list[str] = []
     reader.page.on("request", lambda request: asked.append(request.url))
@@ -268,7 +272,7 @@ def test_stop_and_go_on_without_a_network(at_desk: Reader) -> None:
     reader.page.context.set_offline(False)
 
 
-def test_the_hand_and_python_meet(read: Callable[..., Reader]) -> None:
+def test_the_hand_and_python_meet(read: Read) -> None:
     reader = read("05-arcs")
     figure = figure_in(reader.page, "slerp_by_hand")
     reader.run("try-farthest")
@@ -282,9 +286,6 @@ def test_the_hand_and_python_meet(read: Callable[..., Reader]) -> None:
     reader.page.wait_for_function("document.querySelector('[name=t]').value === '0.75'")
 
 
-SHOWN = "all => all.map((chart) => [chart.checkVisibility(), chart.ariaLabel])"
-
-
 MOVES = {
     "2.1": ("02-quaternions", "two-mirrors-by-hand", {"first": 0, "second": 90}),
     "3.1": ("03-ordinary-rotation", "figure-1-by-hand", {"drawn": 3}),
@@ -296,7 +297,7 @@ MOVES = {
 
 
 @pytest.mark.parametrize("number", nightly(MOVES, "5.8"))
-def test_a_right_answer_moves_the_figure(number: str, read: Callable[..., Reader]) -> None:
+def test_a_right_answer_moves_the_figure(number: str, read: Read) -> None:
     page, figure, expected = MOVES[number]
     reader = read(page)
     solution = next(p.exercises[number].solution for p in notebooks() if number in p.exercises)
@@ -314,7 +315,7 @@ def test_a_right_answer_moves_the_figure(number: str, read: Callable[..., Reader
     )
 
 
-def test_a_chart_is_drawn_where_the_book_has_it(read: Callable[..., Reader]) -> None:
+def test_a_chart_is_drawn_where_the_book_has_it(read: Read) -> None:
     reader = read("05-closed-curve", quiet=False)
     charts = reader.cell("code-39").locator("figure .chart")
     [[_, alt]] = charts.evaluate_all(SHOWN)
@@ -358,9 +359,7 @@ def test_a_chart_is_drawn_where_the_book_has_it(read: Callable[..., Reader]) -> 
     assert kept.endswith('"><image></image><g style="color: red"></g></svg>')
 
 
-def test_an_answer_is_judged_kept_and_handed_in(
-    read: Callable[..., Reader], tmp_path: Path
-) -> None:
+def test_an_answer_is_judged_kept_and_handed_in(read: Read, tmp_path: Path) -> None:
     reader = read()
     assert reader.solved() == "0 of 7 solved"
     assert reader.check("5.19") == ("Not answered yet.", None)
@@ -453,7 +452,7 @@ PLACES = """() => [...document.querySelectorAll(".cell")].map((cell) =>
 
 @pytest.mark.slow
 @pytest.mark.parametrize("width", [390, 1280])
-def test_nothing_moves_when_the_script_comes(read: Callable[..., Reader], width: int) -> None:
+def test_nothing_moves_when_the_script_comes(read: Read, width: int) -> None:
     reader = read(viewport={"width": width, "height": 900}, quiet=False)
     places = reader.page.evaluate(PLACES)
     reader.page.route("**/page_python/page_python.js*", lambda route: route.abort())
@@ -463,7 +462,7 @@ def test_nothing_moves_when_the_script_comes(read: Callable[..., Reader], width:
 
 
 @pytest.mark.slow
-def test_every_cell_runs_where_it_stands(read: Callable[..., Reader]) -> None:
+def test_every_cell_runs_where_it_stands(read: Read) -> None:
     for page in notebooks():
         reader = read(page.file.stem)
         for name in reader.page.evaluate(RUNNABLE):
@@ -475,7 +474,7 @@ def test_every_cell_runs_where_it_stands(read: Callable[..., Reader]) -> None:
 
 
 @pytest.mark.slow
-def test_a_fetch_that_fails_half_way_can_be_repeated(read: Callable[..., Reader]) -> None:
+def test_a_fetch_that_fails_half_way_can_be_repeated(read: Read) -> None:
     reader = read(quiet=False)
     reader.page.route("**/numpy.zip*", lambda route: route.abort())
     reader.press("code-6")
@@ -492,7 +491,7 @@ def test_a_fetch_that_fails_half_way_can_be_repeated(read: Callable[..., Reader]
 
 
 @pytest.mark.slow
-def test_without_an_editor_a_cell_still_runs(read: Callable[..., Reader]) -> None:
+def test_without_an_editor_a_cell_still_runs(read: Read) -> None:
     reader = read(quiet=False)
     reader.page.route("**/editor.js*", lambda route: route.abort())
     assert reader.run("code-6") == stored_output("code-6")
@@ -505,9 +504,7 @@ NOTHING_KEPT = """Object.defineProperty(window, "localStorage", { get() {
 
 
 @pytest.mark.slow
-def test_where_nothing_is_kept_the_page_says_so(
-    read: Callable[..., Reader], tmp_path: Path
-) -> None:
+def test_where_nothing_is_kept_the_page_says_so(read: Read, tmp_path: Path) -> None:
     reader = read(script=NOTHING_KEPT, quiet=False)
     assert reader.fill("5.16", "60", "30", "90")[1] == "true"
     assert reader.solved() == "1 of 7 solved"
@@ -518,9 +515,7 @@ def test_where_nothing_is_kept_the_page_says_so(
 
 
 @pytest.mark.slow
-def test_what_an_older_edition_kept_is_not_lost(
-    read: Callable[..., Reader], tmp_path: Path
-) -> None:
+def test_what_an_older_edition_kept_is_not_lost(read: Read, tmp_path: Path) -> None:
     reader = read()
     reader.fill("5.16", "60", "30", "90")
     [key] = reader.page.evaluate(KEYS)
@@ -538,7 +533,7 @@ def test_what_an_older_edition_kept_is_not_lost(
 
 
 @pytest.mark.slow
-def test_two_tabs_do_not_undo_one_another(read: Callable[..., Reader]) -> None:
+def test_two_tabs_do_not_undo_one_another(read: Read) -> None:
     one = read()
     other = Reader(one.page.context.new_page())
     other.page.goto(one.page.url)
@@ -549,7 +544,7 @@ def test_two_tabs_do_not_undo_one_another(read: Callable[..., Reader]) -> None:
 
 
 @pytest.mark.slow
-def test_the_keyboard_reaches_everything_and_leaves(read: Callable[..., Reader]) -> None:
+def test_the_keyboard_reaches_everything_and_leaves(read: Read) -> None:
     reader, focused = read(), "document.activeElement.getAttribute('aria-label')"
     keyboard = reader.page.keyboard
     reader.cell("code-6").locator("button[name=run]").focus()
@@ -587,7 +582,7 @@ new MutationObserver((changes) => changes.forEach(({ target }) => {
 
 
 @pytest.mark.slow
-def test_what_comes_out_is_said_once(read: Callable[..., Reader]) -> None:
+def test_what_comes_out_is_said_once(read: Read) -> None:
     reader = read(script=SPOKEN)
     reader.run("code-6", "print('hello')")
     said = reader.page.evaluate("spoken")
@@ -615,7 +610,7 @@ HIT = """button => {
 
 @pytest.mark.slow
 @pytest.mark.parametrize("theme", ["light", "dark"])
-def test_a_finger_can_do_it_and_axe_agrees(read: Callable[..., Reader], theme: str) -> None:
+def test_a_finger_can_do_it_and_axe_agrees(read: Read, theme: str) -> None:
     reader = read(color_scheme=theme, **PHONE)
     # There is nothing yet to save or to forget.
     assert reader.page.locator(".live-head button:visible").count() == 0

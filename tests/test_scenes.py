@@ -207,9 +207,8 @@ def test_what_is_grabbed_is_the_spoon_and_then_the_ribbon(done) -> None:
     path = np.array(state["grips"]["done"]["path"])
     ring = path[round((len(path) - 1) * done / 3)]
     if done <= 2:
-        np.testing.assert_allclose(
-            ring, rotate([0.46, 0, 0], [0, 0, 1], 2 * np.pi * done), atol=1e-6
-        )
+        there = rotate([0.46, 0, 0], [0, 0, 1], 2 * np.pi * done)
+        np.testing.assert_allclose(ring, there, atol=1e-6)
     else:
         line = pyvista.MultipleLines(half_of_ribbon(done)[1])
         _, nearest = line.find_closest_cell(ring, return_closest_point=True)
@@ -229,9 +228,8 @@ ARMS = [round(0.05 * k, 2) for k in range(41)]
 def test_the_arm_meets_neither_itself_nor_what_it_holds(turns) -> None:
     [state] = states("plate_and_arm", [{"turns": turns}])
     parts = state["parts"]
-    lines = np.vstack(
-        [np.reshape(parts[f"{n} half"]["points"], (12, -1, 3)) for n in ("one", "other")]
-    )
+    halves = (parts[f"{name} half"]["points"] for name in ("one", "other"))
+    lines = np.vstack([np.reshape(half, (12, -1, 3)) for half in halves])
     middle = lines.mean(axis=0)
     rings = np.linalg.norm(lines - middle, axis=2)
     np.testing.assert_allclose(rings, THICK, atol=0.01)
@@ -381,13 +379,11 @@ def test_the_comb_of_figure_8_is_as_long_as_the_curvature_and_on_the_outer_side(
     np.testing.assert_allclose(lengths, np.minimum(0.09 * abs(bends), 0.5), atol=1e-6)
     # The middle of its bend is on the side where the neighbours are, and the hair on the other.
     n = len(bends) // 4
-    for piece, ends, bend in zip(
-        *(x.reshape(4, n, -1) for x in (points, tips, bends)), strict=True
-    ):
-        inwards = piece[:-2] + piece[2:] - 2 * piece[1:-1]
-        inwards -= np.sum(inwards * piece[1:-1], axis=1, keepdims=True) * piece[1:-1]
+    for arc, ends, bend in zip(*(x.reshape(4, n, -1) for x in (points, tips, bends)), strict=True):
+        inwards = arc[:-2] + arc[2:] - 2 * arc[1:-1]
+        inwards -= np.sum(inwards * arc[1:-1], axis=1, keepdims=True) * arc[1:-1]
         bent = abs(bend[1:-1, 0]) > 0.3
-        assert (np.sum(inwards * (ends - piece)[1:-1], axis=1)[bent] < 0).all()
+        assert (np.sum(inwards * (ends - arc)[1:-1], axis=1)[bent] < 0).all()
 
 
 def test_four_ways_between_are_those_of_scipy() -> None:

@@ -221,9 +221,7 @@ def pressed() -> dict[tuple[str, str], dict[str, str]]:
 
 
 @pytest.mark.parametrize(("name", "words"), CHIPS)
-def test_a_chip_shows_what_it_promises(
-    name: str, words: str, pressed: dict[Any, dict[str, str]]
-) -> None:
+def test_a_chip_shows_what_it_promises(name: str, words: str, pressed: dict[Any, Any]) -> None:
     promised = SHOWN[name][words]
     assert {key: pressed[name, words][key] for key in promised} == promised
 

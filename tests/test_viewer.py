@@ -42,10 +42,8 @@ def test_no_page_asks_for_a_button_that_a_reader_may_not_have() -> None:
     pages = [*ROOT.glob("book/*.ipynb"), *ROOT.glob("book/*.md")]
     assert len(pages) > 10
     for page in pages:
-        asked = re.findall(
-            r"(?i)(?:press|click|push) (?:on )?\*?Play|Play \*", page.read_text("utf-8")
-        )
-        assert not asked, page.name
+        text = page.read_text("utf-8")
+        assert not re.search(r"(?i)(?:press|click|push) (?:on )?\*?Play|Play \*", text), page.name
 
 
 def test_the_viewer_passes_its_own_tests() -> None:

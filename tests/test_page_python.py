@@ -47,13 +47,14 @@ for number in EXERCISES:
     TestCheck().test_each_mistake_and_all_else_get_their_own_hints(number)
     TestCheck().test_says_what_it_expects(number)
 """
-
-
 LACKS = (
     "NotInPage: {} is not in this page, which has NumPy, Matplotlib and rotedu alone."
     " It works in the notebook of the page, at a desk.\n"
 )
 IN_CELL = 'Traceback (most recent call last):\n  File "Cell 1", line {}, in <module>\n    {}\n'
+# The figures of the page, and what the hand has set.
+SHOWN: dict[str, Any] = {"arcs-of-arcs": {"u": 0.25, "length": 1}, "slerp-by-hand": {}}
+EXPLORE = "from rotedu import scenes\nfrom rotedu.figures import explore\n"
 LONG = "0" * 100_000 + "\n(cut here: it is longer)"
 # What a reader may try, and what comes of it.
 SAYS: dict[str, dict[str, Any]] = {
@@ -104,17 +105,12 @@ SAYS: dict[str, dict[str, Any]] = {
         "verdict": {"number": "3.2", "right": None, "text": "not answered yet."}
     },
     "from rotedu import scenes\nscenes.figure_1().show()": {"value": "", "error": ""},
-}
-EXPLORE = "from rotedu import scenes\nfrom rotedu.figures import explore\n"
-SHOWN: dict[str, Any] = {"arcs-of-arcs": {"u": 0.25, "length": 1}, "slerp-by-hand": {}}
-# Cells with figures: the value of the last line, and what they have changed.
-FIGURES: dict[str, tuple[str, dict[str, Any]]] = {
-    EXPLORE + "explore(scenes.arcs_of_arcs).u": ("0.25", {}),
-    EXPLORE + "figure = explore(scenes.arcs_of_arcs)\nfigure.u = 1\nfigure.u": (
-        "1.0",
-        {"arcs-of-arcs": {"u": 1.0}},
-    ),
-    EXPLORE + "explore(scenes.slerp_by_hand)": ("", {}),
+    EXPLORE + "explore(scenes.arcs_of_arcs).u": {"value": "0.25", "changed": {}},
+    EXPLORE + "figure = explore(scenes.arcs_of_arcs)\nfigure.u = 1\nfigure.u": {
+        "value": "1.0",
+        "changed": {"arcs-of-arcs": {"u": 1.0}},
+    },
+    EXPLORE + "explore(scenes.slerp_by_hand)": {"value": "", "changed": {}},
 }
 PLOT = "import matplotlib.pyplot as plt\n"
 # Charts of a reader, and what their elements are, among others.
@@ -177,7 +173,7 @@ def done(tmp_path_factory: pytest.TempPathFactory) -> Done:
         page.name: {"figures": figures(page), "cells": [c.source for c in in_order(page)]}
         for page in notebooks()
     }
-    cells |= {code: {"figures": SHOWN, "cells": [code]} for code in (*SAYS, *CHARTS, *FIGURES)}
+    cells |= {code: {"figures": SHOWN, "cells": [code]} for code in (*SAYS, *CHARTS)}
     tests = [inspect.getsource(module) for module in (test_exercises, test_right_answers)]
     cells["facts"] = {"figures": {}, "cells": [FACTS]}
     cells["answers"] = {"figures": {}, "cells": [STAND_INS, *tests, JUDGE]}
@@ -224,7 +220,7 @@ def test_every_answer_of_the_tests_gets_its_verdict_in_a_page(done: Done) -> Non
 def test_what_a_reader_may_try_gets_an_answer(code: str, done: Done) -> None:
     [result] = done[code]
     for key, expected in SAYS[code].items():
-        assert result[key] == expected
+        assert result[key] == expected, result["error"]
 
 
 @pytest.mark.parametrize("code", CHARTS)
@@ -234,12 +230,6 @@ def test_a_reader_draws_charts_without_scripts_and_links(code: str, done: Done) 
     assert {element.name for element in drawn.find_all()} >= {*CHARTS[code].split()}
     assert bool(drawn.svg) == bool(CHARTS[code]), result["error"]
     assert not drawn.select("script, a")
-
-
-@pytest.mark.parametrize("code", FIGURES)
-def test_a_cell_reads_and_sets_figures(code: str, done: Done) -> None:
-    [result] = done[code]
-    assert (result["value"], result["changed"]) == FIGURES[code], result["error"]
 
 
 @pytest.fixture(scope="module")

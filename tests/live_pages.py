@@ -163,23 +163,22 @@ def come_to(scene: Any) -> None:
     scene.page.mouse.move(5, 5)
 
 
+def wait_until(element: Any, condition: str) -> None:
+    """Wait until something, written in JavaScript, is true of an element."""
+    element.page.wait_for_function(condition, arg=element.element_handle(), timeout=20_000)
+
+
 def bring_live(scene: Any) -> Any:
     """Scroll to a scene and wait until it is live."""
     come_to(scene)
-    scene.page.wait_for_function(
-        "element => ['live', 'failed'].includes(element.dataset.state)",
-        arg=scene.element_handle(),
-        timeout=20_000,
-    )
+    wait_until(scene, "element => ['live', 'failed'].includes(element.dataset.state)")
     assert scene.get_attribute("data-state") == "live"
     return scene
 
 
 def arrived(figure: Any) -> dict[str, Any]:
     """Wait, without a sign of a reader, until a figure is live; return its values."""
-    figure.page.wait_for_function(
-        "element => element.dataset.values", arg=figure.element_handle(), timeout=20_000
-    )
+    wait_until(figure, "element => element.dataset.values")
     settle(figure.page)
     return values(figure)
 

@@ -40,6 +40,7 @@ from live_pages import (
     settle,
     swipe,
     turn,
+    wait_until,
 )
 from nightly import nightly
 from PIL import Image
@@ -259,9 +260,7 @@ def test_the_ball_is_that_of_the_poster(one: Open) -> None:
 def test_nothing_heavy_comes_before_the_page(one: Open) -> None:
     """A scene in sight goes live without a sign of a reader, but only when all else is there."""
     scene = one()
-    scene.page.wait_for_function(
-        "element => element.dataset.state === 'live'", arg=scene.element_handle(), timeout=20_000
-    )
+    wait_until(scene, "element => element.dataset.state === 'live'")
     waits = loaded(scene.page)
     heavy = [wait for name, wait in waits.items() if name.startswith("viewer-") or ".glb" in name]
     assert len(heavy) == 2

@@ -99,11 +99,7 @@ SHOWN: dict[str, dict[str, dict[str, str]]] = {
         "behind it": {"to_jump": "5°", "tests": "all say yes"},
     },
     "grab_the_spoon": {
-        "half turns about *U*, *V*, *W*": {
-            "q": "1.00, 0.00, 0.00, 0.00",
-            "angle": "0°",
-            "home": "yes",
-        },
+        "half turns about *U*, *V*, *W*": {"q": "1.00, 0.00, 0.00, 0.00", "home": "yes"},
         "about *U*, *W*, *V*": {"q": "−1.00, 0.00, 0.00, 0.00", "angle": "360°", "home": "yes"},
         "a wobbling full turn": {"q": "−1.00, 0.00, 0.00, 0.00", "angle": "360°", "home": "yes"},
         "home by Euler angles": {"q": "−1.00, 0.00, 0.00, 0.00", "angle": "360°", "home": "yes"},

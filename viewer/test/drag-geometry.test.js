@@ -86,10 +86,8 @@ test("an arrow key moves a point to where it says", () => {
 
 test("a body turns as the camera sees it", () => {
   const [x, y, z, w] = new Quaternion().setFromAxisAngle(new Vector3(...unit([1, -2, 3])), 2);
-  const by = new Quaternion().setFromAxisAngle(
-    new Vector3(...unit([0.1, 0.3, -0.2])),
-    Math.hypot(0.1, 0.3, 0.2),
-  );
+  const turn = [0.1, 0.3, -0.2];
+  const by = new Quaternion().setFromAxisAngle(new Vector3(...unit(turn)), Math.hypot(...turn));
   const wanted = by.multiply(new Quaternion(x, y, z, w));
   near(spun([w, x, y, z], [Y, Z, X], [0.3, -0.2, 0.1]), [wanted.w, wanted.x, wanted.y, wanted.z]);
   near(spun([w, x, y, z], [Y, Z, X], [0, 0, 0]), [w, x, y, z]);

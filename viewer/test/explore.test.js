@@ -284,9 +284,8 @@ function onTheWay(given) {
 
 test("chips and Reset move there; only the target is told, kept and said", () => {
   const told = [];
-  const { values, press, status, view } = onTheWay({
-    python: { values: START, tell: (inputs) => told.push(inputs) },
-  });
+  const python = { values: START, tell: (inputs) => told.push(inputs) };
+  const { values, press, status, view } = onTheWay({ python });
   // A slow frame is no rest.
   mock.timers.tick(1000);
   assert.deepEqual([status(), told], ["", []]);

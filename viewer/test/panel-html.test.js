@@ -92,22 +92,20 @@ test("numbers are written with their digits and units, and what matters is loud"
 
 test("a chart has curves, names at their ends, marks for its pieces, and hairlines", () => {
   const chart = panel().querySelector("[data-chart]");
-  const d = [...chart.querySelectorAll("path")].map((path) => path.getAttribute("d"));
+  const all = (selector) => [...chart.querySelectorAll(selector)];
+  const d = all("path").map((path) => path.getAttribute("d"));
   assert.deepEqual(d, ["M0.0,64.0 160.0,0.0M160.0,32.0 320.0,48.0", ""]);
   assert.ok(chart.querySelector("[data-curve=two]").hasAttribute("data-dashed"));
-  const names = [...chart.querySelectorAll("[data-name]")].map(
-    ({ hidden, style }) => hidden || style.top,
-  );
+  const names = all("[data-name]").map(({ hidden, style }) => hidden || style.top);
   assert.deepEqual(names, ["38%", true]);
-  const marks = [...chart.querySelectorAll(".explorable-marks span")].map(({ hidden }) => hidden);
+  const marks = all(".explorable-marks span").map(({ hidden }) => hidden);
   assert.deepEqual(marks, [false, false, true]);
-  const lines = [...chart.querySelectorAll("[data-tick]")].map(({ dataset }) => dataset.tick);
+  const lines = all("[data-tick]").map(({ dataset }) => dataset.tick);
   assert.deepEqual(lines, ["-1", "-0.5", "0", "0.5", "1"]);
   assert.equal(chart.querySelector("[data-mark]").getAttribute("x1"), "80.0");
   assert.ok(!chart.hidden);
-  const empty = figure(
-    panelHtml(SPEC, { ...STATE, charts: { heights: { one: null, two: null } } }),
-  );
+  const charts = { heights: { one: null, two: null } };
+  const empty = figure(panelHtml(SPEC, { ...STATE, charts }));
   assert.ok(empty.querySelector("[data-chart]").hidden);
 });
 

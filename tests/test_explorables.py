@@ -20,9 +20,8 @@ from rotedu.figures.model import RefusedError
 def test_models_and_panels_follow_the_hand() -> None:
     """In Node, for other inputs in each run."""
     rng = np.random.default_rng(SEED)
-    figures = [
-        {"spec": spec(name), "cases": [moved(rng, name) for _ in range(2)]} for name in EXPLORABLES
-    ]
+    cases = {name: [moved(rng, name) for _ in range(2)] for name in EXPLORABLES}
+    figures = [{"spec": spec(name), "cases": cases[name]} for name in EXPLORABLES]
     run_cases("models", {"seed": SEED, "figures": figures})
 
 

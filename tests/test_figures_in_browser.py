@@ -92,9 +92,8 @@ class Strict(QuietHandler):
 
 def notebook_of(figures: list[BookFigure]) -> nbformat.NotebookNode:
     """A notebook that has run and shows figures."""
-    outputs = [
-        nbformat.v4.new_output("display_data", figure._repr_mimebundle_()) for figure in figures
-    ]
+    shown = [figure._repr_mimebundle_() for figure in figures]
+    outputs = [nbformat.v4.new_output("display_data", bundle) for bundle in shown]
     cells = [
         nbformat.v4.new_markdown_cell("# Scenes"),
         nbformat.v4.new_code_cell("plotter.show()", outputs=outputs),
@@ -241,9 +240,8 @@ def test_the_ball_is_that_of_the_poster(one: Open) -> None:
     scene = one(device_scale_factor=2)
     scene.page.add_style_tag(content=LIKE_A_POSTER)
     plotter = demanding_scene()
-    matrix = pyvista.array_from_vtkmatrix(
-        plotter.camera.GetCompositeProjectionTransformMatrix(SIZE[0] / SIZE[1], -1, 1)
-    )
+    lens = plotter.camera.GetCompositeProjectionTransformMatrix(SIZE[0] / SIZE[1], -1, 1)
+    matrix = pyvista.array_from_vtkmatrix(lens)
 
     def opacity(picture: np.ndarray, azimuth: float, height: float) -> float:
         """The largest opacity of nine pixels about a place of the sphere."""

@@ -84,10 +84,7 @@ def test_no_label_lies_on_another(name: str, width: str, open_figure: Open) -> N
     ("name", "states"),
     [
         ("figure_1_by_hand", [{"theta": 330.0}, {"theta": 60.0}, {"theta": 30.0}]),
-        (
-            "control_points_by_hand",
-            [{"one_circle": True, "step": 4.0}, {"one_circle": True, "step": 2.0}],
-        ),
+        ("control_points_by_hand", [{"one_circle": True, "step": step} for step in (4.0, 2.0)]),
     ],
 )
 def test_labels_that_met_give_way(name: str, states: list[Any], open_figure: Open) -> None:

@@ -8,6 +8,7 @@ from html_pages import ROOT
 from nightly import nightly
 
 NAMES = sorted(file.stem for file in ROOT.glob("book/*.ipynb"))
+OPEN = "opened => document.querySelectorAll('.misprint').forEach((n) => { n.open = opened })"
 # Notes and captions, by their words, and where they stand.
 NOTES = """() => [...document.querySelectorAll("article :is(.misprint, .in-margin, figcaption)")]
     .map((note) => [note.innerText.slice(0, 30), note.getBoundingClientRect().toJSON()])
@@ -19,9 +20,7 @@ def test_no_note_stands_on_another(name: str, browser: Any, site: str) -> None:
     page = browser.new_page(viewport={"width": 1440, "height": 900})
     page.goto(f"{site}/book/{name}.html")
     for opened in (False, True):
-        page.evaluate(
-            f"document.querySelectorAll('.misprint').forEach((n) => {{ n.open = {opened:d} }})"
-        )
+        page.evaluate(OPEN, opened)
         notes = page.evaluate(NOTES)
         assert notes or name != "05-control-points"
         on_each_other = [
@@ -39,7 +38,7 @@ def test_a_note_on_paper_stands_on_the_sheet(browser: Any, site: str) -> None:
     page = browser.new_page(viewport={"width": 642, "height": 900})
     page.goto(f"{site}/book/05-control-points.html")
     page.emulate_media(media="print")
-    page.evaluate("document.querySelectorAll('.misprint').forEach((note) => { note.open = true })")
+    page.evaluate(OPEN, True)
     notes = [box for words, box in page.evaluate(NOTES) if not words.startswith("Picture")]
     assert len(notes) > 3
     assert all(box["left"] > 480 and box["right"] < 644 for box in notes)

@@ -89,11 +89,8 @@ def test_a_small_figure_is_small(scene: Any) -> None:
 def in_picture(plotter: pyvista.Plotter, points: np.ndarray) -> np.ndarray:
     """Return where points are, as shares of the width and height, shape (2, n)."""
     width, height = plotter.window_size
-    camera = plotter.camera
-    lens = pyvista.array_from_vtkmatrix(
-        camera.GetCompositeProjectionTransformMatrix(width / height, -1, 1)
-    )
-    x, y, _, w = lens @ np.vstack([points.T, np.ones(len(points))])
+    lens = plotter.camera.GetCompositeProjectionTransformMatrix(width / height, -1, 1)
+    x, y, _, w = pyvista.array_from_vtkmatrix(lens) @ np.vstack([points.T, np.ones(len(points))])
     return np.stack([(1 + x / w) / 2, (1 - y / w) / 2])
 
 
@@ -316,10 +313,8 @@ def test_who_rides_on_the_camera_sees_what_its_frame_shows() -> None:
     assert plotter.camera.position == pytest.approx((5.1, -0.3, 2.3))
     assert plotter.actors["camera"].visibility
     names = {label["name"] for label in own}
-    assert names == {f"{name} seen" for name in scenes.CAMERA_SEES} | {
-        "straight up",
-        *(f"horizon {k}" for k in range(6)),
-    }
+    horizon = {f"horizon {k}" for k in range(6)}
+    assert names == {f"{name} seen" for name in scenes.CAMERA_SEES} | horizon | {"straight up"}
     assert not names & {label["name"] for label in scene_labels(plotter)}
     for label in own:
         ahead = np.array(label["position"]) @ looks

@@ -397,10 +397,8 @@ def test_a_thread_sticks_if_it_crosses_an_odd_number_of_times(turns: int) -> Non
         axes = [1, 0.3, 0.5] + far * np.sin(2 * np.pi * t + phase)
         # At home it does not matter about which axis the last turn was.
         thread = Quaternion.from_axis_angle(axes, 2 * np.pi * turns * t[:, 0]).components
-        cases = [
-            {"thread": thread.tolist(), "spoon": thread[-1].tolist(), "pulled": pulled}
-            for pulled in (0, 0.1, 0.2, 0.4, 0.7, 1)
-        ]
+        given = {"thread": thread.tolist(), "spoon": thread[-1].tolist()}
+        cases = [given | {"pulled": pulled} for pulled in (0, 0.1, 0.2, 0.4, 0.7, 1)]
         found = states("pull_the_thread", cases)
         crossings = np.array([state["outputs"]["crossings"] for state in found])
         assert crossings[0] == turns

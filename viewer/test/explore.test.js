@@ -50,15 +50,12 @@ function go(kind, state, hash) {
   dispatchEvent(new Event(kind));
 }
 
-test("a figure tells its values at once, and draws nothing that is there already", () => {
-  const { view, values, find } = shown();
+test("values are told at once; what the hand changes is computed, shown and told", () => {
+  const { view, press, write, values, find } = shown();
   assert.deepEqual(values(), { ...START, sum: 1.25 });
   assert.equal(find("output").textContent, "1.25");
+  // It is there already.
   assert.deepEqual(view.applied, []);
-});
-
-test("what the hand changes is computed, shown and told", () => {
-  const { view, press, write, values, find } = shown();
   write("v", "1.5");
   assert.deepEqual(view.applied, [stateOf(0.25, 1.5)]);
   assert.deepEqual(values(), { u: 0.25, v: 1.5, sum: 1.75 });

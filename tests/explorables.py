@@ -51,8 +51,7 @@ def turn_of(state: State, part: str) -> np.ndarray:
 def outputs(name: str, **inputs: Any) -> dict[str, Any]:
     """The outputs of a figure."""
     [state] = states(name, [inputs])
-    found: dict[str, Any] = state["outputs"]
-    return found
+    return state["outputs"]
 
 
 def panels(cases: Sequence[tuple[str, dict[str, Any]]]) -> list[BeautifulSoup]:

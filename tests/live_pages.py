@@ -196,8 +196,7 @@ def settle(page: Any) -> None:
 
 
 def values(figure: Any) -> dict[str, Any]:
-    found: dict[str, Any] = json.loads(figure.get_attribute("data-values"))
-    return found
+    return json.loads(figure.get_attribute("data-values"))
 
 
 def check(name: str, figure: Any) -> dict[str, Any]:
@@ -268,8 +267,7 @@ def turn(figure: Any, selector: str, *keys: str) -> None:
 def complaints_of_axe(page: Any, where: str) -> list[str]:
     """What axe finds wrong with a part of a page, and where."""
     page.add_script_tag(path=ROOT / "node_modules" / "axe-core" / "axe.min.js")
-    found: list[str] = page.evaluate(COMPLAINTS, where)
-    return found
+    return page.evaluate(COMPLAINTS, where)
 
 
 def pictures(scene: Any, which: str = "img:not(.scene-stacked), .scene-canvas") -> list[np.ndarray]:
@@ -306,8 +304,7 @@ def largest_difference(a: np.ndarray, b: np.ndarray, side: int = 16) -> float:
 
 def lost_contexts(page: Any) -> list[bool]:
     """Tell for each WebGL context of a page whether it is lost."""
-    found: list[bool] = page.evaluate("contexts.map(context => context.isContextLost())")
-    return found
+    return page.evaluate("contexts.map(context => context.isContextLost())")
 
 
 def loaded(page: Any) -> dict[str, float]:

@@ -109,12 +109,9 @@ def test_what_a_scene_leaves_out_is_refused_by_name(
         explorable(u=Slider(0, 1, start=0))(empty)()
 
 
-def test_what_is_no_explorable_is_refused() -> None:
+def test_what_is_no_explorable_and_a_name_that_every_figure_has_are_refused() -> None:
     with pytest.raises(ValueError, match="`explorable` has made, got figure_2"):
         explore(scenes.figure_2)
-
-
-def test_a_name_that_every_figure_has_is_refused() -> None:
     named = explorable(start=Slider(0, 1, start=0))(lambda state: pyvista.Plotter())
     with pytest.raises(ValueError, match=r"^start: expected a name other than .*start.*, got"):
         explore(named)

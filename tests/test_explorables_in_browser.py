@@ -100,8 +100,7 @@ def in_sight(figure: Any) -> dict[str, float]:
     scene = figure.locator(".scene")
     come_to(scene)
     settle(figure.page)
-    box: dict[str, float] = scene.bounding_box()
-    return box
+    return scene.bounding_box()
 
 
 def changed(name: str, before: dict[str, Any], after: dict[str, Any]) -> set[str]:

@@ -323,77 +323,69 @@ class TestFigure:
         assert abs(alpha / 255 - (1 - 0.7**2)) < 0.01
 
 
-class TestBlanks:
-    @pytest.mark.parametrize(
-        ("labels", "expected"),
-        [
-            ({}, (0.2, 0.3)),
-            ({0.5: False}, (0.2, 0.3)),
-            ({0.15: False, 0.85: False}, (0.15 - LABEL / 500, 0.15 - LABEL / 500)),
-            ({0.01: False, 0.99: False}, (0, 0)),
-            ({0.01: True, 0.99: True}, (0.2, 0.3)),
-        ],
+@pytest.mark.parametrize(
+    ("labels", "expected"),
+    [
+        ({}, (0.2, 0.3)),
+        ({0.5: False}, (0.2, 0.3)),
+        ({0.15: False, 0.85: False}, (0.15 - LABEL / 500, 0.15 - LABEL / 500)),
+        ({0.01: False, 0.99: False}, (0, 0)),
+        ({0.01: True, 0.99: True}, (0.2, 0.3)),
+    ],
+)
+def test_blanks_are_measured_by_ink_and_labels(labels: dict[float, bool], expected: Any) -> None:
+    """A rectangle and labels: their places, and whether they are hidden."""
+    poster = Image.new("RGBA", (1200, 1000), (9, 9, 9, 0))
+    poster.paste((0, 0, 0, 40), (100, 200, 1100, 700))
+    file = io.BytesIO()
+    poster.save(file, "PNG")
+    named = [{"top": top, "hidden": hidden} for top, hidden in labels.items()]
+    assert blanks(file.getvalue(), 500, named) == pytest.approx(expected)
+
+
+def test_parts_of_a_picture_stand_one_above_the_other() -> None:
+    plotter = pyvista.Plotter(window_size=[300, 200])
+    plotter.camera_position = ((0, -10, 0), (0, 0, 0), (0, 0, 1))
+    inks = {"red": (-2.5, 0, 0.3), "blue": (2.4, 0, -0.4)}
+    for ink, place in inks.items():
+        plotter.add_mesh(pyvista.Sphere(radius=0.2, center=place), color=ink, lighting=False)
+        plotter.add_point_labels([place], [ink], show_points=False, always_visible=True)
+    stack_on_phone(plotter, (-20, 0, 140, 170, 1), (150, 50, 150, 150, 0.5))
+    describe(plotter, "Two balls.")
+    scene = book_figure(plotter)._repr_mimebundle_()[MIME_TYPE]
+    stack = scene["stack"]
+    assert stack["aspect"] == pytest.approx(1 / (170 / 140 + 0.5))
+    picture = stacked_poster(base64.b64decode(scene["poster"]), stack)
+    poster = Image.open(io.BytesIO(picture))
+    assert poster.height == round(poster.width / stack["aspect"])
+    alpha = np.asarray(poster)[..., 3] > 128
+    for label, first, last in zip(scene["labels"], (0, 170), (170, 240), strict=True):
+        left, top = in_stack(stack, label["left"], label["top"])
+        place = round(left * poster.width), round(top * poster.height)
+        *color, opacity = poster.getpixel(place)
+        assert (*color, opacity) == (*pyvista.Color(label["text"]).int_rgb, 255)
+        # The ball lies about its label, as large as its row shows it.
+        rows = slice(*(round(y / 140 * poster.width) for y in (first, last)))
+        down, across = np.nonzero(alpha[rows])
+        assert np.mean(across) == pytest.approx(place[0], abs=2)
+        assert np.mean(down) + rows.start == pytest.approx(place[1], abs=2)
+    assert not book_figure(demanding_scene()).scene["stack"]
+
+
+def test_a_scene_is_closed_when_its_cell_has_run() -> None:
+    sources = (
+        "from rotedu import scenes\nplotter = scenes.figure_1()",
+        "plotter.show()",
+        "import sys\nprint(plotter.render_window, 'anywidget' in sys.modules)",
     )
-    def test_are_measured_by_drawing_and_labels(
-        self, labels: dict[float, bool], expected: tuple[float, float]
-    ) -> None:
-        """A rectangle and labels: their places, and whether they are hidden."""
-        poster = Image.new("RGBA", (1200, 1000), (9, 9, 9, 0))
-        poster.paste((0, 0, 0, 40), (100, 200, 1100, 700))
-        file = io.BytesIO()
-        poster.save(file, "PNG")
-        named = [{"top": top, "hidden": hidden} for top, hidden in labels.items()]
-        assert blanks(file.getvalue(), 500, named) == pytest.approx(expected)
-
-
-class TestStack:
-    def test_parts_of_a_picture_stand_one_above_the_other(self) -> None:
-        plotter = pyvista.Plotter(window_size=[300, 200])
-        plotter.camera_position = ((0, -10, 0), (0, 0, 0), (0, 0, 1))
-        inks = {"red": (-2.5, 0, 0.3), "blue": (2.4, 0, -0.4)}
-        for ink, place in inks.items():
-            plotter.add_mesh(pyvista.Sphere(radius=0.2, center=place), color=ink, lighting=False)
-            plotter.add_point_labels([place], [ink], show_points=False, always_visible=True)
-        stack_on_phone(plotter, (-20, 0, 140, 170, 1), (150, 50, 150, 150, 0.5))
-        describe(plotter, "Two balls.")
-        scene = book_figure(plotter)._repr_mimebundle_()[MIME_TYPE]
-        stack = scene["stack"]
-        assert stack["aspect"] == pytest.approx(1 / (170 / 140 + 0.5))
-        picture = stacked_poster(base64.b64decode(scene["poster"]), stack)
-        poster = Image.open(io.BytesIO(picture))
-        assert poster.height == round(poster.width / stack["aspect"])
-        alpha = np.asarray(poster)[..., 3] > 128
-        for label, first, last in zip(scene["labels"], (0, 170), (170, 240), strict=True):
-            left, top = in_stack(stack, label["left"], label["top"])
-            place = round(left * poster.width), round(top * poster.height)
-            *color, opacity = poster.getpixel(place)
-            assert (*color, opacity) == (*pyvista.Color(label["text"]).int_rgb, 255)
-            # The ball lies about its label, as large as its row shows it.
-            rows = slice(*(round(y / 140 * poster.width) for y in (first, last)))
-            down, across = np.nonzero(alpha[rows])
-            assert np.mean(across) == pytest.approx(place[0], abs=2)
-            assert np.mean(down) + rows.start == pytest.approx(place[1], abs=2)
-        assert not book_figure(demanding_scene()).scene["stack"]
-
-
-class TestStillPicture:
-    def test_a_scene_is_closed_when_its_cell_has_run(self) -> None:
-        notebook = nbformat.v4.new_notebook()
-        notebook.cells = [
-            nbformat.v4.new_code_cell(source)
-            for source in (
-                "from rotedu import scenes\nplotter = scenes.figure_1()",
-                "plotter.show()",
-                "import sys\nprint(plotter.render_window, 'anywidget' in sys.modules)",
-            )
-        ]
-        NotebookClient(notebook).execute()
-        _, shown, after = notebook.cells
-        picture = Image.open(io.BytesIO(base64.b64decode(shown.outputs[0].data["image/png"])))
-        assert picture.size == parts.SIZE
-        assert np.asarray(picture).std() > 1
-        # conftest.py sets PYVISTA_JUPYTER_BACKEND, so other backends were not loaded.
-        assert after.outputs[0].text == "None False\n"
+    notebook = nbformat.v4.new_notebook(cells=[*map(nbformat.v4.new_code_cell, sources)])
+    NotebookClient(notebook).execute()
+    _, shown, after = notebook.cells
+    picture = Image.open(io.BytesIO(base64.b64decode(shown.outputs[0].data["image/png"])))
+    assert picture.size == parts.SIZE
+    assert np.asarray(picture).std() > 1
+    # conftest.py sets PYVISTA_JUPYTER_BACKEND, so other backends were not loaded.
+    assert after.outputs[0].text == "None False\n"
 
 
 @pytest.mark.parametrize("handler", [book_figure, backend.still_picture])

@@ -380,8 +380,7 @@ def failure(scene: Any) -> str:
     assert scene.locator(".scene-poster").is_visible()
     assert scene.locator(".scene-label:not([data-hidden])").first.is_visible()
     assert scene.locator("canvas, button").count() == 0
-    said: str = line.inner_text()
-    return said
+    return line.inner_text()
 
 
 @pytest.mark.parametrize(

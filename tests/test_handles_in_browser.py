@@ -48,8 +48,7 @@ def beyond(box: dict[str, float], angle: float) -> tuple[float, float]:
 def caught(handle: Any) -> str | None:
     """Return the name of what a hand catches where a handle is: it, or one that lies over it."""
     settle(handle.page)
-    name: str | None = handle.page.evaluate(CAUGHT, center(handle))
-    return name
+    return handle.page.evaluate(CAUGHT, center(handle))
 
 
 def flings(figure: Any, hand: Callable[..., None], count: int) -> None:

@@ -63,8 +63,7 @@ LOSE = """() => {
 
 
 def seen(figure: Any) -> float:
-    share: float = figure.locator(".scene").evaluate(SEEN)
-    return share
+    return figure.locator(".scene").evaluate(SEEN)
 
 
 @pytest.mark.parametrize("script", nightly(["", LATE], LATE))

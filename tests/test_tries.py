@@ -233,16 +233,12 @@ def test_the_control_point_goes_halfway_straight_ahead_and_jumps_by_almost_a_rig
     assert place["before the jump"] - place["behind it"] == pytest.approx(90 - 2.5)
 
 
-def test_every_chip_has_its_row() -> None:
-    chips = {(name, words) for name, function in EXPLORABLES.items() for words in function.tries}
-    assert chips == set(CHIPS)
-
-
-@pytest.mark.parametrize("name", [name for name, function in EXPLORABLES.items() if function.tries])
-def test_chips_are_few_and_short(name: str) -> None:
-    tries = EXPLORABLES[name].tries
-    assert 2 <= len(tries) <= 4
-    assert all(len(words) <= 32 for words in tries)
+def test_chips_are_few_and_short_and_each_has_its_row() -> None:
+    chips = {name: {*function.tries} for name, function in EXPLORABLES.items() if function.tries}
+    assert chips == {name: {*rows} for name, rows in SHOWN.items()}
+    for name, words in chips.items():
+        assert 2 <= len(words) <= 4, name
+        assert max(map(len, words)) <= 32, name
 
 
 @pytest.mark.filterwarnings("ignore:.* are almost ")

@@ -130,17 +130,14 @@ SHOWN: dict[str, dict[str, dict[str, str]]] = {
             "Euler, quaternion": "edge up to 1.06, 2° wrong",
         },
         "repaired after every step": {
-            "exponential": "edge up to 1.00, 0° wrong",
             "Euler, matrix": "edge up to 1.00, 11° wrong",
             "Euler, quaternion": "edge up to 1.00, 9° wrong",
         },
         "both arrows alike": {
-            "exponential": "edge up to 1.00, 0° wrong",
             "Euler, matrix": "edge up to 2.01, 8° wrong",
             "Euler, quaternion": "edge up to 1.44, 2° wrong",
         },
         "the opposite arrow": {
-            "exponential": "edge up to 1.00, 0° wrong",
             "Euler, matrix": "edge up to 1.00, 0° wrong",
             "Euler, quaternion": "edge up to 1.00, 0° wrong",
         },

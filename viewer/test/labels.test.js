@@ -110,12 +110,9 @@ test("labels of a page stand where their points are seen, with the room that the
     `<span class="scene-label" data-label="${name}" data-position="${position}"></span>`;
   box.innerHTML = label("P", "1 0 0") + label("Q", "1 0 0") + label("R", "") + label("S", "0 9 0");
   const labels = new Labels(box);
-  const sized = (element, sizes) => {
-    for (const [key, value] of Object.entries(sizes))
-      Object.defineProperty(element, key, { value });
-  };
-  for (const { label } of labels.entries) sized(label, { offsetWidth: 20, offsetHeight: 10 });
-  sized(box, { clientWidth: 200, clientHeight: 100 });
+  const size = { offsetWidth: { value: 20 }, offsetHeight: { value: 10 } };
+  for (const { label } of labels.entries) Object.defineProperties(label, size);
+  Object.defineProperties(box, { clientWidth: { value: 200 }, clientHeight: { value: 100 } });
   labels.measure();
   const camera = new PerspectiveCamera(90, 1);
   camera.position.set(0, 0, 2);

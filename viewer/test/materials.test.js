@@ -17,13 +17,10 @@ function drawn(transparent) {
 
 test("what is see-through lets others through, and is drawn inside first", () => {
   const [both, back, front] = [0, -1, 1];
-  for (const [transparent, ...sides] of [
-    [false, both],
-    [true, back, front],
-  ]) {
+  for (const transparent of [false, true]) {
     const made = drawn(transparent);
-    const drawnSides = made.map((object) => object.material.uniforms.sides.value);
-    assert.deepEqual(drawnSides, sides);
+    const sides = made.map((object) => object.material.uniforms.sides.value);
+    assert.deepEqual(sides, transparent ? [back, front] : [both]);
     const { material } = made[0];
     assert.equal(material.transparent, transparent);
     assert.equal(material.depthWrite, !transparent);

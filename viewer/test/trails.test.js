@@ -6,10 +6,8 @@ import { points } from "./near.js";
 test("a way grows with its point, breaks where it jumps, and can be forgotten", () => {
   const ways = trails();
   assert.deepEqual(ways.follow({ way: [0, 0, 0] }), { way: { hidden: true } });
-  ways.follow({ way: [0.1, 0, 0] });
-  // Too near to be seen.
-  ways.follow({ way: [0.101, 0, 0] });
-  ways.follow({ way: [0.9, 0, 0] });
+  // The second is too near to be seen.
+  for (const place of points("0.1,0,0 0.101,0,0 0.9,0,0")) ways.follow({ way: place });
   const { way } = ways.follow({ way: [1, 0, 0] });
   const pieces = [points("0,0,0 0.1,0,0"), points("0.9,0,0 1,0,0")];
   assert.deepEqual(way, { paths: pieces, hidden: false });

@@ -6,6 +6,7 @@ from typing import Any
 import pytest
 from html_pages import ROOT
 from nightly import nightly
+from test_preview_in_browser import read
 
 NAMES = sorted(file.stem for file in ROOT.glob("book/*.ipynb"))
 OPEN = "opened => document.querySelectorAll('.misprint').forEach((n) => { n.open = opened })"
@@ -17,8 +18,7 @@ NOTES = """() => [...document.querySelectorAll("article :is(.misprint, .in-margi
 
 @pytest.mark.parametrize("name", nightly(NAMES, "05-control-points"))
 def test_no_note_stands_on_another(name: str, browser: Any, site: str) -> None:
-    page = browser.new_page(viewport={"width": 1440, "height": 900})
-    page.goto(f"{site}/book/{name}.html")
+    page = read(browser, site, name, viewport={"width": 1440, "height": 900})
     for opened in (False, True):
         page.evaluate(OPEN, opened)
         notes = page.evaluate(NOTES)
@@ -35,8 +35,7 @@ def test_no_note_stands_on_another(name: str, browser: Any, site: str) -> None:
 
 def test_a_note_on_paper_stands_on_the_sheet(browser: Any, site: str) -> None:
     # 170 mm of text and margin
-    page = browser.new_page(viewport={"width": 642, "height": 900})
-    page.goto(f"{site}/book/05-control-points.html")
+    page = read(browser, site, "05-control-points", viewport={"width": 642, "height": 900})
     page.emulate_media(media="print")
     page.evaluate(OPEN, True)
     notes = [box for words, box in page.evaluate(NOTES) if not words.startswith("Picture")]
@@ -47,8 +46,7 @@ def test_a_note_on_paper_stands_on_the_sheet(browser: Any, site: str) -> None:
 
 @pytest.mark.parametrize("width", [1000, 1440])
 def test_two_pictures_of_a_figure_stand_apart(width: int, browser: Any, site: str) -> None:
-    page = browser.new_page(viewport={"width": width, "height": 900})
-    page.goto(f"{site}/book/05-closed-curve.html")
+    page = read(browser, site, "05-closed-curve", viewport={"width": width, "height": 900})
     figure = page.locator(".explorable:has(> .scene-view)")
     one, other = (figure.locator(f"> {part}").bounding_box() for part in (".scene", ".scene-view"))
     beside = one["x"] + one["width"] <= other["x"]
@@ -58,8 +56,7 @@ def test_two_pictures_of_a_figure_stand_apart(width: int, browser: Any, site: st
 
 @pytest.mark.parametrize("width", [1320, 1440])
 def test_the_open_rail_covers_nothing(width: int, browser: Any, site: str) -> None:
-    page = browser.new_page(viewport={"width": width, "height": 900})
-    page.goto(f"{site}/book/02-quaternions.html")
+    page = read(browser, site, "02-quaternions", viewport={"width": width, "height": 900})
     rail = page.locator(".toc-drawer")
     titles = rail.locator("li li a")
     closed = rail.locator(".toc-sticky").bounding_box()["width"]
@@ -76,8 +73,8 @@ def test_the_open_rail_covers_nothing(width: int, browser: Any, site: str) -> No
 
 
 def test_a_finger_opens_the_rail_before_it_leads_anywhere(browser: Any, site: str) -> None:
-    page = browser.new_page(viewport={"width": 1366, "height": 1024}, has_touch=True)
-    page.goto(f"{site}/book/02-quaternions.html")
+    screen = {"width": 1366, "height": 1024}
+    page = read(browser, site, "02-quaternions", viewport=screen, has_touch=True)
     rail = page.locator(".toc-drawer .toc-sticky")
     tick = rail.locator("li li a").nth(3).bounding_box()
     at = tick["x"] + tick["width"] / 2, tick["y"] + tick["height"] / 2

@@ -72,7 +72,7 @@ test("a model is given the constants of its figure, and may correct inputs", () 
   assert.deepEqual(values(), { u: 0.5, v: 0.5, sum: 1.625 });
 });
 
-test("a geometry without an answer keeps the last picture, pale, and says why; other errors are some", () => {
+test("a geometry without an answer leaves the picture pale and says why; a bug is an error", () => {
   const model = ({ u, v }) => {
     if (u === 0) throw new RangeError("no");
     if (u < 1) return stateOf(u, v);

@@ -32,7 +32,7 @@ test("points from an address have their length, unless they may have any", () =>
   near(found(0), [0, 0.3, 0.4]);
 });
 
-test("an address may name the ends of what there is, and as many points as there are names", () => {
+test("an address may name the ends of what there is, and as many points as have names", () => {
   assert.deepEqual(read("u=0"), { u: 0 });
   assert.deepEqual(read("u=1&on=false"), { u: 1, on: false });
   for (const text of ["1,0,0 0,1,0", "1,0,0 0,1,0 0,0,1"]) {

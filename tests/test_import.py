@@ -8,8 +8,6 @@ import tomllib
 from importlib.metadata import packages_distributions
 from pathlib import Path
 
-import pytest
-
 import rotedu
 
 ROOT = Path(__file__).parents[1]
@@ -32,20 +30,6 @@ def test_the_mathematics_loads_numpy_and_nothing_else() -> None:
 
 def test_the_package_alone_loads_no_module_of_its_own() -> None:
     assert loaded("import rotedu") == {"rotedu"}
-
-
-# Where the version stands that is not read from the package; the changelog keeps older ones, too.
-VERSIONS = {
-    "CHANGELOG.md": r"\A(?s:.*?)(?:What version |## \[)(\d+\.\d+\.\d+)",
-    "CITATION.cff": r"^version: (.+)",
-    "book/run-a-class.md": r"rotedu-(.+)-py3",
-}
-
-
-@pytest.mark.parametrize("file", VERSIONS)
-def test_the_version_is_that_of_the_package(file: str) -> None:
-    text = (ROOT / file).read_text(encoding="utf-8")
-    assert set(re.findall(VERSIONS[file], text, re.MULTILINE)) == {rotedu.__version__}
 
 
 # The extra with which each file is run; a later line overrides an earlier one.

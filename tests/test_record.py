@@ -31,7 +31,7 @@ from rotedu.edition.errata import ERRATA
 
 PAPER = ROOT / "paper" / "paper.md"
 FILES = ("CITATION.cff", ".zenodo.json", "pyproject.toml", "paper/paper.md")
-VERSIONED = ("CHANGELOG.md", "CITATION.cff", "book/run-a-class.md")
+VERSIONED = ("CITATION.cff", "book/run-a-class.md", "CHANGELOG.md")
 CITATION = ROOT / "CITATION.cff"
 NUMBERED = {2: 6, 3: 3, 4: 7, 5: 15}
 PLACES = {"title", "abstract", *"123456", "folklore", "not claimed"}
@@ -202,10 +202,12 @@ def test_the_version_of_the_package_is_named_everywhere_with_its_date(tmp_path: 
         (tmp_path / file).parent.mkdir(exist_ok=True)
         shutil.copy(ROOT / file, tmp_path / file)
     derive_version(tmp_path, rotedu.__version__)
-    for file in VERSIONED:
+    changes = tmp_path / "CHANGELOG.md"
+    newest = re.search(r"(What version |## \[)(\d+\.\d+\.\d+)", changes.read_text("utf-8"))
+    assert newest[2] == rotedu.__version__
+    for file in VERSIONED[:2]:
         written = (tmp_path / file).read_text("utf-8") == (ROOT / file).read_text("utf-8")
         assert written, f"{file} is not up to date: run .venv/bin/python tools/derive.py"
-    changes = tmp_path / "CHANGELOG.md"
     changes.write_text(f"## [2.3.4] - 2027-01-31\n\n{changes.read_text('utf-8')}", "utf-8")
     derive_version(tmp_path, "2.3.4")
     derive_version(tmp_path, "2.3.4")

@@ -11,7 +11,6 @@ from rotedu.cost import OperationCount
 from rotedu.edition.exercises import check, general_rotation
 from rotedu.quaternions import Quaternion
 
-A_WAY_BACK = [[0.35, -0.68, -0.64, 0], [0.93, 0.19, 0.3, 0], [-0.08, -0.71, 0.7, 0], [0, 0, 0, 1]]
 SECRET = np.random.default_rng(12)
 AXIS_OF_THE_SPOON, ANGLE_OF_THE_SPOON = SECRET.normal(size=3), SECRET.uniform(0, np.pi)
 AXIS_OF_THE_SPOON /= np.linalg.norm(AXIS_OF_THE_SPOON)
@@ -73,6 +72,7 @@ RIGHT: list[tuple[str, Any]] = [
     ("5.10", (0.8, 0.6, 0)),
     ("5.11", [60, 80, 40, 320, 35]),
     ("5.12", (75, 63, 77, 50)),
+    ("5.14", rule_with_jump(180)),
     ("5.16", (60, 30, 90)),
     ("5.16", (60, 30, 450)),
     ("5.17", [6, 55]),
@@ -99,9 +99,7 @@ RIGHT: list[tuple[str, Any]] = [
     ("A.1", [0, 0, -1.57]),
     ("A.2", (2, 0, 0)),
     ("A.3", (1.02, 1.005)),
-    ("A.4", [[0.572, 0.03, 0.82], [0.82, 0.012, -0.572], [-0.027, 0.999, -0.017]]),
     ("A.4", [0.6258, 0.6278, 0.3384, 0.3158]),
-    ("A.4", Quaternion(-0.6258, [-0.6278, -0.3384, -0.3158])),
     ("A.5", (256, 32)),
     ("A.6", (76.4, 75.5)),
     ("B.1", (1.41, 0.52, 1.93)),
@@ -109,8 +107,6 @@ RIGHT: list[tuple[str, Any]] = [
     ("B.3", (1, 0, 0, 0, 1)),
     ("B.3", [True, False, False, False, True]),
     ("B.4", [0.3153, 0.6325, -0.3189, 0.6316]),
-    ("B.4", Quaternion(-0.3153, [-0.6325, 0.3189, -0.6316])),
-    ("B.4", [[-0.0011, -0.8016, 0.5979], [-0.0051, -0.5979, -0.8016], [1, -0.0039, -0.0035]]),
     ("B.5", (3.44, 3.91, 3.92)),
     ("C.1", (0, 2, 2, 0)),
     ("C.2", (1, 1.732, -1)),
@@ -121,7 +117,6 @@ RIGHT: list[tuple[str, Any]] = [
     ("C.6", [[-0.6, 0.8, 0], [0.8, 0.6, 0], [0, 0, -1]]),
     ("C.6", [0, 0.4472, 0.8944, 0]),
     ("C.7", [[0.5, 0.854, 0.142], [-0.142, 0.243, -0.96], [-0.854, 0.46, 0.243]]),
-    ("C.7", Quaternion(-0.7045, [-0.5036, -0.3536, 0.3536])),
     ("D.5", (179.9, 180, 0, 0.1)),
     ("D.3", (2.414, 2.414, 3.414)),
     ("D.4", [4, 6, 2, 5, 1]),
@@ -132,39 +127,32 @@ PAIRS = [([0, 0, 1], 180), ([0, 0, 0], 0), ([0, 1, 0], 90), ([1, 1, 1], 120)]
 A, LOGICAL = [[0.6, -0.8, 0]] * 4, "True, False and None are not numbers"
 
 # Wrong answers that look right or came in a trial, and what one of their hints says. Right numbers
-# exchanged, repeated or halved need no row: test_exercises tries them.
+# exchanged, repeated or halved, and the examples of hints need no row: test_exercises tries them.
 WRONG: list[tuple[str, Any, str]] = [
     ("2.4", (PAIRS, [0, 1, 0]), "zero vector"),
     ("3.4", "transpose", "the second for -diagonal"),
     ("3.4", ("same", "same"), "you call the same does change"),
-    ("4.3", ([7, 4, 6, 1], [2, 4, 6, 0]), "fourth coordinates are known"),
     ("4.3", ([7, 4, 6], [2, 4, 6, 0]), "fourth coordinates are known"),
     ("5.4", (67.2, 9156), "Is this the latitude?"),
     ("6.2", (3, 9), "factors by which the errors grow"),
     ("6.2", (9, 3), "factors, and the wrong way round"),
     ("6.3", 2.41, "smallest whole number"),
     ("3.2", ["-2", "1", "3"], f"words, {LOGICAL}"),
-    ("5.14", lambda before, after: str(before), f"words, {LOGICAL}"),
     ("5.14", lambda before, after: None, LOGICAL),
     ("5.17", np.array([True, False]), LOGICAL),
     ("5.20", (A, False), LOGICAL),
     ("5.24", np.zeros(1).any(), LOGICAL),
-    ("1.2", ([0, 0, -1], 106, "same"), "more digits"),
     ("1.3", ([-0.8, 0, 0.6], (3, 6), np.eye(3)), "changed places"),
     ("1.4", [*combinations_with_replacement(range(9), 3)], "names a row twice"),
     ("2.2", [7, 1, 2, 1], "come last"),
     ("2.3", (0, 0.3, 0.4, 0.87), "come last"),
-    ("2.5", ([0, 1, 1, 0], [0.5, 0.5, 0.5, -0.5]), "norm 1"),
     ("2.7", [0.091, 0.333, -0.661, 0.666], "scalar parts positive"),
     ("2.7", [0.333, -0.667, 0.667, 0.01], "come last"),
     ("2.7", [0.0087, 0.3333, -0.6666, 0.6666], "the truth, exactly"),
     ("3.6", 0.003, "two digits"),
     ("3.7", ([-0.005, 0.816, 0.578], 0.56), "close"),
     ("3.7", (-AXIS_OF_THE_SPOON.round(5), -ANGLE_OF_THE_SPOON), "the truth, exactly"),
-    ("4.5", A_WAY_BACK, "nearly the unit matrix"),
     ("4.6", np.deg2rad([(10, 20, 30), (-170, 20, -150), (30, 90, 0)]).round(4), "to 1e-12"),
-    ("4.6", np.deg2rad([(10, 20, 30), (10, 160, 30), (40, 90, 10)]), "neither of your outer"),
-    ("4.6", np.deg2rad([(10, -170, 30), (20, 20, 90), (30, -150, 0)]), "columns"),
     ("4.6", np.full((3, 3), np.nan), "not finite"),
     ("4.6", np.deg2rad([(10, 20, 30), (10, 160, 30), (400, 90, 10)]), "neither of your outer"),
     ("4.8", spoon_and_order(photographed_from(100)), "hardly shows"),
@@ -186,7 +174,6 @@ WRONG: list[tuple[str, Any, str]] = [
     ("5.4", (9156, 67), "close"),
     ("5.4", (82.34, 67.2), "an angle"),
     ("5.4", (1.437, 67.2), "an angle"),
-    ("5.5", (-1, 0, 3), "only at some moments"),
     ("5.9", (-1, -2, 2), "not on the sphere"),
     ("5.10", (0, 0, 1), "in the middle"),
     ("5.12", (50, 77, 63, 75), "begin with the last"),
@@ -286,9 +273,6 @@ WRONG: list[tuple[str, Any, str]] = [
     ("D.3", (2.414, 2.414, 4.828), "by their squares"),
     ("D.4", (4, 6, 2, 3, 5), "not true"),
     ("D.4", (4, 6, 2, 5), "five lines, in order"),
-    ("D.4", (6, 4, 2, 5, 1), "refuted"),
-    ("D.4", (4, 6, 2, 1, 5), "cannot be"),
-    ("D.4", (4, 2, 6, 5, 1), "In between"),
 ]
 
 
@@ -302,17 +286,6 @@ def test_a_wrong_answer_hears_what_is_wrong(number: str, answer: Any, hint: str)
 @pytest.mark.parametrize(("number", "answer"), RIGHT)
 def test_a_right_answer_passes_in_every_form(number: str, answer: Any) -> None:
     assert str(check(number, answer)).startswith(f"{number}: right.")
-
-
-def test_a_rule_may_be_any_function() -> None:
-    """5.11: a_i is halfway to the midpoint of step two, taken on the shorter way."""
-
-    def rule(before: float, after: float) -> float:
-        shorter = (after - before + 180) % 360 - 180
-        middle = before + shorter / 2
-        return ((middle + 180) % 360 - 180) / 2
-
-    assert check("5.14", rule).right is True
 
 
 def test_the_spoon_of_a_photograph_is_the_one_of_the_scenes() -> None:

@@ -1,17 +1,7 @@
 import numpy as np
 import pytest
 
-from rotedu.edition.notebook import agree, source
-from rotedu.ordinary_rotation import rotate
-
-
-def test_source_is_the_code_without_its_docstring() -> None:
-    code = repr(source(rotate))
-    assert "def rotate(" in code
-    assert '"""' not in code
-    assert "cross(n, r)" in code
-    compile(code, "rotate", "exec")
-    assert source(rotate)._repr_markdown_() == f"```python\n{code}\n```"
+from rotedu.edition.notebook import agree
 
 
 @pytest.mark.parametrize(

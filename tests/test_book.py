@@ -13,7 +13,6 @@ from bs4 import BeautifulSoup
 from html_pages import anchors, parse
 from notebook_language import notebooks, part_of
 
-ROOT = Path(__file__).parents[1]
 FILES = ("href", "src", "data-scene", "data-shared")
 
 

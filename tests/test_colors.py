@@ -2,6 +2,7 @@
 
 import re
 from itertools import combinations
+from typing import Any
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -35,8 +36,9 @@ EYES = {
 TO_XYZ = np.array([[0.4124, 0.3576, 0.1805], [0.2126, 0.7152, 0.0722], [0.0193, 0.1192, 0.9505]])
 
 
-def linear(code: str) -> np.ndarray:
-    color = np.array(to_rgb(code))
+def linear(color: Any) -> np.ndarray:
+    """What a screen makes of a colour, as the standard of sRGB says."""
+    color = np.array(to_rgb(color))
     return np.where(color <= 0.04045, color / 12.92, ((color + 0.055) / 1.055) ** 2.4)
 
 

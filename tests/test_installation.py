@@ -17,13 +17,12 @@ from pathlib import Path
 import nbformat
 import pytest
 from nbclient import NotebookClient
-from notebook_language import notebooks
+from notebook_language import ROOT, notebooks
 from packaging.metadata import Metadata
 from servers import get, jupyterlab
 from set_up import OLDEST
 from uv import find_uv_bin
 
-ROOT = Path(__file__).parents[1]
 NOTEBOOKS = [page.name for page in notebooks()]
 VIEWER = "rotedu/figures/static/figure.js"
 

@@ -2,7 +2,6 @@
 
 import sys
 from collections.abc import Callable
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -10,6 +9,7 @@ import pytest
 from bs4 import BeautifulSoup
 from docutils import nodes
 from docutils.core import publish_doctree, publish_from_doctree
+from notebook_language import BOOK
 from scipy.spatial.transform import RigidTransform, Rotation, RotationSpline, Slerp
 from spheres import close
 
@@ -23,7 +23,7 @@ from rotedu.ordinary_rotation import axis_angle, rotation_matrix
 from rotedu.quaternions import Quaternion
 from rotedu.rigid_motion import DualQuaternion, blend_dual_quaternions, blend_matrices
 
-sys.path.append(str(Path(__file__).parents[1] / "book" / "_ext"))
+sys.path.append(str(BOOK / "_ext"))
 from listings_and_tables import LedgerAndClaims
 
 ROWS = {row.written_as: row for row in LEDGER}

@@ -7,17 +7,12 @@ import numpy as np
 import pytest
 import pyvista
 from PIL import Image
+from test_colors import linear
 
 from rotedu.figures.backend import take_poster
 from rotedu.figures.light import INSIDE
 from rotedu.scenes.parts import add_shadow, new_scene
 from rotedu.scenes.shapes import teaspoon
-
-
-def linear(color: Any) -> np.ndarray:
-    """What a screen makes of a colour, as the standard of sRGB says."""
-    color = np.asarray(color, float)
-    return np.where(color <= 0.04045, color / 12.92, ((color + 0.055) / 1.055) ** 2.4)
 
 
 def poster(plotter: pyvista.Plotter) -> np.ndarray:
@@ -42,7 +37,7 @@ def test_what_faces_the_eye_has_its_colour_times_the_light(color: str) -> None:
     light += np.array([0.58, 0.57, 0.55]) * ((0.592 + 0.2) / 1.2) ** 2
     t = (0.425 - 0.15) / 0.6
     gleam = 0.35 * 0.03 * t * t * (3 - 2 * t)
-    expected = linear(pyvista.Color(color).float_rgb) * light + gleam
+    expected = linear(color) * light + gleam
     here = seen[seen.shape[0] // 2, seen.shape[1] // 2]
     np.testing.assert_allclose(linear(here[:3]), expected, atol=0.006)
     assert here[3] == 1

@@ -11,12 +11,11 @@ from typing import Any
 
 import pytest
 from bs4 import BeautifulSoup
-from notebook_language import captions_by_hand, exercises, pages
+from notebook_language import ROOT, captions_by_hand, exercises, pages
 from pypdf import PdfReader
 from pypdf._text_extraction import mult
 from pypdf.generic import Destination
 
-ROOT = Path(__file__).parents[1]
 CAPTIONS = [caption.title for page in pages().values() for caption in page.all("caption")]
 # Code of a page that is no solution
 STARTERS = "section:not([id*='solution-']) > .cell pre"

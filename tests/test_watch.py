@@ -1,17 +1,15 @@
 """What ``make watch`` does when a file changes."""
 
 import sys
-from pathlib import Path
 from types import SimpleNamespace
 from unittest.mock import Mock
 
 import pytest
 import watch
+from notebook_language import BOOK, ROOT
 
-sys.path.append(str(Path(__file__).parents[1] / "book" / "_ext"))
+sys.path.append(str(BOOK / "_ext"))
 import cache_keys
-
-ROOT = Path(__file__).parents[1]
 
 
 @pytest.mark.parametrize(

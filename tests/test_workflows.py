@@ -7,8 +7,7 @@ from pathlib import Path
 
 import yaml
 
-ROOT = Path(__file__).parents[1]
-FOLDER = ROOT / ".github" / "workflows"
+FOLDER = Path(__file__).parents[1] / ".github" / "workflows"
 TEXT = "".join(file.read_text("utf-8") for file in sorted(FOLDER.glob("*.yml")))
 
 

@@ -7,15 +7,12 @@ from typing import Any, NamedTuple
 import pytest
 from live_pages import AT_REST
 from nightly import nightly
-from notebook_language import captions_by_hand, chapters, pages
+from notebook_language import captions_by_hand, chapters, exercises, pages
 from reading_time import count
 
 TEXT = pages()["teaching.md"].text
-CHAPTERS = [repr(page) for page in chapters()]
 
-TALL = "document.documentElement.scrollHeight > innerHeight"
 UNFOLD = "for (const box of document.querySelectorAll('details')) box.open = true"
-BOTTOM = "scrollTo({ top: document.documentElement.scrollHeight, behavior: 'instant' })"
 # A heading is small where it only says what the visible section belongs to.
 VISIBLE = """() => [...document.querySelectorAll("article :is(h1, h2, h3)")]
     .filter((heading) => heading.checkVisibility())
@@ -33,7 +30,7 @@ def table(heading: str) -> list[list[str]]:
 
 PLANS = {"Three weeks": 1, "Six weeks": 1, "Two weeks more": 7}
 NOTEBOOKS = {repr(page): page for page in chapters()}
-EXERCISES = {n: e for page in NOTEBOOKS.values() for n, e in page.exercises.items()}
+EXERCISES = exercises()
 
 
 def numbers(cell: str) -> list[str]:
@@ -92,11 +89,8 @@ def test_a_lab_takes_the_minutes_of_its_exercises(name: str) -> None:
 
 
 def test_plans_name_sections_that_exist() -> None:
-    rows = [
-        " ".join(row)
-        for heading in ("Three plans", *PLANS, "The pages, one by one")
-        for row in table(heading)
-    ]
+    tables = ("Three plans", *PLANS, "The pages, one by one")
+    rows = [" ".join(row) for heading in tables for row in table(heading)]
     named = re.findall(r"(?<!\*)\*([A-Z][^*.]{6,})\*(?!\*)", " ".join(rows))
     headings = {name for page in chapters() for name in re.findall(r"^#+ (.+)", page.text, re.M)}
     assert len(named) > 15
@@ -133,8 +127,8 @@ def test_what_is_done_at_home_is_about_right(weeks: str) -> None:
 def test_six_weeks_leave_out_no_page_of_the_paper() -> None:
     """The others make units, too, for a class that has more time."""
     taught = {units()[name].page for row in table("Six weeks")[:-1] for name in row[1].split()}
-    assert {unit.page for unit in units().values()} == set(CHAPTERS)
-    assert taught == {name for name in CHAPTERS if not name.startswith("beyond-")}
+    assert {unit.page for unit in units().values()} == set(NOTEBOOKS)
+    assert taught == {name for name in NOTEBOOKS if not name.startswith("beyond-")}
 
 
 def test_the_marks_make_a_hundred() -> None:
@@ -211,12 +205,12 @@ def test_a_tall_section_scrolls_before_the_next_comes(
     page: Any, forward: str, backward: str
 ) -> None:
     assert [press(page, "ArrowRight") for _ in range(2)] == [2, 3]
-    assert page.evaluate(TALL)
+    assert page.evaluate("document.documentElement.scrollHeight > innerHeight")
     assert press(page, forward) == 3
     page.wait_for_function("scrollY > 0")
     # The browser scrolls by itself for a moment.
     page.wait_for_function(AT_REST, polling=400)
-    page.evaluate(BOTTOM)
+    page.evaluate("scrollTo({ top: document.documentElement.scrollHeight, behavior: 'instant' })")
     assert press(page, forward) == 4
     page.wait_for_function("scrollY === 0", timeout=5_000)
     assert press(page, backward) == 3
@@ -260,8 +254,6 @@ def test_a_figure_is_live_and_large_and_keeps_its_keys(page: Any) -> None:
     assert page.evaluate(VISIBLE) == ["rodrigues-formula"]
 
 
-# Lecture rooms project one or the other.
-SCREENS = nightly([(1280, 720), (1920, 1080)], (1280, 720))
 CUT = """() => [...document.querySelectorAll(".presented .explorable")]
     .filter((figure) => figure.checkVisibility())
     .map((figure) => [figure, ...figure.querySelectorAll(".scene, .explorable-panel")])
@@ -270,8 +262,9 @@ CUT = """() => [...document.querySelectorAll(".presented .explorable")]
     .map(([figure]) => figure.dataset.name)"""
 
 
-@pytest.mark.parametrize("screen", SCREENS, ids=str)
-@pytest.mark.parametrize("name", nightly(CHAPTERS, "05-closed-curve"))
+# Lecture rooms project one or the other.
+@pytest.mark.parametrize("screen", nightly([(1280, 720), (1920, 1080)], (1280, 720)), ids=str)
+@pytest.mark.parametrize("name", nightly(NOTEBOOKS, "05-closed-curve"))
 def test_a_figure_fits_a_slide_and_its_code_is_not_shown(
     browser: Any, site: str, name: str, screen: tuple[int, int]
 ) -> None:

@@ -98,17 +98,11 @@ def test_the_figure_plays_until_it_is_grabbed(browser: Any, site: str) -> None:
         }"""
     )
     assert any("loader.js" in name for name in early)
-    assert not [
-        name
-        for name in early
-        if re.search(r"(viewer|explorables)-\w+\.js|/scene-\w+\.(glb|json)", name)
-    ]
-
-    heights = [
-        page.locator(f".explorable [data-action={name}]").bounding_box()["y"]
-        for name in ("reset", "play")
-    ]
-    assert heights[0] == pytest.approx(heights[1], abs=10)
+    late = re.compile(r"(viewer|explorables)-\w+\.js|/scene-\w+\.(glb|json)")
+    assert not list(filter(late.search, early))
+    buttons = [page.locator(f".explorable [data-action={name}]") for name in ("reset", "play")]
+    reset, play = (button.bounding_box()["y"] for button in buttons)
+    assert reset == pytest.approx(play, abs=10)
     start = page.evaluate(VALUES)
     page.wait_for_function(f"start => {VALUES}.along !== start", arg=start["along"])
     box = page.locator(".scene").bounding_box()
@@ -132,9 +126,8 @@ def test_the_figure_plays_until_it_is_grabbed(browser: Any, site: str) -> None:
 
 @pytest.mark.slow
 def test_the_first_screen_of_a_phone_has_title_puzzle_and_spoon(browser: Any, site: str) -> None:
-    page = visit(
-        browser, site, viewport={"width": 390, "height": 844}, is_mobile=True, has_touch=True
-    )
+    phone = {"viewport": {"width": 390, "height": 844}, "is_mobile": True, "has_touch": True}
+    page = visit(browser, site, **phone)
     parts = ("h1", ".opening", ".ways", ".scene [data-handle]")
     boxes = [page.locator(part).first.bounding_box() for part in parts]
     assert [box["y"] for box in boxes] == sorted(box["y"] for box in boxes)

@@ -17,9 +17,6 @@ from pypdf._text_extraction import mult
 from pypdf.generic import Destination
 
 CAPTIONS = [caption.title for page in pages().values() for caption in page.all("caption")]
-# Code of a page that is no solution
-STARTERS = "section:not([id*='solution-']) > .cell pre"
-ANSWERS = ":is([id^='answer-'], [id^='solutions-answer-'])"
 MARKED = re.compile(r'<span class="on-screen">(.*?)</span>', re.DOTALL)
 HAND = re.compile(r"\b(drag|press|click|grab|pull)\b", re.IGNORECASE)
 EPUBCHECK = Path("/usr/bin/epubcheck")
@@ -197,11 +194,13 @@ def test_what_is_marked_for_the_screen_is_not_printed(epub: dict[str, BeautifulS
 
 
 def test_answers_stand_at_the_end(epub: dict[str, BeautifulSoup], pdf: PdfReader) -> None:
+    answers = ":is([id^='answer-'], [id^='solutions-answer-'])"
+    starters = "section:not([id*='solution-']) > .cell pre"
     for edition in ([source()], epub.values()):
         boxes = [box for page in edition for box in page.select(".question")]
-        assert len(boxes) == sum(len(page.select(ANSWERS)) for page in edition) >= 8
+        assert len(boxes) == sum(len(page.select(answers)) for page in edition) >= 8
         assert [box for box in boxes if box.select(".opened") or len(box.select("li")) < 2] == []
-        assert not any("check(" in code.text for page in edition for code in page.select(STARTERS))
+        assert not any("check(" in code.text for page in edition for code in page.select(starters))
 
 
 def test_the_epub_has_every_figure_and_solution(epub: dict[str, BeautifulSoup]) -> None:

@@ -40,13 +40,8 @@ class Book:
 
     def build(self) -> subprocess.CompletedProcess[str]:
         command = [sys.executable, "-m", "sphinx", "-W", "--keep-going", ".", "_build/html"]
-        return subprocess.run(
-            [*command, "-d", "_build/.doctrees"],
-            cwd=self.folder,
-            capture_output=True,
-            text=True,
-            check=False,
-        )
+        command += ["-d", "_build/.doctrees"]
+        return subprocess.run(command, cwd=self.folder, capture_output=True, text=True, check=False)
 
     def runs(self) -> list[int]:
         return [len((self.folder / f"{name}.ran").read_text()) for name in ("one", "two")]

@@ -11,6 +11,8 @@ from derive import ROOT, derive, derive_citation
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
 from notebook_language import Page, pages
 
+HIDDEN = {"source_hidden": True}
+
 
 @pytest.mark.parametrize("page", pages().values(), ids=repr)
 def test_nothing_is_left_to_write(page: Page, tmp_path: Path) -> None:
@@ -43,9 +45,7 @@ def test_what_is_written(tmp_path: Path) -> None:
         new_markdown_cell("**Time** 9 minutes to read.\n\n:::{math}\n:label: eq-A-1\n\na = b\n:::"),
         new_code_cell("import this", metadata={"tags": ["hide-input"]}),
         new_markdown_cell(asked, id="exercise-A-1"),
-        new_code_cell(
-            "answer = ...", id="start-A-1", metadata={"jupyter": {"source_hidden": True}}
-        ),
+        new_code_cell("answer = ...", id="start-A-1", metadata={"jupyter": HIDDEN}),
         new_code_cell("answer = 42", id="solution-A-1"),
     ]
     nbformat.write(new_notebook(cells=cells), file)
@@ -56,7 +56,7 @@ def test_what_is_written(tmp_path: Path) -> None:
         "**Time** 1 minutes to read, 4 for the exercises.\n\n"
         ":::{math}\n:label: eq-A-1\n:enumerated: true\n:enumerator: A-1\n\na = b\n:::"
     )
-    assert imports.metadata.jupyter == {"source_hidden": True}
+    assert imports.metadata.jupyter == HIDDEN
     assert "jupyter" not in start.metadata
     assert solution.metadata.tags == ["hide-cell"]
-    assert solution.metadata.jupyter == {"source_hidden": True, "outputs_hidden": True}
+    assert solution.metadata.jupyter == HIDDEN | {"outputs_hidden": True}

@@ -91,9 +91,8 @@ def test_a_browser_that_fails_is_said_at_once_and_in_one_line(
         (tmp_path / name).write_text("#!/bin/sh\nexit 1\n")
         (tmp_path / name).chmod(0o755)
     monkeypatch.setenv("PATH", str(tmp_path), prepend=os.pathsep)
-    run = subprocess.run(
-        [sys.executable, *command], cwd=ROOT, capture_output=True, text=True, check=False
-    )
+    call = [sys.executable, *command]
+    run = subprocess.run(call, cwd=ROOT, capture_output=True, text=True, check=False)
     assert run.returncode != 0
     (line,) = run.stderr.strip().splitlines()
     assert re.search(r"No browser: /.* does not start\. To get one: .*install chromium", line)

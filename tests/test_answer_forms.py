@@ -14,7 +14,6 @@ from rotedu.edition.exercises import check
 from rotedu.edition.exercises.judging import EXERCISES
 
 NUMERIC = {number: asked for number, asked in EXERCISES.items() if asked.fields}
-HINT = "For a hint, press Check again."
 FORM = ".answer-form:has(legend:text-is('Check your answer to {} here'))"
 # Fill in each of several answers afresh, check it twice, and return both verdicts.
 CHECK_ALL = """(place, answers) => answers.map((answer) => {
@@ -80,7 +79,7 @@ def in_page(number: str, answer: Any) -> list[str]:
     if first.right:
         return [first.text.capitalize()[:1] + first.text[1:]] * 2
     text, _, _ = first.text.partition("\n")
-    return [f"N{text[1:]} {HINT}", f"N{second.text[1:]}"]
+    return [f"N{text[1:]} For a hint, press Check again.", f"N{second.text[1:]}"]
 
 
 def test_every_numeric_exercise_has_its_form(pages: dict[str, str]) -> None:

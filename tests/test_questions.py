@@ -12,7 +12,6 @@ from scipy.spatial.transform import Rotation, Slerp
 from sympy import Quaternion
 
 NUMBER = re.compile(r"−?\d+(?:\.\d+)?")
-SEEDS = range(60)
 
 
 def numbers(text: str) -> list[float]:
@@ -124,7 +123,7 @@ def test_there_are_questions_about_every_chapter() -> None:
 @pytest.mark.parametrize("ask", QUESTIONS, ids=lambda ask: ask.__name__)
 def test_an_answer_is_found_again(ask: Callable[[Random], Question]) -> None:
     oracle = globals()[ask.__name__]
-    for seed in SEEDS:
+    for seed in range(60):
         question = ask(Random(seed))
         given = [found.partition(".")[2] for found in NUMBER.findall(question.answer)]
         last = [0.5 / 10 ** len(decimals) for decimals in given]

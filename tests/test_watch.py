@@ -21,7 +21,7 @@ import cache_keys
         ("book/_static/book.css", False),
         ("book/.ipynb_checkpoints/05-arcs-checkpoint.ipynb", False),
         ("rotedu/scenes/arcs.js", False),
-        ("rotedu/figures/static/figure.js", False),
+        ("rotedu/figures/static/starts.json", False),
     ],
 )
 def test_a_source_builds_the_book_and_nothing_else_does(file: str, builds: bool) -> None:

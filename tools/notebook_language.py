@@ -65,10 +65,9 @@ class Block:
 
     kind: str  #: ``caption``, or the name of a directive, else the type of markdown-it's token
     source: str  #: its lines
-    title: str = ""  #: what a directive, a heading, a caption or a target is called
+    title: str = ""  #: what a directive, a caption or a target is called
     body: str = ""  #: what is inside a directive, a formula or a listing
     options: dict[str, str] = field(default_factory=dict)  #: of a directive
-    level: int = 0  #: of a heading
 
     @property
     def anchor(self) -> str:
@@ -103,8 +102,6 @@ def blocks(text: str) -> Iterator[Block]:
             if directive[1] == "literalinclude":
                 body = (BOOK / directive[2]).read_text("utf-8")
             yield Block(directive[1], source, directive[2], body, dict(OPTION.findall(options)))
-        elif token.type == "heading_open":
-            yield Block(token.type, source, inside.content, level=int(token.tag[1]))
         elif token.type == "paragraph_open" and (
             title := caption_title(bold(inside.children or []))
         ):

@@ -322,6 +322,20 @@ class TestFigure:
         # Through both sides of the ball.
         assert abs(alpha / 255 - (1 - 0.7**2)) < 0.01
 
+    @pytest.mark.parametrize("take", [backend.take_poster, backend.still_picture])
+    def test_what_lies_a_hair_behind_is_hidden(
+        self, take: Any, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        monkeypatch.setattr(pyvista, "OFF_SCREEN", True)
+        plotter = parts.new_scene((32, 0, 0), (0, 0, 0), view_angle=4)
+        for x, color in ((0, "#0072b2"), (-1e-3, "#d55e00")):
+            square = pyvista.Plane(center=(x, 0, 0), direction=(-1, 0.4, 0.3))
+            plotter.add_mesh(square, color=color, lighting=False)
+        taken = take(plotter)
+        picture = Image.open(io.BytesIO(taken)) if isinstance(taken, bytes) else taken
+        red, _, blue = np.asarray(picture.convert("RGB"), int).T
+        assert (blue - red).min() == 0 < (blue - red).max()
+
 
 @pytest.mark.parametrize(
     ("labels", "expected"),

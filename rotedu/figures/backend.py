@@ -34,8 +34,6 @@ POSTER_SCALE = 2
 POSTER_SAMPLES = 2
 # Libraries that draw without a display, and the window of VTK for each. OSMesa needs no device.
 WINDOWS = {"libOSMesa.so.8": "vtkOSOpenGLRenderWindow", "libEGL.so.1": "vtkEGLRenderWindow"}
-# What a view that may be within the scene sees.
-NEAR, FAR = 0.01, 100.0
 NO_OPENGL = (
     "a picture needs an OpenGL library, and this machine has none. Install one, then restart the"
     " kernel: the package libosmesa6 or libegl1 on Debian and Ubuntu,"
@@ -166,7 +164,6 @@ def seen_from(plotter: pyvista.Plotter, name: str) -> Iterator[None]:
         tuple(np.asarray(view.place[key], float)) for key in ("eye", "target", "up")
     )
     plotter.camera.view_angle = view.place["angle"]
-    plotter.camera.clipping_range = NEAR, FAR
     plotter.window_size = list(view.size)
     for key, actor in actors.items():
         hidden = key in view.without or key in labels - own or key in absent
@@ -190,6 +187,7 @@ def still_picture(plotter: pyvista.Plotter, **_: object) -> Image.Image:
     shade_parts(plotter, plotter)
 
     def taken() -> Image.Image:
+        plotter.reset_camera_clipping_range()
         plotter.render()
         return Image.fromarray(np.asarray(plotter.screenshot(return_img=True)))
 
@@ -249,7 +247,8 @@ def enlarged(plotter: pyvista.Plotter, scale: int) -> pyvista.Plotter:
         copy.add_actor(twin, name=name, reset_camera=False, render=False)
     shade_parts(plotter, copy)
     copy.camera = plotter.camera.copy()  # type: ignore[no-untyped-call]
-    copy.camera.clipping_range = plotter.camera.clipping_range
+    # As near as it can be: pyvista's own range would keep too few digits of a depth.
+    copy.reset_camera_clipping_range()
     # Our own samples make smooth edges; those of VTK would make lines thinner.
     copy.disable_anti_aliasing()
     # Draw see-through surfaces in the order of their depth, as the viewer does.

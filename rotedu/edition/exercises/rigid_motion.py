@@ -1,12 +1,12 @@
 """Checks of the exercises of page C."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 import numpy as np
 
 from rotedu._vectors import Array
 from rotedu.arcs import rotation_between
-from rotedu.edition.exercises.answers import as_rotation, outcomes
+from rotedu.edition.exercises.answers import as_rotation, outcomes, plain
 from rotedu.edition.exercises.judging import (
     Part,
     exercise,
@@ -81,48 +81,33 @@ def a_corkscrew() -> Iterator[Part]:
     yield Part(np.array([1, root, -1]), hints, within=5e-3)
 
 
-def product(p: Quaternion, c: Quaternion, q: Quaternion, d: Quaternion) -> list[Array]:
-    """Multiply p + eps c by q + eps d."""
-    return [(p * q).components, (p * d + c * q).components]
-
-
-def rows(*parts: list[Array]) -> Array:
-    """Put the parts of each result in a row."""
-    return np.array([np.concatenate(one) for one in parts])
-
-
-@exercise(
-    "C.3",
-    "a function of four quaternions that returns two",
-    read=outcomes(PARTS),
-)
+@exercise("C.3", "a function of four quaternions that returns two", read=outcomes(PARTS))
 def the_product() -> Iterator[Part]:
     """One product of two parts, and of the other part two, added."""
-    swapped = [product(q, d, p, c) for p, c, q, d in PARTS]
-    with_last = [
-        [real, dual + (c * d).components]
-        for (real, dual), (_, c, _, d) in zip(
-            (product(*four) for four in PARTS), PARTS, strict=True
-        )
-    ]
-    wrong_order = [[(p * q).components, (d * p + q * c).components] for p, c, q, d in PARTS]
-    one_by_one = [[(p * q).components, (c * d).components] for p, c, q, d in PARTS]
+
+    def rows(product: Callable[..., list[Quaternion]]) -> Array:
+        return outcomes(PARTS)(plain(product))
+
     hints = {
         "You multiply in the other order.": when(
-            rows(*swapped), "The left factor is p + εc, and stays on the left."
+            rows(lambda p, c, q, d: [q * p, q * c + d * p]),
+            "The left factor is p + εc, and stays on the left.",
         ),
         "You keep what ε² = 0 takes away.": when(
-            rows(*with_last), "The product of the two dual parts has a factor of ε²."
+            rows(lambda p, c, q, d: [p * q, p * d + c * q + c * d]),
+            "The product of the two dual parts has a factor of ε².",
         ),
         "In the dual part your factors have changed places.": when(
-            rows(*wrong_order), "Quaternions do not commute: p stays to the left of d."
+            rows(lambda p, c, q, d: [p * q, d * p + q * c]),
+            "Quaternions do not commute: p stays to the left of d.",
         ),
         "You multiply part by part.": when(
-            rows(*one_by_one), "Multiply out (p + εc)(q + εd): how many terms have one ε?"
+            rows(lambda p, c, q, d: [p * q, c * d]),
+            "Multiply out (p + εc)(q + εd): how many terms have one ε?",
         ),
         "Not the product.": otherwise("Multiply out (p + εc)(q + εd), and sort by ε."),
     }
-    yield Part(rows(*(product(*four) for four in PARTS)), hints)
+    yield Part(rows(lambda p, c, q, d: [p * q, p * d + c * q]), hints)
 
 
 BENDS = np.deg2rad([40, 90, 120, 170])

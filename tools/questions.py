@@ -11,7 +11,7 @@ import sys
 from collections.abc import Iterable
 from pathlib import Path
 from random import Random
-from typing import NamedTuple
+from typing import NamedTuple, SupportsFloat
 
 import numpy as np
 from notebook_language import ROOT
@@ -22,6 +22,7 @@ from rotedu.averages import mean_rotation
 from rotedu.closed_curve import de_casteljau
 from rotedu.control_points import bisect, double
 from rotedu.cost import count
+from rotedu.edition.exercises.answers import along_equator, on_equator
 from rotedu.five_numbers import matrix_from_two_columns
 from rotedu.motion import matrix_from_rotation_vector, rotation_vector
 from rotedu.ordinary_rotation import axis_angle, transform
@@ -53,7 +54,7 @@ class Question(NamedTuple):
     answer: str
 
 
-def number(x: float, digits: int = 0) -> str:
+def number(x: SupportsFloat, digits: int = 0) -> str:
     """Write a number, without a sign if it is rounded to zero."""
     return f"{round(float(x), digits) + 0.0:.{digits}f}".replace("-", "−")
 
@@ -67,16 +68,6 @@ def four(q: Iterable[float], digits: int = 0) -> str:
     """Write a quaternion."""
     w, *v = q
     return f"[{number(w, digits)}, {row(v, digits)}]"
-
-
-def on_equator(degrees: float) -> np.ndarray:
-    """Return the point on the equator at a longitude."""
-    return np.array([np.cos(np.radians(degrees)), np.sin(np.radians(degrees)), 0])
-
-
-def longitude(point: np.ndarray) -> float:
-    """Return the longitude of a point, in degrees."""
-    return float(np.degrees(np.arctan2(point[1], point[0])))
 
 
 def whole_matrix(draw: Random) -> tuple[int, np.ndarray]:
@@ -108,15 +99,14 @@ def product(draw: Random) -> Question:
     p, q = ([draw.choice(SMALL) for _ in range(4)] for _ in "pq")
     pq = Quaternion(p[0], p[1:]) * Quaternion(q[0], q[1:])
     text = f"Multiply $p$ = {four(p)} by $q$ = {four(q)}: what is $pq$?"
-    return Question("Chapter 2", 5, text, four([float(pq.w), *pq.v]))
+    return Question("Chapter 2", 5, text, four(pq.components))
 
 
 def followed(draw: Random) -> Question:
     r"""Take $\cos\frac\theta2$ and $\sin\frac\theta2$ of the whole angle, then the other signs."""
     # The scalar is negative at the end.
     angle = 720 * draw.choice([1, 2]) + 360 + draw.choice([-1, 1]) * draw.randrange(20, 170, 10)
-    q = Quaternion.from_axis_angle([0, 0, 1], np.radians(angle))
-    end = np.array([q.w, *q.v])
+    end = Quaternion.from_axis_angle([0, 0, 1], np.radians(angle)).components
     text = (
         f"A shaft turns steadily by {angle}° about W. Its quaternion begins as 1 and does not "
         "jump. What is it at the end? And what does a program write that always makes the scalar "
@@ -167,8 +157,8 @@ def locked(draw: Random) -> Question:
 def two_ways_between(draw: Random) -> Question:
     r"""Slerp: $t\theta$. Nlerp: $\tan\varphi=t\sin\theta/(1-t+t\cos\theta)$."""
     angle, t = draw.randrange(60, 160, 10), draw.choice([0.2, 0.25, 0.3, 0.4])
-    ends = on_equator(0), on_equator(angle)
-    answer = "; ".join(f"{number(longitude(way(*ends, t)), 1)}°" for way in (slerp, nlerp))
+    ends = on_equator([0, angle])
+    answer = "; ".join(f"{number(along_equator(way(*ends, t)), 1)}°" for way in (slerp, nlerp))
     text = f"Two unit vectors are {angle}° apart. How far does slerp lead for $t$ = {t}, and nlerp?"
     return Question("page 5 I", 5, text, answer)
 
@@ -177,7 +167,7 @@ def control_points(draw: Random) -> Question:
     """Take a quarter of both gaps together, after the point and before it."""
     here = draw.randrange(0, 40, 10)
     back, on = draw.sample(range(10, 101, 10), 2)
-    last, this, following = (on_equator(angle) for angle in (here - back, here, here + on))
+    last, this, following = on_equator([here - back, here, here + on])
     reflected = double(last, this)
     a = bisect(this, bisect(reflected, following))
     text = (
@@ -186,7 +176,7 @@ def control_points(draw: Random) -> Question:
         "reflected in the second? And where are the control points $a$ after and $b$ before the "
         "second, with the fraction one half?"
     )
-    found = (longitude(point) for point in (reflected, a, double(a, this)))
+    found = along_equator([reflected, a, double(a, this)])
     return Question("page 5 II", 5, text, "; ".join(f"{number(angle, 1)}°" for angle in found))
 
 
@@ -194,12 +184,12 @@ def arcs_of_arcs(draw: Random) -> Question:
     """On one great circle, arcs divide angles: three arcs, then two, then one."""
     u = draw.choice([0.25, 0.5, 0.75])
     places = np.cumsum([0, *(draw.randrange(8, 60, 4) for _ in range(3))])
-    point = de_casteljau([on_equator(angle) for angle in places], u)
+    point = de_casteljau(on_equator(places), u)
     text = (
         "The four control points of a piece lie on the equator, at "
         f"{', '.join(f'{angle}°' for angle in places)}. Where is the curve at $u$ = {u}?"
     )
-    return Question("page 5 III", 5, text, f"{number(longitude(point) % 360, 2)}°")
+    return Question("page 5 III", 5, text, f"{number(along_equator(point) % 360, 2)}°")
 
 
 def two_arcs(draw: Random) -> Question:
@@ -207,9 +197,9 @@ def two_arcs(draw: Random) -> Question:
     # With these numbers, no answer is half a turn.
     start = draw.randrange(12, 50, 10)
     end, t = start + draw.randrange(200, 300, 20), draw.choice([0.25, 0.5, 0.75])
-    long = 2 * longitude(slerp(on_equator(start / 2), on_equator(end / 2), t))
+    long = 2 * along_equator(slerp(on_equator(start / 2), on_equator(end / 2), t))
     turns = (general.rotation_w(np.radians(angle))[:3, :3] for angle in (start, end))
-    short = longitude(slerp_rotations(*turns, t)[:, 0])
+    short = along_equator(slerp_rotations(*turns, t)[:, 0])
     text = (
         f"A body is turned about W, by {start}° at the start and by {end}° at the end. Its "
         "quaternions are those of these angles, with their signs. By what angle is it turned at "
@@ -256,7 +246,7 @@ def mean(draw: Random) -> Question:
     turns = [general.rotation_w(np.radians(angle))[:3, :3] for angle in angles]
     told = ", ".join(f"{angle}°" for angle in angles)
     text = f"Bodies are turned about W, by {told}. By what angle is their mean by chord turned?"
-    answer = f"{number(longitude(mean_rotation(turns)[:, 0]), 1)}°"
+    answer = f"{number(along_equator(mean_rotation(turns)[:, 0]), 1)}°"
     return Question("page B", 4, f"{text} Use one decimal.", answer)
 
 

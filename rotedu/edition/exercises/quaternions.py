@@ -313,12 +313,9 @@ def average_of_orientations() -> Iterator[Part]:
 
 
 FACTORS = [
-    (w1, np.array(v1), w2, np.array(v2))
-    for w1, v1, w2, v2 in (
-        (1, [2, 3, 4], 5, [0, 1, -1]),
-        (0, [1, 0, 0], 0, [0, 1, 0]),
-        (2, [1, -1, 2], -1, [0, 3, 1]),
-    )
+    (1, np.array([2, 3, 4]), 5, np.array([0, 1, -1])),
+    (0, np.array([1, 0, 0]), 0, np.array([0, 1, 0])),
+    (2, np.array([1, -1, 2]), -1, np.array([0, 3, 1])),
 ]
 
 

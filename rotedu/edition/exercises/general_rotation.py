@@ -458,11 +458,10 @@ def three_turns_in_order() -> Iterator[Part]:
     """What acts first stands next to the point, on the right."""
 
     def rows(order: str) -> list[Array]:
-        axes = dict(zip("uvw", np.eye(3), strict=True))
         found = []
         for triple in TRIPLES:
-            angles = dict(zip("uvw", triple, strict=True))
-            first, second, third = (rotation_matrix(axes[k], angles[k]) for k in order)
+            turns = dict(zip("uvw", rotation_matrix(np.eye(3), triple), strict=True))
+            first, second, third = (turns[letter] for letter in order)
             found.append(third @ second @ first)
         return found
 

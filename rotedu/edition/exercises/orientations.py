@@ -60,8 +60,7 @@ def halfway_in_three_ways() -> Iterator[Part]:
         return float(np.rad2deg(np.arctan2(matrix[1, 0], matrix[0, 0])))
 
     def by_slerp(end: Array) -> float:
-        w, *v = slerp(q1, end, 1 / 2)
-        return turned(Quaternion(w, v).matrix())
+        return turned(as_rotation(slerp(q1, end, 1 / 2)))
 
     as_they_stand, changed = by_slerp(q2), by_slerp(-q2)
     right = np.array([as_they_stand, changed, turned(slerp_rotations(*ends, 1 / 2))])

@@ -147,17 +147,16 @@ def never_free() -> Iterator[Part]:
     some = rotation_matrix(sample.normal(size=(100, 3)), sample.uniform(-3, 3, 100))
     moves = [np.cross(axis, some, axisb=1, axisc=1).reshape(100, 9) for axis in np.eye(3)]
     threes = np.array(list(combinations(range(9), 3)))
-    free = np.linalg.matrix_rank(np.stack(moves, axis=-1)[:, threes]) == 3
+    free = (np.linalg.matrix_rank(np.stack(moves, axis=-1)[:, threes]) == 3).any(axis=0)
     never, ever = (
-        {frozenset(choice) for choice in threes[mask].astype(float)}
-        for mask in (~free.any(axis=0), free.any(axis=0))
+        {frozenset(choice) for choice in threes[mask].astype(float)} for mask in (~free, free)
     )
     rows = np.arange(9).reshape(3, 3)
     hints = {
         "These are the choices that are free.": when(
             lambda chosen: chosen == ever,
             "The question asks for the others.",
-            example=threes[free.any(axis=0)],
+            example=threes[free],
         ),
         "One of your choices names a row twice.": when(
             lambda chosen: min(map(len, chosen)) < 3,

@@ -155,8 +155,7 @@ def unit(vector: npt.ArrayLike, within: float = 1e-3) -> bool:
 def normalised(vectors: npt.ArrayLike) -> Array:
     """Return vectors scaled to length 1."""
     array = np.asarray(vectors, np.float64)
-    scaled: Array = array / np.linalg.norm(array, axis=-1, keepdims=True)
-    return scaled
+    return np.asarray(array / np.linalg.norm(array, axis=-1, keepdims=True))
 
 
 def same_rotation(a: Any, b: Any, within: float = WITHIN) -> bool:

@@ -113,8 +113,7 @@ def jumps_of_curvature(points: Array, step: float = 3e-4) -> Array:
     velocity, acceleration = (after - before) / (2 * step), (after - 2 * c + before) / step**2
     sideways = (np.cross(c, velocity) * acceleration).sum(axis=-1)
     leaving, arriving = (sideways / np.linalg.norm(velocity, axis=-1) ** 3).T
-    jumps: Array = np.abs(leaving - np.roll(arriving, 1))
-    return jumps
+    return np.asarray(np.abs(leaving - np.roll(arriving, 1)))
 
 
 def goes_round(points: Array) -> bool:
@@ -236,8 +235,7 @@ def energy(points: Array, fraction: float, samples: int = 100) -> Array:
     c = closed_curve(points, samples, fraction)
     acceleration = (np.roll(c, 1, axis=-2) - 2 * c + np.roll(c, -1, axis=-2)) * samples**2
     outwards = (acceleration * c).sum(axis=-1, keepdims=True) * c
-    total: Array = ((acceleration - outwards) ** 2).sum(axis=(-2, -1)) / samples
-    return total
+    return np.asarray(((acceleration - outwards) ** 2).sum(axis=(-2, -1)) / samples)
 
 
 @exercise(
@@ -293,8 +291,7 @@ def arcs_of_arcs_of_arcs() -> Iterator[Part]:
     def first(points: Array, u: float, levels: int = 3) -> Array:
         for _ in range(levels):
             points = slerp(points[:-1], points[1:], u)
-        found: Array = points[0]
-        return found
+        return np.asarray(points[0])
 
     rows = outcomes(CONTROLS)
 

@@ -162,8 +162,7 @@ def wobbling(n: int, part: float) -> Array:
     """Return where two seconds of wobbling lead in n steps, with the velocity at a part of each."""
     t = (np.arange(n) + part) * 2 / n
     velocities = np.stack([2 * np.sin(5 * t), np.cos(3 * t), 1.5 * np.sin(2 * t)], axis=-1)
-    end: Array = integrate(np.eye(3), velocities, 2 / n)[-1]
-    return end
+    return np.asarray(integrate(np.eye(3), velocities, 2 / n)[-1])
 
 
 @exercise(

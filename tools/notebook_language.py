@@ -111,9 +111,8 @@ def blocks(text: str) -> Iterator[Block]:
             yield Block(token.type, source, title, token.content)
 
 
-def bold(words: list[Token] | None) -> str:
+def bold(words: list[Token]) -> str:
     """Return the words in bold with which a paragraph begins."""
-    words = words or []
     # An empty text stands before a word in bold.
     begins = [token.type for token in words[1:4]] == ["strong_open", "text", "strong_close"]
     return words[2].content if begins and not words[0].content else ""

@@ -158,7 +158,7 @@ def normalised(vectors: npt.ArrayLike) -> Array:
     return np.asarray(array / np.linalg.norm(array, axis=-1, keepdims=True))
 
 
-def same_rotation(a: Any, b: Any, within: float = WITHIN) -> bool:
+def same_rotation(a: Any, b: Any, within: float) -> bool:
     """Tell whether two rotations, each in any form of `as_rotation`, are the same."""
     return close(as_rotation(a), as_rotation(b), within)
 
@@ -169,9 +169,9 @@ def same_turn(turn: Any, rotation: Any, within: float) -> bool:
     return same_rotation((axis, np.deg2rad(degrees)), rotation, within)
 
 
-def radians_for_degrees(answer: npt.ArrayLike, right: npt.ArrayLike, within: float = 0.01) -> bool:
+def radians_for_degrees(answer: npt.ArrayLike, right: npt.ArrayLike) -> bool:
     """Tell whether an angle that should be in degrees is right in radians."""
-    return close(answer, np.deg2rad(right), within)
+    return close(answer, np.deg2rad(right), 0.01)
 
 
 def on_equator(degrees: npt.ArrayLike) -> Array:

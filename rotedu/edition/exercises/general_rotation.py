@@ -233,7 +233,7 @@ def angles_of_a_matrix() -> Iterator[Part]:
             example=-triples,
         ),
     }
-    yield Part(lambda found: reaches(found), hints)
+    yield Part(reaches, hints)
     # The matrix at gimbal lock tells only a difference of angles.
     hints = {
         "At gimbal lock neither of your outer angles is 0.": otherwise(

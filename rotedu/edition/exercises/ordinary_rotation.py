@@ -276,8 +276,7 @@ def rotation_of_a_spoon() -> Iterator[Part]:
         ),
     }
     yield Part(lambda axis, angle: unit(axis, 1e-2) and right(axis, angle), hints)
-    hints = {**the_truth(example=(n, turn))}
-    yield Part(lambda *turn: not same_rotation(turn, truth, 1e-5), hints)
+    yield Part(lambda *turn: not same_rotation(turn, truth, 1e-5), the_truth(example=(n, turn)))
 
 
 TURNED = [

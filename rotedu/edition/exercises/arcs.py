@@ -255,11 +255,7 @@ ENDS = [
 ]
 
 
-@exercise(
-    "5.1",
-    "a function of two points and a number that returns a point",
-    read=outcomes(ENDS),
-)
+@exercise("5.1", "a function of two points and a number that returns a point", read=outcomes(ENDS))
 def arc_in_two_lines() -> Iterator[Part]:
     """Two sines for the weights, and one to divide by."""
 

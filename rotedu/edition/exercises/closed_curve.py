@@ -281,9 +281,7 @@ CONTROLS = [
 
 
 @exercise(
-    "5.15",
-    "a function of four points and a number that returns a point",
-    read=outcomes(CONTROLS),
+    "5.15", "a function of four points and a number that returns a point", read=outcomes(CONTROLS)
 )
 def arcs_of_arcs_of_arcs() -> Iterator[Part]:
     """Three arcs, two, and one, each at the same fraction."""

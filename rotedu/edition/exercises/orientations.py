@@ -7,12 +7,7 @@ import numpy as np
 
 from rotedu._vectors import Array
 from rotedu.arcs import angle_between, arc_axis, slerp
-from rotedu.edition.exercises.answers import (
-    as_rotation,
-    normalised,
-    numbers,
-    radians_for_degrees,
-)
+from rotedu.edition.exercises.answers import as_rotation, normalised, numbers, radians_for_degrees
 from rotedu.edition.exercises.judging import Part, exercise, in_radians, otherwise, when
 from rotedu.ordinary_rotation import axis_angle, rotation_matrix
 from rotedu.orientations import slerp_rotations

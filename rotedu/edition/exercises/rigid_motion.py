@@ -7,13 +7,7 @@ import numpy as np
 from rotedu._vectors import Array
 from rotedu.arcs import rotation_between
 from rotedu.edition.exercises.answers import as_rotation, outcomes, plain
-from rotedu.edition.exercises.judging import (
-    Part,
-    exercise,
-    in_radians,
-    otherwise,
-    when,
-)
+from rotedu.edition.exercises.judging import Part, exercise, in_radians, otherwise, when
 from rotedu.general_rotation import swing_twist
 from rotedu.ordinary_rotation import axis_angle, rotation_matrix
 from rotedu.quaternions import Quaternion
@@ -27,12 +21,7 @@ LIMIT = np.deg2rad(60)
 @exercise(
     "C.1",
     "four numbers",
-    fields={
-        "step first: U": "",
-        "step first: V": "",
-        "turn first: U": "",
-        "turn first: V": "",
-    },
+    fields={"step first: U": "", "step first: V": "", "turn first: U": "", "turn first: V": ""},
 )
 def a_step_and_a_turn() -> Iterator[Part]:
     """A turn carries along what has been stepped before; a step after it is not turned."""

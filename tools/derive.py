@@ -80,20 +80,19 @@ def fold(cell: NotebookNode) -> None:
 def derive(file: Path) -> None:
     """Bring a page up to date."""
     page = Page(file)
+    time = count(page).time
     if file.suffix == ".md":
-        file.write_text(TIME.sub(count(page).time, page.text), "utf-8")
+        file.write_text(TIME.sub(time, page.text), "utf-8")
         return
     define_colours(page.cells)
     for cell in page.cells:
         if cell.cell_type == "code":
             fold(cell)
             continue
+        cell.source = TIME.sub(time, cell.source)
         for block in blocks(cell.source):
             if block.kind == "math":
                 cell.source = cell.source.replace(block.source, numbered(block))
-    for cell in page.cells:
-        if cell.cell_type == "markdown":
-            cell.source = TIME.sub(count(page).time, cell.source)
     page.notebook.metadata = KERNEL
     nbformat.write(page.notebook, file)
 

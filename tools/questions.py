@@ -25,7 +25,7 @@ from rotedu.cost import count
 from rotedu.edition.exercises.answers import along_equator, on_equator
 from rotedu.five_numbers import matrix_from_two_columns
 from rotedu.motion import matrix_from_rotation_vector, rotation_vector
-from rotedu.ordinary_rotation import axis_angle, transform
+from rotedu.ordinary_rotation import axis_angle, rotation_matrix, transform
 from rotedu.orientations import slerp_rotations
 from rotedu.quaternions import Quaternion
 
@@ -198,7 +198,7 @@ def two_arcs(draw: Random) -> Question:
     start = draw.randrange(12, 50, 10)
     end, t = start + draw.randrange(200, 300, 20), draw.choice([0.25, 0.5, 0.75])
     long = 2 * along_equator(slerp(on_equator(start / 2), on_equator(end / 2), t))
-    turns = (general.rotation_w(np.radians(angle))[:3, :3] for angle in (start, end))
+    turns = rotation_matrix([0, 0, 1], np.radians([start, end]))
     short = along_equator(slerp_rotations(*turns, t)[:, 0])
     text = (
         f"A body is turned about W, by {start}° at the start and by {end}° at the end. Its "
@@ -243,7 +243,7 @@ def shortest_vector(draw: Random) -> Question:
 def mean(draw: Random) -> Question:
     """Add the three images of U; their sum points where the mean sends U."""
     angles = [draw.randrange(0, 60, 10), draw.randrange(60, 100, 10), draw.randrange(110, 160, 10)]
-    turns = [general.rotation_w(np.radians(angle))[:3, :3] for angle in angles]
+    turns = rotation_matrix([0, 0, 1], np.radians(angles))
     told = ", ".join(f"{angle}°" for angle in angles)
     text = f"Bodies are turned about W, by {told}. By what angle is their mean by chord turned?"
     answer = f"{number(along_equator(mean_rotation(turns)[:, 0]), 1)}°"

@@ -14,12 +14,11 @@ from pathlib import Path
 import nbformat
 from nbformat import NotebookNode
 from nbformat.v4 import new_markdown_cell
-from notebook_language import Block, Page, blocks, pages, part_of, tags
+from notebook_language import ROOT, Block, Page, blocks, pages, part_of, tags
 from reading_time import count
 
 from rotedu import __version__, colors
 
-ROOT = Path(__file__).parents[1]
 TIME = re.compile(r"\*\*Time\*\* .*? for the exercises\.|\*\*Time\*\* \d+ minutes to read\.")
 INKS = ("VECTOR", "AXIS", "RESULT", "CROSS", "WRONG")
 MACROS = {rf"\{ink.lower()}": rf"\textcolor{{#{getattr(colors, ink)}}}{{#1}}" for ink in INKS}

@@ -14,13 +14,12 @@ from pathlib import Path
 from typing import Any
 
 from browser import launch
-from lock import hold_checkout
+from lock import ROOT, hold_checkout
 from pypdf import PdfReader, PdfWriter
 from pypdf.generic import NameObject, TextStringObject
 
 import rotedu
 
-ROOT = Path(__file__).parents[1]
 BUILD = ROOT / "_build"
 PDF = BUILD / "pdf" / "rotedu.pdf"
 BUILDERS = {"pdf": "singlehtml", "epub": "epub"}

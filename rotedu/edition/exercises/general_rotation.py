@@ -27,6 +27,7 @@ from rotedu.edition.exercises.judging import (
 from rotedu.general_rotation import (
     euler_angles,
     matrix_from_euler_angles,
+    perspective,
     rotation_u,
     rotation_v,
     rotation_w,
@@ -393,7 +394,7 @@ def photograph_of_a_spoon() -> Iterator[Part]:
     # The picture itself is for your eyes.
     triangles = np.random.default_rng(0).uniform(-1, 1, size=(20, 3, 3))
     near_last = np.argsort(triangles[:, :, 2].mean(axis=1))
-    projection = np.eye(4) - np.outer([0, 0, 0, 1], [0, 0, 0.5, 0])
+    projection = perspective(2)
     turned = matrix_from_euler_angles(0.3, 0.5, 0.7)
     camera = projection @ turned
 

@@ -315,8 +315,7 @@ def as_photograph(answer: Any) -> tuple[Array, Array, Array, Array, Array]:
     if len(order) != len(triangles):
         raise ValueError(f"the order has {len(order)} numbers for {len(triangles)} triangles.")
     # Where the triangles were, and their divisors: the inverse matrix leads back.
-    columns = np.concatenate([triangles, np.ones((*triangles.shape[:2], 1))], axis=2)
-    back = columns @ np.linalg.pinv(camera).T
+    back = np.insert(triangles, 3, 1, axis=2) @ np.linalg.pinv(camera).T
     if (order % 1).any():
         raise ValueError("the order has numbers that are not whole.")
     return camera, triangles[:, :, 2].mean(axis=1), order.astype(int), back, triangles

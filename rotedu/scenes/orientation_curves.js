@@ -38,16 +38,14 @@ export function twoMiddles({ swing }, { low, high }) {
   const points = { gate: at(swing), on: at(on), next: at(NEXT) };
   const middles = { remembered: at(middle, 0.86), shorter: at(middle + (flips ? HALF : 0), 0.72) };
   const ways = { swung: arc(0, on), "whole way": arc(NEXT, on, 0.86) };
-  const placed = (places, place) =>
-    Object.fromEntries(Object.entries(places).map(([name, at]) => [name, place(at)]));
   return {
     parts: {
-      ...placed({ ...points, ...middles }, (at) => ({ at })),
-      ...placed(ways, (path) => ({ paths: [path] })),
+      ...mapped({ ...points, ...middles }, (at) => ({ at })),
+      ...mapped(ways, (path) => ({ paths: [path] })),
       "shorter way": { paths: [arc(NEXT, flips ? on - 2 * HALF : on, 0.72)] },
     },
     labels: {
-      ...placed(points, ([x, y, z]) => [1.36 * x, 1.16 * y, z]),
+      ...mapped(points, ([x, y, z]) => [1.36 * x, 1.16 * y, z]),
       // Beside the ring that holds it.
       gate: combine(1, points.gate, 1, [0.45 * Math.tanh(8 * points.gate[0]), 0.12, 0]),
       remembered: scaled(0.48, middles.remembered),
@@ -256,7 +254,7 @@ function tipsOf(film, radius) {
 
 /** A function of each value of an object, by its name. */
 const mapped = (object, value) =>
-  Object.fromEntries(Object.entries(object).map(([name, own]) => [name, value(own, name)]));
+  Object.fromEntries(Object.entries(object).map(([name, own]) => [name, value(own)]));
 
 /** A line of time, and above it a spoon for each pose and, at its end, the first again. */
 function timeline(q, most) {

@@ -92,10 +92,7 @@ export function routesByHand({ poses, u }, { signs }) {
     });
     for (let k = 0; k < count; k += 5) if (k % SAMPLES) parts[`${name} ${k}`] = copy(k, 0.5);
     parts[`${name} now`] = copy(here, 1.2);
-    const fromStart = turned[name].map((turn) => between(q[0], turn));
-    angles[name] = given.map((_, i) => {
-      return [...fromStart, fromStart[0]].slice(SAMPLES * i, SAMPLES * (i + 1) + 1);
-    });
+    angles[name] = legs(turned[name].map((turn) => between(q[0], turn)));
   }
   const labels = {};
   given.forEach((turn, k) => {
@@ -146,18 +143,20 @@ export function theSwing({ t }, { places }) {
     parts[`place ${k}`] = { paths: [[near, end]] };
     labels[`place ${k}`] = at(degrees / DEGREES, 1.62);
   });
-  const heights = (own) =>
-    places.map((_, i) => {
-      return [...own, own[0]].slice(SAMPLES * i, SAMPLES * (i + 1) + 1).map((x) => DEGREES * x);
-    });
   return {
     parts,
     labels,
     grips: { t: { path: parts["route, way"].paths[0], holds: ["route, gate", "shortest, gate"] } },
     outputs,
-    charts: { angles: mapped(angles, heights) },
+    charts: { angles: mapped(angles, (own) => legs(scaled(DEGREES, own))) },
   };
 }
+
+/** Values along a closed curve in pieces from place to place, both ends included. */
+const legs = (values) =>
+  Array.from({ length: values.length / SAMPLES }, (_, i) =>
+    [...values, values[0]].slice(SAMPLES * i, SAMPLES * (i + 1) + 1),
+  );
 
 /** Angles one after the other without jumps of a whole turn. */
 function unwrapped(angles) {

@@ -5,10 +5,8 @@ import { combine, rotate } from "./rotations.js";
 const TURN_POINTS = "turn points by one turn";
 // How far the beam would tilt, in radians, with all weight on one side.
 const STEEPEST = 1.1;
-const [FULCRUM, POINTER] = [
-  [0, 0, 0.95],
-  [0, 0, 0.28],
-];
+const FULCRUM = [0, 0, 0.95];
+const POINTER = [0, 0, 0.28];
 // Where the strings of a pan meet its rim.
 const RIM = [0.5, 2.6, 4.7].map((angle) => combine(0.53, rotate(U, W, angle), 0.06, W));
 

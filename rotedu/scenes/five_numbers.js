@@ -13,10 +13,8 @@ import {
 } from "./rotations.js";
 
 // Where the spoon and the middle of the ball are.
-const [SPOON, BALL] = [
-  [-1.3, 0, 0],
-  [1.3, 0, 0],
-];
+const SPOON = [-1.3, 0, 0];
+const BALL = [1.3, 0, 0];
 // Half a turn, in degrees, is the skin.
 const HALF = 180;
 

@@ -105,11 +105,9 @@ function integrators(omega, own, h, repair, seconds) {
     return repair ? nearestRotation(moved) : moved;
   };
   const quaternion = (q, h) => {
-    const [left, fromRight] = [
-      quaternionProduct([0, ...omega], q),
-      quaternionProduct(q, [0, ...own]),
-    ];
-    const moved = combine(1, q, h / 2, combine(1, left, 1, fromRight));
+    const left = quaternionProduct([0, ...omega], q);
+    const right = quaternionProduct(q, [0, ...own]);
+    const moved = combine(1, q, h / 2, combine(1, left, 1, right));
     return repair ? unit(moved) : moved;
   };
   return {

@@ -106,20 +106,14 @@ export function controlPointsByHand(
   const wrong = [false, printed_axis, printed_axis, printed_axis || printed_double];
   const taken = (k, name, path, ink, others, distance) =>
     stepTaken(k, name, path, wrong[k] ? inks.wrong : ink, wrong[k], step <= k, others, distance);
+  // With (5-13) as printed, b_i comes to the second auxiliary point and its name.
+  const nameOfB = printed_double ? FAR : NEAR;
   return joined(
     given(before, here, after, axis, reflected, step),
     taken(0, "\\bar P_{i-1}", path(0, [before, here], 1, 2), inks.cross, [], INWARD),
     taken(1, "\\bar P_i", path(1, [reflected, after], 0, half), inks.cross, [here, reflected]),
     taken(2, "a_i", path(2, [middle, here], 0, 0.5), inks.result, [here, after]),
-    // With (5-13) as printed, b_i comes to the second auxiliary point and its name.
-    taken(
-      3,
-      "b_i",
-      path(3, doubled, 0, 2),
-      inks.result,
-      [here, reflected],
-      printed_double ? FAR : NEAR,
-    ),
+    taken(3, "b_i", path(3, doubled, 0, 2), inks.result, [here, reflected], nameOfB),
     told,
   );
 }

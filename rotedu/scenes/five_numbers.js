@@ -140,10 +140,8 @@ function even(thread, count) {
   const whole = upTo.at(-1);
   if (!whole) return thread;
   return spread(count).map((t) => {
-    const i = Math.max(
-      1,
-      upTo.findIndex((x) => x >= t * whole * (1 - 1e-12)),
-    );
+    const reached = upTo.findIndex((x) => x >= t * whole * (1 - 1e-12));
+    const i = Math.max(1, reached);
     const share = (t * whole - upTo[i - 1]) / (upTo[i] - upTo[i - 1]);
     return slerp(thread[i - 1], thread[i], share);
   });

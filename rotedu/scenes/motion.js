@@ -81,12 +81,8 @@ export function spinningByHand(
 /** Where the name of an arrow is, clear of the ring around its tip. */
 function beside(tip, side) {
   const angle = Math.atan2(dot(tip, UPWARDS), dot(tip, ACROSS)) + side * ASLANT;
-  return combine(
-    1,
-    tip,
-    1,
-    combine(0.42 * Math.cos(angle), ACROSS, 0.3 * Math.sin(angle), UPWARDS),
-  );
+  const aside = combine(0.42 * Math.cos(angle), ACROSS, 0.3 * Math.sin(angle), UPWARDS);
+  return combine(1, tip, 1, aside);
 }
 
 const longest = (matrix) => Math.max(...transpose(matrix).map(length));

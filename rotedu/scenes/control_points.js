@@ -35,6 +35,7 @@ export function arrowAtTheClock({ aim }, { targets, corner }) {
   const ahead = rotate(clock, arcAxis(door, clock), far);
   const towards = (degrees) => rotate(ahead, clock, degrees / DEGREES);
   const tip = towards(aim);
+  const dial = spread(13).map((t) => towards(corner * t));
   const curves = [
     [door, a[0], double(tip, clock), clock],
     [clock, tip, b[2], window],
@@ -44,7 +45,7 @@ export function arrowAtTheClock({ aim }, { targets, corner }) {
       arcs: { paths: arcs([door, clock], [clock, window]) },
       curve: { paths: curves.map((four) => spread(21).map((t) => deCasteljau(four, t))) },
       arrow: { from: scaled(1.01, clock), to: scaled(1.01, tip) },
-      dial: { paths: [spread(13).map((t) => towards(corner * t))] },
+      dial: { paths: [dial] },
       door: { at: door },
       clock: { at: clock },
       window: { at: window },
@@ -54,7 +55,7 @@ export function arrowAtTheClock({ aim }, { targets, corner }) {
       clock: combine(1.06, clock, -0.17, W),
       window: scaled(1.14, window),
     },
-    grips: { aim: { path: spread(13).map((t) => towards(corner * t)), holds: ["arrow"] } },
+    grips: { aim: { path: dial, holds: ["arrow"] } },
     outputs: { bends: curves.map((four) => DEGREES * bendOf(four)) },
   };
 }

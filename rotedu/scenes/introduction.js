@@ -16,13 +16,11 @@ const SHARES = spread(41);
 /** A spoon that rolls about its own length: its tip stays where it should be. */
 export function theRoll({ roll }, { side }) {
   const turn = rotationMatrix(U, roll / DEGREES);
+  const path = turning(side, U, 2 * Math.PI, 36);
   return {
-    parts: {
-      spoon: { matrix: placing(turn, ORIGIN) },
-      path: { paths: [turning(side, U, 2 * Math.PI, 36)] },
-    },
+    parts: { spoon: { matrix: placing(turn, ORIGIN) }, path: { paths: [path] } },
     labels: { tip: [1.2, 0, 0.06] },
-    grips: { roll: { path: turning(side, U, 2 * Math.PI, 36), holds: ["spoon"] } },
+    grips: { roll: { path, holds: ["spoon"] } },
     outputs: { off: DEGREES * axisAngle(turn).angle },
   };
 }

@@ -69,10 +69,8 @@ export function meanByHand({ poses, flip }, { no_mean }) {
 const tip = (turn) => turn.map(([x]) => x);
 
 /** The mean of matrices, entry by entry. */
-function entrywise(given) {
-  const entries = sum(given.map((matrix) => matrix.flat())).map((x) => x / given.length);
-  return [entries.slice(0, 3), entries.slice(3, 6), entries.slice(6)];
-}
+const entrywise = (given) =>
+  [0, 1, 2].map((i) => sum(given.map((matrix) => matrix[i])).map((x) => x / given.length));
 
 /** The rotation of the sum of quaternions, whatever their signs, or null if it is zero. */
 function meanOfQuaternions(q) {

@@ -122,10 +122,6 @@ function motionOf(motions, now, place) {
   };
 }
 
-/** The parts that show the points of a level of de Casteljau's construction. */
-const pointsOf = (level, j) =>
-  Object.fromEntries(level.map((point, k) => [`Q ${j} ${j + k}`, { at: point }]));
-
 /**
  * The place of a label beside a corner of a closed polygon on the sphere.
  *
@@ -149,7 +145,9 @@ export function arcsOfArcs({ control, u }) {
   const parts = { curve: { paths: [curve] } };
   levels.forEach((level, j) => {
     if (level.length > 1) parts[`level ${j}`] = { paths: arcs(level.slice(0, -1), level.slice(1)) };
-    Object.assign(parts, pointsOf(level, j));
+    level.forEach((point, k) => {
+      parts[`Q ${j} ${j + k}`] = { at: point };
+    });
   });
   const way = (j) => DEGREES * angleBetween(levels[0][0], levels[j][0]);
   return {

@@ -32,11 +32,8 @@ export function twoPictures({ roll }, { pictures, cameras }) {
     const turned = (sign) => rotationMatrix(U, (sign * degrees) / DEGREES);
     parts[`clock ${i}`] = { matrix: placing(turned(-1), pictures[i], CLOSE) };
     parts[`camera ${i}`] = { matrix: placing(turned(1), cameras[i]) };
-    const [bottom, top] = [0.16, 0.42].map((height) => transform(turned(1), scaled(height, W)));
-    parts[`up ${i}`] = {
-      from: combine(1, cameras[i], 1, bottom),
-      to: combine(1, cameras[i], 1, top),
-    };
+    const above = (height) => combine(1, cameras[i], height, transform(turned(1), W));
+    parts[`up ${i}`] = { from: above(0.16), to: above(0.42) };
   });
   const around = Math.abs(roll);
   return { parts, labels: { first, second }, outputs: { between: Math.min(around, 360 - around) } };

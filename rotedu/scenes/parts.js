@@ -18,11 +18,9 @@ function cube() {
   const corners = Array.from({ length: 8 }, (_, i) =>
     [4, 2, 1].map((bit) => (i & bit ? 0.5 : -0.5)),
   );
-  const way = (p, q) => combine(1, q, -1, p);
+  // From each corner forwards along each axis on which it is behind.
   return corners.flatMap((p) =>
-    corners
-      .filter((q) => way(p, q).every((x) => x >= 0) && length(way(p, q)) === 1)
-      .map((q) => [p, q]),
+    [2, 1, 0].filter((k) => p[k] < 0).map((k) => [p, combine(1, p, 1, IDENTITY[k])]),
   );
 }
 

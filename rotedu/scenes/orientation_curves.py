@@ -45,16 +45,8 @@ def the_swing(state: State) -> pyvista.Plotter:
         "shortest, gate": Mesh(gate, CROSS),
         "route, gate": Mesh(gate, RESULT),
     }
-    draw(plotter, state, looks)
-    for k, degrees in enumerate(PLACES):
-        name = f"place {k}"
-        text = f"{degrees}°".replace("-", "−")
-        draw(
-            plotter,
-            {"parts": {}, "labels": {name: state["labels"][name]}},
-            {},
-            {name: Text(VECTOR, text)},
-        )
+    names = {f"place {k}": f"{degrees}°".replace("-", "−") for k, degrees in enumerate(PLACES)}
+    draw(plotter, state, looks, {place: Text(VECTOR, name) for place, name in names.items()})
     read_out(plotter, "route", "along the route", 0, "°", where="picture", color=RESULT)
     read_out(plotter, "shortest", "by shorter arcs", 0, "°", where="picture", color=CROSS)
     draw_angles(plotter, "t", (-90, 150), "turned, −90° to 150°")

@@ -20,7 +20,7 @@ from rotedu.scenes.parts import (
     new_scene,
     sphere_scene,
 )
-from rotedu.scenes.shapes import ORIGIN, fan, stripes, teaspoon, turning
+from rotedu.scenes.shapes import ORIGIN, fan, normalised, stripes, teaspoon, turning
 
 __all__ = [
     "SHOULDER",
@@ -272,23 +272,21 @@ def swing_held_back() -> pyvista.Plotter:
 
 def trackball_loop() -> pyvista.Plotter:
     """Draw a ball that a finger has rolled once round a circle, and how it is turned by that."""
-    eye = np.array([2.6, -3.6, 2.2])
-    ahead = eye / np.linalg.norm(eye)
+    eye = (2.6, -3.6, 2.2)
+    ahead = normalised(eye)
     start = rotate(ahead, [0, 0, 1], np.deg2rad(30))
     loop = turning(start, ahead, 2 * np.pi, 90)
     left = np.eye(3)
     for turn in rotation_between(loop[:-1], loop[1:]):
         left = turn @ left
-    plotter = sphere_scene(eye=tuple(eye))
+    plotter = sphere_scene(eye)
     plotter.add_mesh(fan(ahead, loop), color=RESULT, opacity=0.3, lighting=False, pickable=False)
     add_line(plotter, 1.005 * loop, RESULT, radius=0.016)
     add_label(plotter, 1.14 * loop[10], "finger", RESULT)
-    for turn, color in ((np.eye(3), NEUTRAL), (left, VECTOR)):
+    for turn, color, opacity in ((np.eye(3), NEUTRAL, 0.4), (left, VECTOR, 1.0)):
         spoon = teaspoon(stations=61, around=20)
         spoon.points = transform(turn, 0.9 * spoon.points)
-        plotter.add_mesh(
-            spoon, color=color, smooth_shading=True, opacity=0.4 if color == NEUTRAL else 1
-        )
+        plotter.add_mesh(spoon, color=color, smooth_shading=True, opacity=opacity)
     describe(
         plotter,
         "A see-through ball with a green circle on its front, which a finger has followed once."

@@ -27,6 +27,7 @@ from rotedu.scenes.parts import (
     HEAD,
     LITTLE,
     add_arrow,
+    add_axis,
     add_coordinate_axes,
     add_label,
     add_line,
@@ -128,8 +129,7 @@ def one_for_three() -> pyvista.Plotter:
         here = path[-1]
         add_point(plotter, here, CROSS, radius=0.025)
     add_line(plotter, turning(start, a, float(angle)), RESULT, radius=0.018)
-    add_arrow(plotter, ORIGIN, 1.2 * a, AXIS)
-    add_label(plotter, 1.3 * a, r"$\hat a$", AXIS)
+    add_axis(plotter, a, r"$\hat a$", length=1.2)
     for point, name, color in (
         (start, r"$\vec r$", VECTOR),
         (here, r"$\vec r^{\,\prime}$", RESULT),

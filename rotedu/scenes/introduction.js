@@ -1,5 +1,5 @@
 /* Model of Chapter 1. */
-import { DEGREES, ORIGIN, placing, scaled, spread, turning, U, W } from "./parts.js";
+import { DEGREES, IDENTITY, ORIGIN, placing, scaled, spread, turning, U, W } from "./parts.js";
 import {
   axisAngle,
   combine,
@@ -31,9 +31,7 @@ export function onTheWay({ share }, { axis, angle, angles }) {
     mechanic: (t) => rotationMatrix(axis, t * angle),
     pilot: (t) => matrixFromEulerAngles(...angles.map((each) => t * each)),
     draughtsman: (t) =>
-      rotationMatrix(axis, 0).map((row, i) =>
-        combine(1 - t, row, t, rotationMatrix(axis, angle)[i]),
-      ),
+      IDENTITY.map((row, i) => combine(1 - t, row, t, rotationMatrix(axis, angle)[i])),
   };
   const parts = {};
   for (const [name, turn] of Object.entries(turns)) {

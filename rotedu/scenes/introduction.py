@@ -117,8 +117,7 @@ def held_at_its_end(stations: int = 61, around: int = 20) -> pyvista.PolyData:
 
 def add_pale(plotter: pyvista.Plotter, spoon: pyvista.PolyData) -> None:
     """Add a spoon where it lay, or should lie."""
-    looks = {"color": VECTOR, "opacity": 0.25, **UNTOUCHED}
-    plotter.add_mesh(spoon, name="pale", **looks)  # type: ignore[arg-type]
+    Mesh(spoon, VECTOR, UNTOUCHED | {"opacity": 0.25}).add(plotter, "pale", {})
 
 
 @explorable(

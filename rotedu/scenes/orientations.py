@@ -25,7 +25,7 @@ from rotedu.scenes.parts import (
     sphere_scene,
 )
 from rotedu.scenes.room import camera, clock
-from rotedu.scenes.shapes import JUST_INSIDE, fan, teaspoon, triangle_mesh
+from rotedu.scenes.shapes import JUST_INSIDE, fan, surface, teaspoon
 
 __all__ = [
     "TWO_ORIENTATIONS",
@@ -112,7 +112,7 @@ def carried_around_by_hand(state: State) -> pyvista.Plotter:
         "inside": Mesh(lambda points: surface(points, isqrt(len(points))), RESULT, filled),
         "sides": Lines(NEUTRAL, 0.005),
         "way": Lines(RESULT, 0.012),
-        "swept": Mesh(lambda points: surface(points, 2), AXIS, filled),
+        "swept": Mesh(surface, AXIS, filled),
         "station 0": Arrow(VECTOR, 0.013),
         "station *": Arrow(NEUTRAL, 0.013),
         "arrow": Arrow(RESULT, 0.015),
@@ -135,13 +135,6 @@ def carried_around_by_hand(state: State) -> pyvista.Plotter:
         " triangle in green.",
     )
     return plotter
-
-
-def surface(points: list[list[float]], rows: int) -> pyvista.PolyData:
-    """Fill a surface between so many lines of points, all points in one array, shape (n, 3)."""
-    i = np.arange(len(points)).reshape(rows, -1)
-    p, q, r, s = (k.ravel() for k in (i[:-1, :-1], i[:-1, 1:], i[1:, :-1], i[1:, 1:]))
-    return triangle_mesh(points, np.hstack([(p, q, r), (q, s, r)]).T)
 
 
 def four_ways_between() -> pyvista.Plotter:

@@ -20,7 +20,7 @@ from rotedu.scenes.parts import (
     add_sphere,
     new_scene,
 )
-from rotedu.scenes.shapes import ORIGIN, U, W, lathe, strip, stripes, teaspoon, triangle_mesh
+from rotedu.scenes.shapes import ORIGIN, U, W, lathe, stripes, surface, teaspoon, triangle_mesh
 
 __all__ = [
     "grab_the_spoon",
@@ -330,8 +330,8 @@ def the_ribbon(state: State) -> pyvista.Plotter:
     looks: dict[str, Look] = {
         "bar": Lines(NEUTRAL, 0.025),
         "spoon": Mesh(little_spoon(), VECTOR, SOLID),
-        "one half": Mesh(strip, VECTOR, UNTOUCHED),
-        "other half": Mesh(strip, PALE, UNTOUCHED),
+        "one half": Mesh(surface, VECTOR, UNTOUCHED),
+        "other half": Mesh(surface, PALE, UNTOUCHED),
         "borders": Lines(NEUTRAL, 0.006),
     }
     draw(plotter, state, looks, {"spoon": Text()})

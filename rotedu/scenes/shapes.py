@@ -56,21 +56,18 @@ def merged(*parts: pyvista.PolyData) -> pyvista.PolyData:
     return whole
 
 
-def strip(sides: ArrayLike) -> pyvista.PolyData:
-    """Span a surface between two lines, one after the other, shape (2 n, 3)."""
-    n = len(np.asarray(sides)) // 2
-    k = np.arange(n - 1)
-    triangles = np.vstack(
-        [np.column_stack([k, k + 1, n + k]), np.column_stack([k + 1, n + k + 1, n + k])]
-    )
-    return triangle_mesh(sides, triangles)
+def surface(points: ArrayLike, rows: int = 2) -> pyvista.PolyData:
+    """Fill a surface between so many lines of points, one after the other, shape (n, 3)."""
+    i = np.arange(len(np.asarray(points))).reshape(rows, -1)
+    p, q, r, s = (k.ravel() for k in (i[:-1, :-1], i[:-1, 1:], i[1:, :-1], i[1:, 1:]))
+    return triangle_mesh(points, np.hstack([(p, q, r), (q, s, r)]).T)
 
 
 def stripes(sides: ArrayLike) -> pyvista.PolyData:
     """Span four surfaces across three lines each, one after the other, shape (12 n, 3)."""
     lines = np.reshape(sides, (4, 3, -1, 3))
     pairs = np.stack([lines[:, :2], lines[:, 1:]], axis=2).reshape(8, -1, 3)
-    return merged(*(strip(pair) for pair in pairs))
+    return merged(*(surface(pair) for pair in pairs))
 
 
 def teaspoon(stations: int = 121, around: int = 40) -> pyvista.PolyData:

@@ -28,11 +28,7 @@ INKS = (VECTOR, AXIS, CROSS)
 """Colours of the terms of (3-1)."""
 LOOKS: dict[str, Look] = {
     "circle": Lines(NEUTRAL, 0.005),
-    "sector": Mesh(
-        lambda points: fan(points[0], points[1:]),
-        NEUTRAL,
-        {"opacity": 0.5, "lighting": False, "pickable": False},
-    ),
+    "sector": Mesh(fan, NEUTRAL, {"opacity": 0.5, "lighting": False, "pickable": False}),
     "spokes": Lines(NEUTRAL, 0.004),
     "centre": Ball(NEUTRAL, 0.022),
     "height": Lines(NEUTRAL, 0.012),

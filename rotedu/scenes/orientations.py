@@ -116,7 +116,7 @@ def carried_around_by_hand(state: State) -> pyvista.Plotter:
         "station 0": Arrow(VECTOR, 0.013),
         "station *": Arrow(NEUTRAL, 0.013),
         "arrow": Arrow(RESULT, 0.015),
-        "sector": Mesh(lambda points: fan(points[0], points[1:]), AXIS, filled | {"opacity": 0.6}),
+        "sector": Mesh(fan, AXIS, filled | {"opacity": 0.6}),
         "[ABC]": Ball(NEUTRAL),
     }
     draw(plotter, state, looks, {"twist": Text(AXIS, "{}"), "[ABC]": Text()})

@@ -258,7 +258,8 @@ def add_angle(
 ) -> None:
     """Mark and name the angle at the origin between two directions."""
     rim = size * slerp(start, end, np.linspace(0, 1, 25))
-    plotter.add_mesh(fan(ORIGIN, rim), color=NEUTRAL, opacity=0.35, lighting=False, pickable=False)
+    sector = fan([ORIGIN, *rim])
+    plotter.add_mesh(sector, color=NEUTRAL, opacity=0.35, lighting=False, pickable=False)
     for direction in (start, end):
         add_line(plotter, [ORIGIN, np.asarray(direction, float)], NEUTRAL, radius=0.004)
     add_label(plotter, place * rim[len(rim) // 2], text)

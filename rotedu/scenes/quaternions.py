@@ -2,7 +2,6 @@
 
 import numpy as np
 import pyvista
-from numpy.typing import ArrayLike
 
 from rotedu.colors import AXIS, CROSS, NEUTRAL, RESULT, VECTOR
 from rotedu.figures import State, describe, explorable, read_out
@@ -20,7 +19,7 @@ from rotedu.scenes.parts import (
     add_sphere,
     new_scene,
 )
-from rotedu.scenes.shapes import ORIGIN, U, W, lathe, stripes, surface, teaspoon, triangle_mesh
+from rotedu.scenes.shapes import ORIGIN, U, W, fan, lathe, stripes, surface, teaspoon
 
 __all__ = [
     "grab_the_spoon",
@@ -121,7 +120,7 @@ def two_mirrors_by_hand(state: State) -> pyvista.Plotter:
     pale = {"opacity": 0.45, "lighting": False, "pickable": False}
     for k in (1, 2):
         looks: dict[str, Look] = {
-            f"mirror {k}": Mesh(rectangle, NEUTRAL, pale),
+            f"mirror {k}": Mesh(fan, NEUTRAL, pale),
             f"edge {k}": Lines(NEUTRAL, 0.004),
             f"m {k}": Arrow(NEUTRAL, 0.01),
         }
@@ -176,7 +175,7 @@ def mirrors_in_the_plane(state: State) -> pyvista.Plotter:
     draw(plotter, state, {"ring*": Lines(NEUTRAL, 0.004, 0.4)})
     for k in (1, 2):
         mirror: dict[str, Look] = {
-            f"mirror {k}": Mesh(rectangle, NEUTRAL, {"pickable": False}),
+            f"mirror {k}": Mesh(fan, NEUTRAL, {"pickable": False}),
             f"edge {k}": Lines(NEUTRAL, 0.012),
         }
         draw(plotter, state, mirror)
@@ -428,8 +427,3 @@ def add_ball_of_turns(plotter: pyvista.Plotter, state: State) -> None:
     draw(plotter, state, {"skin": Mesh(ball, RESULT, UNTOUCHED | {"opacity": 0.16})})
     # What is inside does not stand behind the glass.
     add_sphere(plotter)
-
-
-def rectangle(corners: ArrayLike) -> pyvista.PolyData:
-    """Span a rectangle between its corners, shape (4, 3)."""
-    return triangle_mesh(corners, [[0, 1, 2], [0, 2, 3]])

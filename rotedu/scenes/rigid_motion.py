@@ -245,7 +245,7 @@ def swing_held_back() -> pyvista.Plotter:
 
     plotter = new_scene((2.4, -6, 2.6), (0.4, 0, -0.12), view_angle=21)
     rim = turning([np.cos(limit), np.sin(limit), 0], [1, 0, 0], 2 * np.pi, 72)
-    plotter.add_mesh(fan(ORIGIN, rim), color=NEUTRAL, opacity=0.25, pickable=False)
+    plotter.add_mesh(fan([ORIGIN, *rim]), color=NEUTRAL, opacity=0.25, pickable=False)
     add_line(plotter, rim, NEUTRAL, radius=0.008)
     for turn, color, text, aside in (
         (np.eye(3), NEUTRAL, "at rest", [0.1, 0, -0.08]),
@@ -280,7 +280,7 @@ def trackball_loop() -> pyvista.Plotter:
     for turn in rotation_between(loop[:-1], loop[1:]):
         left = turn @ left
     plotter = sphere_scene(eye)
-    plotter.add_mesh(fan(ahead, loop), color=RESULT, opacity=0.3, lighting=False, pickable=False)
+    plotter.add_mesh(fan([ahead, *loop]), color=RESULT, opacity=0.3, lighting=False, pickable=False)
     add_line(plotter, 1.005 * loop, RESULT, radius=0.016)
     add_label(plotter, 1.14 * loop[10], "finger", RESULT)
     for turn, color, opacity in ((np.eye(3), NEUTRAL, 0.4), (left, VECTOR, 1.0)):

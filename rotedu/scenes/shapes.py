@@ -28,10 +28,9 @@ def turning(
     return rotate(point, axis, np.linspace(0, angle, steps + 1))
 
 
-def fan(center: ArrayLike, rim: ArrayLike) -> pyvista.PolyData:
-    """Fill the region between a point, shape (3,), and a rim, shape (n, 3), with triangles."""
-    points = np.vstack([center, rim])
-    second = np.arange(1, len(points) - 1)
+def fan(points: ArrayLike) -> pyvista.PolyData:
+    """Fill the region between a point and a rim, one after the other, shape (1 + n, 3)."""
+    second = np.arange(1, len(np.asarray(points)) - 1)
     triangles = np.column_stack([np.zeros_like(second), second, second + 1])
     return triangle_mesh(points, triangles)
 

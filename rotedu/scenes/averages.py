@@ -7,8 +7,7 @@ from rotedu.colors import MATRIX, QUATERNION, VECTOR
 from rotedu.figures import State, describe, explorable, read_out
 from rotedu.figures.inputs import Poses, Switch
 from rotedu.quaternions import Quaternion
-from rotedu.scenes.looks import Ball, Look, Text, draw
-from rotedu.scenes.orientation_curves import spoon
+from rotedu.scenes.looks import Ball, Look, Text, draw, spoon_in
 from rotedu.scenes.parts import add_sphere, new_scene
 from rotedu.scenes.shapes import U, V, W
 
@@ -50,13 +49,13 @@ def mean_by_hand(state: State) -> pyvista.Plotter:
     add_sphere(plotter)
     looks: dict[str, Look] = {}
     for k in (1, 2, 3):
-        looks[f"R_{k}"] = spoon(VECTOR)
-        looks[f"R_{k} in the ball"] = spoon(VECTOR, opacity=0.18)
+        looks[f"R_{k}"] = spoon_in(VECTOR)
+        looks[f"R_{k} in the ball"] = spoon_in(VECTOR, opacity=0.18)
         looks[f"tip {k}"] = Ball(VECTOR)
     draw(plotter, state, looks, {"?q_?": Text(VECTOR)})
     read_out(plotter, "apart", "means apart", 1, "°", where="picture")
     for name, ink in INKS.items():
-        looks = {name: spoon(ink), f"tip by {name}": Ball(ink, 0.04)}
+        looks = {name: spoon_in(ink), f"tip by {name}": Ball(ink, 0.04)}
         draw(plotter, state, looks, {name: Text(ink, "by {}")})
         label = f"{name}: from the spoons"
         read_out(plotter, f"by_{name}", label, 0, "°", where="picture", color=ink)

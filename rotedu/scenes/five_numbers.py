@@ -8,7 +8,7 @@ from rotedu.colors import AXIS, CROSS, NEUTRAL, RESULT, VECTOR
 from rotedu.figures import State, describe, explorable, read_out
 from rotedu.figures.inputs import Poses, Slider
 from rotedu.quaternions import Quaternion
-from rotedu.scenes.looks import UNTOUCHED, Ball, Lines, Look, Mesh, Text, draw
+from rotedu.scenes.looks import Ball, Lines, Look, Mesh, Text, draw, spoon_in
 from rotedu.scenes.parts import LITTLE, add_shadow, add_sphere, new_scene
 from rotedu.scenes.shapes import teaspoon
 
@@ -95,10 +95,9 @@ def pull_the_thread(state: State) -> pyvista.Plotter:
     plotter = new_scene(
         (0.4, -9, 3), (-1.25, 0, -0.05), view_angle=17.5, size=(720, 380), swing=20, stack=stack
     )
-    spoon = teaspoon(stations=61, around=20)
     looks: dict[str, Look] = {
-        "at the start": Mesh(spoon, NEUTRAL, UNTOUCHED | {"opacity": 0.25}),
-        "spoon": Mesh(spoon, VECTOR, UNTOUCHED),
+        "at the start": spoon_in(NEUTRAL, 0.25),
+        "spoon": spoon_in(VECTOR),
         "even": Lines(RESULT, 0.022),
         "odd": Lines(CROSS, 0.022),
         "middle": Ball(NEUTRAL, 0.035),

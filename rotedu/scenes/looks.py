@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from rotedu.figures.state import State, place_part
 from rotedu.quaternions import Quaternion
 from rotedu.scenes.parts import TIP, add_arrow, add_label, add_lines, add_point, add_thin
-from rotedu.scenes.shapes import ORIGIN, W, merged
+from rotedu.scenes.shapes import ORIGIN, W, merged, teaspoon
 
 UNTOUCHED = {"smooth_shading": True, "pickable": False}
 """Style of a mesh that is seen as smooth, and that no pointer finds."""
@@ -103,6 +103,11 @@ class Heap:
         actor = add_thin(plotter, mesh, self.color, name)
         actor.user_matrix = np.reshape(place["matrix"], (4, 4)).T
         return actor
+
+
+def spoon_in(color: str, opacity: float = 1.0) -> Mesh:
+    """Return what a small spoon looks like that no pointer finds."""
+    return Mesh(teaspoon(stations=61, around=20), color, UNTOUCHED | {"opacity": opacity})
 
 
 def heaped(

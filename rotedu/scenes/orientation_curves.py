@@ -7,9 +7,9 @@ from rotedu.colors import CROSS, MATRIX, NEUTRAL, QUATERNION, RESULT, VECTOR
 from rotedu.figures import State, describe, draw_chart, explorable, read_out
 from rotedu.figures.inputs import Choice, Poses, Slider
 from rotedu.quaternions import Quaternion
-from rotedu.scenes.looks import Ball, Lines, Look, Mesh, Text, draw
+from rotedu.scenes.looks import Ball, Lines, Look, Mesh, Text, draw, spoon_in
 from rotedu.scenes.parts import LITTLE, ROUND, add_line, add_sphere, new_scene
-from rotedu.scenes.shapes import U, V, W, teaspoon, turning
+from rotedu.scenes.shapes import U, V, W, turning
 
 __all__ = ["animate", "routes_by_hand", "the_swing", "two_middles"]
 
@@ -164,10 +164,10 @@ def routes_by_hand(state: State) -> pyvista.Plotter:
     # Where both are the same, the route is seen.
     looks: dict[str, Look] = {
         "route": Lines(RESULT, 0.014),
-        "route *": spoon(RESULT),
+        "route *": spoon_in(RESULT),
         "shortest": Lines(CROSS, 0.01),
-        "shortest *": spoon(CROSS),
-        "*": spoon(VECTOR),
+        "shortest *": spoon_in(CROSS),
+        "*": spoon_in(VECTOR),
     }
     draw(plotter, state, looks, {"R_*": Text(VECTOR)})
     for output, text in (
@@ -186,12 +186,6 @@ def routes_by_hand(state: State) -> pyvista.Plotter:
         " is more than half a turn.",
     )
     return plotter
-
-
-def spoon(color: str, opacity: float = 1.0) -> Mesh:
-    """Return what a small spoon looks like."""
-    style = {"smooth_shading": True, "pickable": False, "opacity": opacity}
-    return Mesh(teaspoon(stations=61, around=20), color, style)
 
 
 POSES = (
@@ -259,15 +253,15 @@ def animate(state: State) -> pyvista.Plotter:
     timeline: dict[str, Look] = {
         "rail": Lines(NEUTRAL, 0.012),
         "ticks": Lines(NEUTRAL, 0.012),
-        "R_*": spoon(VECTOR),
-        "again": spoon(VECTOR, opacity=0.3),
+        "R_*": spoon_in(VECTOR),
+        "again": spoon_in(VECTOR, opacity=0.3),
     }
     draw(plotter, state, timeline, {"R_*": Text(VECTOR), "again": Text(VECTOR, "$R_0$")})
     add_sphere(plotter, MIDDLE, FILMED)
     for name, ink in FILMS.items():
         film: dict[str, Look] = {
             f"{name}, tip": Lines(ink, WIDE.get(name, 0.014)),
-            name: spoon(ink),
+            name: spoon_in(ink),
         }
         draw(plotter, state, film)
 

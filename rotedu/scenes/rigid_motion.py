@@ -11,7 +11,7 @@ from rotedu.figures.inputs import Choice, Handles, Slider
 from rotedu.general_rotation import compose, rotation_w, swing_twist, translation
 from rotedu.ordinary_rotation import axis_angle, rotate, rotation_matrix, transform
 from rotedu.rigid_motion import screw_motion, straight_motion
-from rotedu.scenes.looks import UNTOUCHED, Arrow, Ball, Lines, Look, Mesh, Text, draw
+from rotedu.scenes.looks import UNTOUCHED, Arrow, Ball, Lines, Look, Mesh, Text, draw, spoon_in
 from rotedu.scenes.parts import (
     LITTLE,
     add_label,
@@ -176,7 +176,6 @@ def from_a_to_b(state: State) -> pyvista.Plotter:
     plotter = new_scene(
         (1, -9, 3), (1, 0, 0), view_angle=18, size=(720, 400), swing=30, stack=stack
     )
-    spoon = teaspoon(stations=61, around=20)
     looks: dict[str, Look] = {
         "arc": Lines(RESULT, 0.014),
         "axis": Arrow(AXIS),
@@ -185,8 +184,8 @@ def from_a_to_b(state: State) -> pyvista.Plotter:
         "tip a": Ball(VECTOR, 0.05),
         "tip b": Ball(RESULT, 0.05),
         "opposite": Ball(NEUTRAL, 0.035),
-        "spoon before": Mesh(spoon, NEUTRAL, UNTOUCHED | {"opacity": 0.35}),
-        "spoon after": Mesh(spoon, VECTOR, UNTOUCHED),
+        "spoon before": spoon_in(NEUTRAL, 0.35),
+        "spoon after": spoon_in(VECTOR),
     }
     texts = {
         "a": Text(VECTOR, r"$\hat a$"),

@@ -66,8 +66,7 @@ def beside(polygon: NDArray[np.float64]) -> NDArray[np.float64]:
     outwards = 0.35 * (polygon - polygon.mean(axis=0)) + polygon - (before + after) / 2
     sideways = np.cross(polygon, after - before)
     sideways *= np.where(np.sum(sideways * outwards, axis=1, keepdims=True) < 0, -1, 1)
-    sideways /= np.linalg.norm(sideways, axis=1, keepdims=True)
-    places: NDArray[np.float64] = 1.1 * polygon + 0.16 * sideways
+    places: NDArray[np.float64] = 1.1 * polygon + 0.16 * normalised(sideways)
     return places
 
 

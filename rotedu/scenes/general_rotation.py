@@ -36,7 +36,7 @@ from rotedu.scenes.parts import (
     new_scene,
     sphere_scene,
 )
-from rotedu.scenes.shapes import ORIGIN, U, normalised, shade, teaspoon, turning
+from rotedu.scenes.shapes import ORIGIN, U, W, normalised, shade, teaspoon, turning
 
 __all__ = [
     "euler_angles_by_hand",
@@ -77,7 +77,7 @@ def three_turns_by_hand(state: State) -> pyvista.Plotter:
         Whether the lower row turns about fixed axes or about axes that the spoon carries along.
     """
     back = np.array([0.49, -0.77, 0.42])
-    right = np.cross((0, 0, 1), back) / np.linalg.norm(back[:2])
+    right = normalised(np.cross(W, back))
     target = -0.05 * right + 0.08 * np.cross(back, right)
     plotter = new_scene(eye=28.6 * back + target, target=target, view_angle=11.2, swing=20)
     spoon = teaspoon(61, 20)
@@ -148,7 +148,7 @@ def one_for_three() -> pyvista.Plotter:
 WAYS = (("angles", "three angles", CROSS), ("slerp", "one turn", RESULT))
 # From what is seen to the eye, and to the right in the picture.
 BACK = np.array([0.48, -0.74, 0.47])
-RIGHT = np.cross((0, 0, 1), BACK) / np.linalg.norm(BACK[:2])
+RIGHT = normalised(np.cross(W, BACK))
 
 
 def draw_gimbals(plotter: pyvista.Plotter, state: State) -> None:
@@ -299,7 +299,7 @@ def stages(steps: Sequence[ArrayLike] | None = None) -> pyvista.Plotter:
         ]
     eye = np.array([0, 0, -1 / np.asarray(steps[-1], float)[3, 2]])
     back = np.array([0.42, -0.8, 0.43])
-    right = np.cross((0, 0, 1), back) / np.linalg.norm(back[:2])
+    right = normalised(np.cross(W, back))
     up = np.cross(back, right)
     plotter = new_scene(eye=26 * back, target=ORIGIN, view_angle=13.6)
     spots = [x * right + y * up for y in (1.75, -1.15) for x in (-3.35, -1.0)]

@@ -8,14 +8,14 @@ from rotedu.figures import State, describe, draw_chart, explorable, read_out
 from rotedu.figures.inputs import Handles, Slider, Switch
 from rotedu.scenes.looks import Arrow, Lines, Look, Mesh, Text, draw
 from rotedu.scenes.parts import LITTLE, add_label, add_line, new_scene
-from rotedu.scenes.shapes import U, teaspoon
+from rotedu.scenes.shapes import U, W, normalised, teaspoon
 
 __all__ = ["spinning_by_hand", "the_drone"]
 
 SECONDS = 1.5
 EDGE = 0.85
 EYE = 30 * np.array([0.3, -0.88, 0.36])
-ACROSS = np.cross([0, 0, 1], EYE) / np.linalg.norm(EYE[:2])
+ACROSS = normalised(np.cross(W, EYE))
 MIDDLE = 2.33 * ACROSS - 0.04 * np.cross(EYE, ACROSS) / np.linalg.norm(EYE)
 INKS = {"exponential": RESULT, "Euler, matrix": MATRIX, "Euler, quaternion": QUATERNION}
 IN_SPACE = (-0.15, 0.17, 0.97)

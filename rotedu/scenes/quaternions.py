@@ -19,7 +19,7 @@ from rotedu.scenes.parts import (
     add_sphere,
     new_scene,
 )
-from rotedu.scenes.shapes import ORIGIN, U, W, fan, lathe, stripes, surface, teaspoon
+from rotedu.scenes.shapes import ORIGIN, U, W, fan, lathe, normalised, stripes, surface, teaspoon
 
 __all__ = [
     "grab_the_spoon",
@@ -35,7 +35,7 @@ __all__ = [
 OUTER = 1.05
 # Spoon and ball lie side by side: the camera looks at the point between.
 EYE = 9 * np.array([4.4, 2.6, 2.4]) / np.linalg.norm([4.4, 2.6, 2.4])
-ACROSS = np.array([-2.6, 4.4, 0.0]) / np.hypot(2.6, 4.4)
+ACROSS = normalised((-2.6, 4.4, 0))
 # Half the length of the spoon that is turned by hand, and of those on the ribbon and on the plate.
 LENGTH, REACH = 0.75, 0.46
 # Radius of the plate, and length of the arm.
@@ -370,7 +370,7 @@ def plate_and_arm(state: State) -> pyvista.Plotter:
     turns : float
         How often the plate has turned about the upright, from 0 to 2.
     """
-    middle = -1.71 * ACROSS / np.linalg.norm(ACROSS) + [0, 0, 0.06]
+    middle = -1.71 * ACROSS + [0, 0, 0.06]
     stack = (2, 30, 440, 342, 1), (444, 74, 263, 266, 0.8)
     plotter = new_scene(middle + EYE, middle, view_angle=20, size=(720, 400), swing=20, stack=stack)
     spoon = little_spoon()

@@ -85,8 +85,7 @@ def open_neighbours(
 
 def figure_3() -> pyvista.Plotter:
     """Draw Fig. 3: from three points to the two control points of the middle one."""
-    left, right = (-0.13, 0.05), ((0.15, 0.02), (0.12, 0.06), (0.13, 0))
-    shifts = left, (0, -0.13), (0, 0.13), *right, (0, -0.13)
+    shifts = (-0.13, 0.05), (0, -0.13), (0, 0.13), (0.15, 0.02), (0.12, 0.06), (0.13, 0), (0, -0.13)
     plotter, p = open_neighbours(dict(zip(NAMES, shifts, strict=True)))
     for start, end in ((BEFORE, HERE), (HERE, AFTER)):
         add_arc(plotter, p[start], p[end], VECTOR)

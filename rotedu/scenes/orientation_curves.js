@@ -213,7 +213,7 @@ export function animate({ poses, t, films: wanted, fraction }, { choices, jumpy,
   const films = filmsThrough(q, fraction, new Set([...chosen, "slerp", ...jumpy]));
   const count = PICTURES * q.length;
   const picture = Math.floor(count * t + 1 / 2) % count;
-  const { parts, labels, grips } = timeline(q, most);
+  const { parts, labels, grip } = timeline(q, most);
   for (const [i, name] of all.entries()) {
     const film = chosen.includes(name) && films[name];
     parts[`${name}, tip`] = shown(film && { paths: [tipsOf(film, radius)] });
@@ -234,7 +234,7 @@ export function animate({ poses, t, films: wanted, fraction }, { choices, jumpy,
   return {
     parts,
     labels,
-    grips: { ...grips, t: { ...grips.t, holds: chosen } },
+    grips: { t: { path: parts.rail.paths[0], holds: chosen }, poses: grip },
     charts: { speeds, accelerations },
     outputs: {
       fastest: chosen.map((name) => Math.max(...steps[name].flat().map(length))),
@@ -262,9 +262,8 @@ function timeline(q, most) {
   const stop = (k, height) => [-1.9 + (3.8 * k) / n, 0, height];
   const given = q.map(quaternionMatrix);
   const every = Array.from({ length: n + 1 }, (_, k) => k);
-  const rail = [stop(0, RAIL), stop(n, RAIL)];
   const parts = {
-    rail: { paths: [rail] },
+    rail: { paths: [[stop(0, RAIL), stop(n, RAIL)]] },
     ticks: { paths: every.map((k) => [stop(k, RAIL - TICK), stop(k, RAIL + TICK)]) },
     again: { matrix: placing(given[0], stop(n, ROW), size) },
   };
@@ -276,11 +275,7 @@ function timeline(q, most) {
     labels[`R_${k}`] = used ? stop(k, RAIL - 4 * TICK) : null;
   }
   const holds = given.map((_, k) => `R_${k}`);
-  const grips = {
-    t: { path: rail },
-    poses: { at: given.map((_, k) => stop(k, ROW)), size, holds },
-  };
-  return { parts, labels, grips };
+  return { parts, labels, grip: { at: given.map((_, k) => stop(k, ROW)), size, holds } };
 }
 
 /** Films of rotation matrices, from quaternions: those that are wanted, by their names. */

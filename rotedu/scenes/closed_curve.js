@@ -191,10 +191,8 @@ export function cameraByHand({ u, targets, path, roll }, { seen }) {
   const [taken, within] = [legs[path][leg], p.length * u - leg];
   const ahead = deCasteljau(taken, within);
   const vertical = upright(ahead);
-  let up = vertical;
-  if (roll === "carried along") {
-    up = carried(upright(p[0]), [...ways[path].slice(0, samplesUntil(u)), ahead]);
-  }
+  const gone = [...ways[path].slice(0, samplesUntil(u)), ahead];
+  const up = roll === "carried along" ? carried(upright(p[0]), gone) : vertical;
   const top = combine(1, ahead, HEIGHT, up);
   const middle = p.reduce((sum, q) => combine(1, sum, 1 / p.length, q), ORIGIN);
   const named = (place, after = "") =>

@@ -27,12 +27,7 @@ from rotedu.scenes.parts import (
 from rotedu.scenes.room import camera, clock
 from rotedu.scenes.shapes import JUST_INSIDE, fan, surface, teaspoon
 
-__all__ = [
-    "TWO_ORIENTATIONS",
-    "carried_around_by_hand",
-    "four_ways_between",
-    "two_pictures",
-]
+__all__ = ["TWO_ORIENTATIONS", "carried_around_by_hand", "four_ways_between", "two_pictures"]
 
 TWO_ORIENTATIONS = ((0, 0, 0), (150, -60, 150))
 """Angles about U, V and W, in degrees, of the orientations of `four_ways_between`."""

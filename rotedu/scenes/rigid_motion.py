@@ -12,14 +12,7 @@ from rotedu.general_rotation import compose, rotation_w, swing_twist, translatio
 from rotedu.ordinary_rotation import axis_angle, rotate, rotation_matrix, transform
 from rotedu.rigid_motion import screw_motion, straight_motion
 from rotedu.scenes.looks import UNTOUCHED, Arrow, Ball, Lines, Look, Mesh, Text, draw, spoon_in
-from rotedu.scenes.parts import (
-    LITTLE,
-    add_label,
-    add_line,
-    add_sphere,
-    new_scene,
-    sphere_scene,
-)
+from rotedu.scenes.parts import LITTLE, add_label, add_line, add_sphere, new_scene, sphere_scene
 from rotedu.scenes.shapes import ORIGIN, fan, normalised, stripes, teaspoon, turning
 
 __all__ = [

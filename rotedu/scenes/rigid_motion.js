@@ -86,15 +86,14 @@ function skinned(skin, arm, rings, twist, bend) {
     [...angles.filter((x) => x < HALF), Math.min(twist, HALF - NEAR)],
     twist > HALF ? [HALF + NEAR, ...angles.filter((x) => x > HALF), twist] : [],
   ];
+  const paths = ways.filter((way) => way.length).map((way) => way.map(followed));
   const vertex = moved[middle][TOP];
   const out = combine(1, vertex, -1, at(bones[1], [rings[middle][0], 0, 0]));
   return {
     parts: {
       "one half": { points: stripes(moved, 0) },
       "other half": { points: stripes(moved, 2) },
-      way: shown(
-        twist > 0 && { paths: ways.filter((way) => way.length).map((way) => way.map(followed)) },
-      ),
+      way: shown(twist > 0 && { paths }),
       vertex: { at: vertex },
       "or here": shown(split && { at: followed(HALF + NEAR) }),
     },

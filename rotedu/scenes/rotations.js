@@ -352,10 +352,8 @@ export function rotateByQuaternion(q, point) {
 
 /** Average poses entry by entry: `rotedu.rigid_motion.blend_matrices`. */
 export function blendMatrices(poses, weights, repair = false) {
-  const mean = weighted(
-    poses.map((pose) => pose.flat()),
-    shares(weights),
-  );
+  const entries = poses.map((pose) => pose.flat());
+  const mean = weighted(entries, shares(weights));
   const rows = [mean.slice(0, 4), mean.slice(4, 8), mean.slice(8, 12)];
   if (!repair) return rows;
   const turn = nearestRotation(rows.map((row) => row.slice(0, 3)));
@@ -550,11 +548,9 @@ const units = (points) => points.map(unit);
 
 /** Replace a matrix that is a rotation to four decimals with the nearest rotation. */
 function rotation(matrix) {
-  const off = Math.max(
-    ...product(transpose(matrix), matrix).flatMap((row, i) =>
-      row.map((x, j) => Math.abs(x - Number(i === j))),
-    ),
-  );
+  const squares = product(transpose(matrix), matrix);
+  const errors = squares.flatMap((row, i) => row.map((x, j) => Math.abs(x - Number(i === j))));
+  const off = Math.max(...errors);
   const [u, v, w] = matrix;
   if (!(off <= ASKEW && dot(cross(u, v), w) > 0)) {
     throw new RangeError("the matrix is not a rotation");

@@ -321,6 +321,7 @@ CLOSED = {
 }
 OF_ANY_DIMENSION = {"de_casteljau", "de_casteljau_levels", *CLOSED} - {"closed_rotation_curve"}
 MIRROR, NEARLY, MOVED = -np.eye(3), np.diag([1 - 1e-9, 1, 1]), np.eye(4) + np.diag([5], 3)
+NEAREST = "rotedu.orientations.nearest_rotation finds the rotation nearest to a matrix"
 NO_ROTATION = "must be a rotation: it is orthogonal, but its determinant is -1, so it reflects"
 BAD: list[tuple[str, dict[str, Any], str]] = [
     ("slerp", {"q": [1, 0]}, "q must have shape (..., 3); got shape (2,)"),
@@ -333,7 +334,11 @@ BAD: list[tuple[str, dict[str, Any], str]] = [
     ),
     # Objects are not exempt from the check of shapes.
     ("rotate", {"axis": sp.symbols("x y")}, "axis must have shape (..., 3); got shape (2,)"),
-    ("rotation_matrix", {"axis": [E3, 0 * E3]}, "axis must not be the zero vector; got zeros at "),
+    (
+        "rotation_matrix",
+        {"axis": [E3, 0 * E3]},
+        "axis must not be the zero vector; got zeros at index (1,)",
+    ),
     (
         "transform",
         {"matrix": np.ones((3, 4))},
@@ -341,11 +346,19 @@ BAD: list[tuple[str, dict[str, Any], str]] = [
     ),
     ("scaling", {"s": np.ones((2, 4))}, "s must have shape () or (..., 3); got shape (2, 4)"),
     ("perspective", {"distance": [1, 0]}, "distance must not be zero; got 0 at index (1,)"),
-    ("de_casteljau", {"control": THREE, "u": [1, 2]}, "control and u must broadcast over"),
+    (
+        "de_casteljau",
+        {"control": THREE, "u": [1, 2]},
+        "control and u must broadcast over their leading axes; got (3, 3, 3) and (2,)",
+    ),
     ("de_casteljau", {"control": np.empty((0, 3))}, "control must number at least 1; got 0"),
-    ("closed_curve", {"points": np.empty((3, 0))}, "points must not be the zero vector"),
+    (
+        "closed_curve",
+        {"points": np.empty((3, 0))},
+        "points must not be the zero vector; got zeros at index (0,)",
+    ),
     ("closed_curve", {"points": E1}, "points must have shape (..., n, d); got shape (3,)"),
-    ("axis_angle", {"matrix": np.full((3, 3), 1e200)}, f"matrix {ASKEW} inf; "),
+    ("axis_angle", {"matrix": np.full((3, 3), 1e200)}, f"matrix {ASKEW} inf; {NEAREST}"),
     ("slerp_rotations", {"r1": np.eye(4)}, "r1 must have shape (..., 3, 3); got shape (4, 4)"),
     ("slerp_rotations", {"r2": MIRROR}, f"r2 {NO_ROTATION}"),
     (
@@ -356,7 +369,7 @@ BAD: list[tuple[str, dict[str, Any], str]] = [
     (
         "closed_rotation_curve",
         {"rotations": np.eye(3) * [[[1]], [[2]], [[3]]]},
-        f"rotations {ASKEW} 3.0e+00 at index (1,); ",
+        f"rotations {ASKEW} 3.0e+00 at index (1,); {NEAREST}",
     ),
     (
         "closed_rotation_curve",
@@ -374,7 +387,11 @@ BAD: list[tuple[str, dict[str, Any], str]] = [
         {"matrix": MOVED.T},
         "matrix must be a rigid motion: its fourth row must be 0, 0, 0, 1, but is 5, 0, 0, 1",
     ),
-    ("screw", {"matrix": np.diag([2, 2, 2, 1])}, f"the upper left part of matrix {ASKEW} 3.0e+00"),
+    (
+        "screw",
+        {"matrix": np.diag([2, 2, 2, 1])},
+        f"the upper left part of matrix {ASKEW} 3.0e+00; {NEAREST}",
+    ),
     ("angular_velocity", {"rotations": THREE[:1]}, "rotations must number at least 2; got 1"),
     ("angular_velocity", {"dt": 0}, "dt must not be zero; got 0"),
     ("angular_velocity", {"dt": [1, 1]}, "dt must be one number; got shape (2,)"),
@@ -441,7 +458,7 @@ class TestRefusals:
 
     @pytest.mark.parametrize(("f", "bad", "message"), BAD)
     def test_what_does_not_fit(self, f: str, bad: dict[str, Any], message: str) -> None:
-        assert refusal(f, **bad).startswith(f"ValueError: {message}")
+        assert refusal(f, **bad) == f"ValueError: {message}"
 
     def test_a_pair_in_a_stack_of_curves_is_named(self) -> None:
         pair = r"^Double\(points\[0, 3\], points\[0, 0\]\) and points\[0, 1\] are antipodal"

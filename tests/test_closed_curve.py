@@ -133,6 +133,7 @@ class TestClosedCurve:
 
     def test_blocks_make_no_difference(self, monkeypatch: pytest.MonkeyPatch) -> None:
         points = random_units(50, 3)
+        close(closed_curve(points, 1), points, 1e-15)
         whole = closed_curve(points, 10)
         for block in [1, 70, 130, 10**6]:
             monkeypatch.setattr("rotedu.closed_curve.BLOCK", block)

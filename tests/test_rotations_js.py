@@ -58,7 +58,7 @@ PYTHON: dict[str, Callable[..., Any]] = {
     "bisect": bisect,
     "controlPoints": lambda *given: dict(zip("ab", control_points(*given), strict=True)),
     "deCasteljauLevels": de_casteljau_levels,
-    "deCasteljau": de_casteljau,
+    "deCasteljau": lambda control, places: [de_casteljau(control, u) for u in places],
     "closedCurve": closed_curve,
     "squad": squad,
     "periodicSpline": periodic_spline,
@@ -169,8 +169,9 @@ def in_any_dimension(rng: np.random.Generator, d: int) -> Iterator[Case]:
         # Nothing excuses a point that leaves the sphere.
         yield Case("slerp", [p, q, t], seen="length")
         control = np.array([p, q, *random_units(rng.integers(0, 4), d, rng=rng)])
-        parameters = [control, s], [control, rng.uniform(0, 1)]
-        yield from calls("deCasteljauLevels deCasteljau", *parameters)
+        within = rng.uniform(0, 1)
+        yield from calls("deCasteljauLevels", [control, s], [control, within])
+        yield Case("deCasteljau", [control, [s, within]])
     points = random_units(3, d, rng=rng)
     yield from calls("controlPoints closedCurve", [points])
     yield from calls("controlPoints", [points, 0], [points, 1])
@@ -241,7 +242,9 @@ def without_answer(rng: np.random.Generator) -> Iterator[Case]:
     yield Case("blendDualQuaternions", [half, [1, 1]])
     yield Case("blendMatrices", [half, [1, 1], True])
     yield Case("slerpRotations", [m, m @ rotation_matrix(p, np.pi), 0.5])
-    yield from calls("deCasteljau deCasteljauLevels", [[r, q, p, -p], 0.5], [[p, q, q], -1])
+    for control, u in ([r, q, p, -p], 0.5), ([p, q, q], -1):
+        yield Case("deCasteljauLevels", [control, u])
+        yield Case("deCasteljau", [control, [u]])
     back = [p, q, -double(p, q), r], [p, partner(rng, p, rng.uniform(1.7, 3)), p, r]
     yield from calls("controlPoints", *([points] for points in back))
     for start in range(4):
@@ -266,7 +269,8 @@ def without_direction(rng: np.random.Generator) -> Iterator[Case]:
     for bad in (np.zeros(3), np.array([np.inf, 1, 0]), np.array([0, np.nan, 1])):
         yield from calls("slerp nlerp", [p, bad, 0.5], [bad, p, 0.5])
         yield from calls("angleBetween arcAxis bisect double", [p, bad], [bad, p])
-        yield from calls("deCasteljau deCasteljauLevels", [[p, bad], 0.5])
+        yield Case("deCasteljauLevels", [[p, bad], 0.5])
+        yield Case("deCasteljau", [[p, bad], [0.5]])
         yield from calls("controlPoints closedCurve squad", [[p, q, bad]])
         yield from calls("rotationMatrix quaternionFromAxisAngle", [bad, 1])
         yield Case("unit", [bad])

@@ -1,7 +1,4 @@
-/**
- * Models of page 5 III.
- * @import { Point } from "./rotations.js"
- */
+/* Models of page 5 III. */
 import {
   arcs,
   columns,
@@ -54,8 +51,8 @@ export function closedCurveByHand({ points, u, fraction }, { most }) {
   const within = u * n - segment;
   const samples = closedCurve(p, 40, fraction);
   const curve = [...samples, samples[0]];
-  const now = motion(control[segment], within);
-  const motions = control.map((four) => spread(SAMPLES).map((x) => motion(four, x)));
+  const [now] = motion(control[segment], [within]);
+  const motions = control.map((four) => motion(four, spread(SAMPLES)));
   const shape = {
     parts: {
       curve: { paths: [curve] },
@@ -141,7 +138,7 @@ function beside(polygon, i, middle) {
 /** De Casteljau's construction on the sphere: the arcs of all levels for one u. */
 export function arcsOfArcs({ control, u }) {
   const levels = deCasteljauLevels(control, u);
-  const curve = spread(61).map((x) => deCasteljau(control, x));
+  const curve = deCasteljau(control, spread(61));
   const parts = { curve: { paths: [curve] } };
   levels.forEach((level, j) => {
     if (level.length > 1) parts[`level ${j}`] = { paths: arcs(level.slice(0, -1), level.slice(1)) };
@@ -184,12 +181,13 @@ export function cameraByHand({ u, targets, path, roll }, { seen }) {
   const p = targets.map(unit);
   const legs = legsBetween(p);
   const ways = {
-    arcs: legs.arcs.flatMap((arc) => TIMES.map((t) => deCasteljau(arc, t))),
+    arcs: legs.arcs.flatMap((arc) => deCasteljau(arc, TIMES)),
     curve: closedCurve(p, LEG),
   };
   const leg = Math.min(Math.floor(p.length * u), p.length - 1);
   const [taken, within] = [legs[path][leg], p.length * u - leg];
-  const ahead = deCasteljau(taken, within);
+  const [now] = motion(taken, [within]);
+  const ahead = now.here;
   const vertical = upright(ahead);
   const gone = [...ways[path].slice(0, samplesUntil(u)), ahead];
   const up = roll === "carried along" ? carried(upright(p[0]), gone) : vertical;
@@ -197,7 +195,6 @@ export function cameraByHand({ u, targets, path, roll }, { seen }) {
   const middle = p.reduce((sum, q) => combine(1, sum, 1 / p.length, q), ORIGIN);
   const named = (place, after = "") =>
     Object.fromEntries(seen.map((name, i) => [name + after, place(p[i])]));
-  const { velocity } = motion(taken, within);
   const { bends, charts } = motions(legs, path);
   return {
     parts: {
@@ -218,8 +215,8 @@ export function cameraByHand({ u, targets, path, roll }, { seen }) {
     views: { ride: { eye: ORIGIN, target: ahead, up, angle: ANGLE } },
     outputs: {
       rolled: DEGREES * Math.atan2(dot(cross(vertical, up), ahead), dot(vertical, up)),
-      spin: roll === "kept upright" ? DEGREES * spinOfUpright(ahead, velocity) : 0,
-      speed: DEGREES * length(velocity),
+      spin: roll === "kept upright" ? DEGREES * spinOfUpright(now) : 0,
+      speed: DEGREES * length(now.velocity),
       bends: seen.map((name, i) => `${name} ${(DEGREES * bends[i]).toFixed(0)}°`).join(", "),
     },
     charts,
@@ -267,14 +264,13 @@ function cameraAndFrames(ahead, up, vertical) {
 /** The bends of a path, the speed on both, and the spin of an upright camera. */
 function motions(legs, path) {
   const t = spread(LEG / 2 + 1);
-  const velocities = (way) => way.map((leg) => t.map((x) => motion(leg, x).velocity));
-  const speeds = (rows) => rows.map((row) => row.map((v) => DEGREES * length(v)));
-  const driven = { arcs: velocities(legs.arcs), curve: velocities(legs.curve) };
-  const spin = driven[path].map((row, i) =>
-    row.map((v, k) => DEGREES * spinOfUpright(deCasteljau(legs[path][i], t[k]), v)),
-  );
+  const drive = (way) => way.map((leg) => motion(leg, t));
+  const speeds = (rows) => rows.map((row) => row.map((now) => DEGREES * length(now.velocity)));
+  const driven = { arcs: drive(legs.arcs), curve: drive(legs.curve) };
+  const taken = driven[path];
+  const spin = taken.map((row) => row.map((now) => DEGREES * spinOfUpright(now)));
   return {
-    bends: driven[path].map((row, i) => angle(driven[path].at(i - 1).at(-1), row[0])),
+    bends: taken.map((row, i) => angle(taken.at(i - 1).at(-1).velocity, row[0].velocity)),
     charts: { speeds: { arcs: speeds(driven.arcs), curve: speeds(driven.curve) }, spins: { spin } },
   };
 }
@@ -282,12 +278,8 @@ function motions(legs, path) {
 /** The upward direction of the picture of an upright camera. */
 const upright = (ahead) => cross(ahead, arcAxis(W, ahead));
 
-/**
- * How fast an upright camera turns about its line of sight: by its turn about W.
- * @param {Point} ahead
- * @param {Point} velocity
- */
-function spinOfUpright([x, y, z], [dx, dy]) {
+/** How fast an upright camera turns about its line of sight: by its turn about W. */
+function spinOfUpright({ here: [x, y, z], velocity: [dx, dy] }) {
   return (z * (x * dy - y * dx)) / Math.max(x ** 2 + y ** 2, STEP ** 2);
 }
 
@@ -325,15 +317,20 @@ function outside(point, middle) {
 }
 
 /**
- * Velocity and geodesic curvature of a Bezier curve on the sphere, by differences.
+ * Places, velocities and geodesic curvatures along a Bezier curve on the sphere, by differences.
  *
  * They are in radians for a step of 1 in u, and in radians turned for each radian travelled:
  * positive to the left, 0 on a great circle and where the curve stands still.
  */
-function motion(control, u) {
-  const [before, here, after] = [-STEP, 0, STEP].map((x) => deCasteljau(control, u + x));
-  const velocity = combine(1 / (2 * STEP), after, -1 / (2 * STEP), before);
-  const acceleration = here.map((x, i) => (after[i] - 2 * x + before[i]) / STEP ** 2);
-  const speed = Math.max(length(velocity), STEP);
-  return { here, velocity, curvature: dot(cross(here, velocity), acceleration) / speed ** 3 };
+function motion(control, places) {
+  const [before, middle, after] = [-STEP, 0, STEP].map((step) => {
+    const shifted = places.map((u) => u + step);
+    return deCasteljau(control, shifted);
+  });
+  return middle.map((here, k) => {
+    const velocity = combine(1 / (2 * STEP), after[k], -1 / (2 * STEP), before[k]);
+    const acceleration = here.map((x, i) => (after[k][i] - 2 * x + before[k][i]) / STEP ** 2);
+    const speed = Math.max(length(velocity), STEP);
+    return { here, velocity, curvature: dot(cross(here, velocity), acceleration) / speed ** 3 };
+  });
 }

@@ -43,7 +43,7 @@ export function arrowAtTheClock({ aim }, { targets, corner }) {
   return {
     parts: {
       arcs: { paths: arcs([door, clock], [clock, window]) },
-      curve: { paths: curves.map((four) => spread(21).map((t) => deCasteljau(four, t))) },
+      curve: { paths: curves.map((four) => deCasteljau(four, spread(21))) },
       arrow: { from: scaled(1.01, clock), to: scaled(1.01, tip) },
       dial: { paths: [dial] },
       door: { at: door },
@@ -62,7 +62,7 @@ export function arrowAtTheClock({ aim }, { targets, corner }) {
 
 /** How far a curve turns in all, to the left and to the right: at the corners of a polygon on it. */
 function bendOf(control) {
-  const points = spread(401).map((t) => deCasteljau(control, t));
+  const points = deCasteljau(control, spread(401));
   const normals = points.slice(1).map((after, k) => cross(points[k], after));
   const turns = normals.slice(1).map((after, k) => angleBetween(normals[k], after));
   return turns.reduce((sum, turn) => sum + turn);

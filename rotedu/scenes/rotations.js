@@ -42,7 +42,7 @@ export function combine(s, a, t, b) {
 
 /** Scale a vector to length 1: `rotedu._arguments.unit_vectors`. */
 export function unit(v) {
-  const largest = Math.max(...v.map(Math.abs));
+  const largest = v.reduce((most, x) => Math.max(most, Math.abs(x)), 0);
   if (!(largest > 0 && largest < Infinity)) {
     throw new RangeError("a direction needs finite numbers that are not all zero");
   }
@@ -88,20 +88,13 @@ export function controlPoints(points, fraction = 1 / 2) {
 }
 
 /** All points of de Casteljau's construction: `rotedu.closed_curve.de_casteljau_levels`. */
-export function deCasteljauLevels(control, u) {
-  const levels = [units(control)];
-  for (let level = levels[0]; level.length > 1; level = levels.at(-1)) {
-    const name = levels.length > 1 ? `points of level ${levels.length - 1}` : "control";
-    level.slice(1).forEach((q, j) => {
-      refuseAntipodal(theta(level[j], q), `${name}[${j}] and ${name}[${j + 1}]`);
-    });
-    levels.push(nextLevel(level, u));
-  }
-  return levels;
-}
+export const deCasteljauLevels = (control, u) => levelsFrom(units(control), u);
 
-/** A point of a Bezier curve on the sphere: `rotedu.closed_curve.de_casteljau`. */
-export const deCasteljau = (control, u) => deCasteljauLevels(control, u).at(-1)[0];
+/** Points of a Bezier curve on the sphere: `rotedu.closed_curve.de_casteljau`, for a list of u. */
+export function deCasteljau(control, places) {
+  const points = units(control);
+  return places.map((u) => levelsFrom(points, u).at(-1)[0]);
+}
 
 /** Points of a closed curve, `samples` on each segment: `rotedu.closed_curve.closed_curve`. */
 export function closedCurve(points, samples = 100, fraction = 1 / 2) {
@@ -411,6 +404,16 @@ const weighted = (vectors, weights) =>
   vectors.reduce((sum, v, i) => combine(1, sum, weights[i], v), scaled(0, vectors[0]));
 
 const nextLevel = (level, u) => level.slice(1).map((q, j) => arc(level[j], q, u));
+
+function levelsFrom(points, u) {
+  const levels = [points];
+  for (let level = points; level.length > 1; level = levels.at(-1)) {
+    const name = levels.length > 1 ? `points of level ${levels.length - 1}` : "control";
+    refuseAntipodalAmong(level, [...level.slice(1), level.at(-1)], "{i} and {j}", name);
+    levels.push(nextLevel(level, u));
+  }
+  return levels;
+}
 
 /** Evaluate the segments of a closed curve, given their parts: `rotedu.closed_curve.sampled`. */
 function sampled(curve, parts, samples) {

@@ -61,7 +61,6 @@ class Exploration {
     this.spoken = null;
     /** @type {ReturnType<typeof setTimeout> | undefined} */
     this.timer = undefined;
-    this.keptAt = -Infinity;
     const now = () => this.inputs;
     const change = (changes, said) => this.change(changes, said);
     this.grip = new Held(view);
@@ -216,11 +215,9 @@ class Exploration {
     this.held = false;
     this.python?.tell(this.inputs);
     const what = said ?? (() => statement(this.data.inputs, Object.keys(changes), this.inputs));
+    // Browsers refuse who writes too often: what follows waits until the hand rests.
+    if (!this.spoken) this.store();
     this.spoken = () => `${what()}. ${this.panel.outcome()}`;
-    // Browsers refuse who writes too often.
-    if (Date.now() - this.keptAt < QUIET) return;
-    this.keptAt = Date.now();
-    this.store();
   }
 
   /**

@@ -157,15 +157,16 @@ def test_tables_are_no_wider_than_a_phone(visits: dict[str, Visit]) -> None:
     assert [name for name, v in visits.items() if any("table" in box for box in v.reachable)] == []
 
 
-def test_cells_say_in_which_column_they_stand(pages: dict[str, BeautifulSoup]) -> None:
-    """On a phone, where rows are cards, nothing else says it."""
+def test_cells_say_where_they_stand(pages: dict[str, BeautifulSoup]) -> None:
+    """On a phone, where rows are cards, and by ear, nothing else says it."""
     wide = 0
     for soup in pages.values():
         for table in soup.select("table.docutils:has(thead)"):
             names = [head.get_text() for head in table.select("thead th")]
             wide += len(names) > 3
             for row in table.select("tbody tr"):
-                assert [cell["data-column"] for cell in row("td")] == names
+                assert [cell["data-column"] for cell in row(["th", "td"])] == names
+                assert [cell is row.find() for cell in row("th", scope="row")] == [True]
     assert wide > 20
 
 

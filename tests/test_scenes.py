@@ -313,7 +313,7 @@ def test_who_rides_on_the_camera_sees_what_its_frame_shows() -> None:
     assert plotter.camera.position == pytest.approx((5.1, -0.3, 2.3))
     assert plotter.actors["camera"].visibility
     names = {label["name"] for label in own}
-    horizon = {f"horizon {k}" for k in range(6)}
+    horizon = {f"horizon {k}" for k in range(5)}
     assert names == {f"{name} seen" for name in scenes.CAMERA_SEES} | horizon | {"straight up"}
     assert not names & {label["name"] for label in scene_labels(plotter)}
     for label in own:

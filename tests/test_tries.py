@@ -125,21 +125,21 @@ SHOWN: dict[str, dict[str, dict[str, str]]] = {
     },
     "spinning_by_hand": {
         "a fine step": {
-            "exponential": "edge up to 1.00, 0° wrong",
-            "Euler, matrix": "edge up to 1.11, 2° wrong",
-            "Euler, quaternion": "edge up to 1.06, 2° wrong",
+            "exponential": "edge 1.00, 0° wrong",
+            "Euler, matrix": "edge 1.11, 2° wrong",
+            "Euler, quaternion": "edge 1.06, 2° wrong",
         },
         "repaired after every step": {
-            "Euler, matrix": "edge up to 1.00, 11° wrong",
-            "Euler, quaternion": "edge up to 1.00, 9° wrong",
+            "Euler, matrix": "edge 1.00, 11° wrong",
+            "Euler, quaternion": "edge 1.00, 9° wrong",
         },
         "both arrows alike": {
-            "Euler, matrix": "edge up to 2.01, 8° wrong",
-            "Euler, quaternion": "edge up to 1.44, 2° wrong",
+            "Euler, matrix": "edge 2.01, 8° wrong",
+            "Euler, quaternion": "edge 1.44, 2° wrong",
         },
         "the opposite arrow": {
-            "Euler, matrix": "edge up to 1.00, 0° wrong",
-            "Euler, quaternion": "edge up to 1.00, 0° wrong",
+            "Euler, matrix": "edge 1.00, 0° wrong",
+            "Euler, quaternion": "edge 1.00, 0° wrong",
         },
     },
     "mean_by_hand": {
@@ -154,7 +154,7 @@ SHOWN: dict[str, dict[str, dict[str, str]]] = {
     "the_balance": {
         "two points": {"matrix": "51", "quaternion": "55"},
         "ten points": {"matrix": "171", "quaternion": "247"},
-        "10 000 points": {"matrix": "150021", "quaternion": "240007", "spoon": "1000"},
+        "10,000 points": {"matrix": "150021", "quaternion": "240007", "spoon": "1000"},
     },
     "the_balance_of_works": {
         "many points": {"matrix": "15021", "quaternion": "24007"},

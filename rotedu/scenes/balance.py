@@ -80,8 +80,7 @@ def balance(state: State, what: str) -> pyvista.Plotter:
     ruler = [[[low, 0, floor], [high, 0, floor]]]
     for decade, x in enumerate(np.linspace(low, high, 5)):
         ruler.append([[x, 0, floor], [x, 0, floor + 0.07]])
-        text = f"{10**decade:,}".replace(",", " ")
-        add_label(plotter, [x, 0, floor - 0.13], text, name=f"10^{decade}")
+        add_label(plotter, [x, 0, floor - 0.17], f"{10**decade:,}", name=f"10^{decade}")
     add_lines(plotter, ruler, NEUTRAL, radius=0.008)
 
     read_out(plotter, "number", what, 0, where="picture")
@@ -94,7 +93,7 @@ def balance(state: State, what: str) -> pyvista.Plotter:
         plotter,
         f"A balance. On the left pan a heap of teaspoons for the {told['matrix']:.0f} operations of"
         f" the matrix, on the right one for the {told['quaternion']:.0f} of the quaternion; the"
-        f" {heavier} pan is lower. Below, a ruler from 1 to 10 000.",
+        f" {heavier} pan is lower. Below, a ruler from 1 to 10,000.",
     )
     return plotter
 
@@ -103,7 +102,7 @@ def balance(state: State, what: str) -> pyvista.Plotter:
     tries={
         "two points": {"decades": TWICE},
         "ten points": {"decades": 1},
-        "10 000 points": {"decades": 4},
+        "10,000 points": {"decades": 4},
     },
     answer={"decades": 1},
     constants=CONSTANTS,

@@ -193,7 +193,7 @@ def arcs_of_arcs(state: State) -> pyvista.Plotter:
     return plotter
 
 
-HORIZONS = 6
+HORIZONS = 5
 # The view of who rides on the camera.
 RIDE = "ride"
 
@@ -291,8 +291,8 @@ def add_horizon(plotter: pyvista.Plotter) -> None:
     horizon = turning((1, 0, 0), (0, 0, 1), 2 * np.pi)
     add_line(plotter, horizon, NEUTRAL, radius=0.005, name="horizon")
     for k in range(HORIZONS):
-        # Halfway between two meridians.
+        # Beside the frame at the start and at all targets.
         azimuth = 2 * np.pi * (k + 3 / 4) / HORIZONS
-        place = 0.98 * np.array([np.cos(azimuth), np.sin(azimuth), 0.14])
+        place = 0.98 * np.array([np.cos(azimuth), np.sin(azimuth), 0.06])
         add_label(plotter, place, "horizon", name=f"horizon {k}", view=RIDE)
-    add_label(plotter, (0.06, 0, 0.98), "straight up", view=RIDE)
+    add_label(plotter, (-0.1, -0.25, 0.95), "straight up", view=RIDE)

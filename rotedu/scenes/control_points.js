@@ -19,8 +19,9 @@ const SAME = 1e-6;
 // From a point to its label.
 const NEAR = 0.17;
 const FAR = 0.36;
-// What lies behind the sphere is named within the glass.
+// What lies behind the sphere, as it is seen at first, is named within the glass.
 const INWARD = -0.2;
+const EYE = [4.86, -0.2, 3];
 // Clear of the name of a point beside it.
 const BELOW = -0.3;
 const SAMPLES = spread(25);
@@ -51,9 +52,9 @@ export function arrowAtTheClock({ aim }, { targets, corner }) {
       window: { at: window },
     },
     labels: {
-      door: scaled(1.14, door),
+      door: scaled(1.28, door),
       clock: combine(1.06, clock, -0.17, W),
-      window: scaled(1.14, window),
+      window: scaled(1.25, window),
     },
     grips: { aim: { path: dial, holds: ["arrow"] } },
     outputs: { bends: curves.map((four) => DEGREES * bendOf(four)) },
@@ -111,7 +112,7 @@ export function controlPointsByHand(
   const nameOfB = printed_double ? FAR : NEAR;
   return joined(
     given(before, here, after, axis, reflected, step),
-    taken(0, "\\bar P_{i-1}", path(0, [before, here], 1, 2), inks.cross, [], INWARD),
+    taken(0, "\\bar P_{i-1}", path(0, [before, here], 1, 2), inks.cross, []),
     taken(1, "\\bar P_i", path(1, [reflected, after], 0, half), inks.cross, [here, reflected]),
     taken(2, "a_i", path(2, [middle, here], 0, 0.5), inks.result, [here, after]),
     taken(3, "b_i", path(3, doubled, 0, 2), inks.result, [here, reflected], nameOfB),
@@ -172,8 +173,9 @@ function errorsOf(here, after, reflected, middle, a, b) {
 /** Where a way is seen over the arcs. */
 const above = (point) => scaled(1.05, point);
 
-/** The place of a label: next to a point of the sphere, away from others. */
+/** The place of a label: next to a point of the sphere, away from others; on its far side, within. */
 function beside(point, others, distance = NEAR) {
   const sum = others.reduce((away, q) => combine(1, away, -1, q), ORIGIN);
-  return combine(1, point, distance, unit(combine(0.3 + others.length, point, 1, sum)));
+  const reach = dot(point, EYE) < 0 ? INWARD : distance;
+  return combine(1, point, reach, unit(combine(0.3 + others.length, point, 1, sum)));
 }

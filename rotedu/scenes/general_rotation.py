@@ -241,7 +241,7 @@ def euler_angles_by_hand(state: State) -> pyvista.Plotter:
         over="t",
         x=(0, 1),
         y=(0, 200),
-        label="speed, degrees for a step of 1 in *t*",
+        label="speed, degrees for a step of 1 in *t* (above 200 not shown)",
         colors={text: ink for _, text, ink in WAYS},
     )
     describe(

@@ -80,7 +80,7 @@ function another(start, end, center, n) {
       "other end": shown(start && { at: end }),
     },
     labels: {
-      "\\vec r_2": start && beside(start, center, n, 0),
+      "\\vec r_2": start && beside(start, center, n, 0.12),
       "\\vec r_2^{\\,\\prime}": start && beside(end, center, n, 0.25),
     },
   };

@@ -160,7 +160,7 @@ def figure_1_by_hand(state: State) -> pyvista.Plotter:
         after none or a whole turn there is no second vector.
     """
     # There is room for any axis, and for any vector of the same length.
-    plotter = new_scene((4.5, 0.95, 2.43), (0, 0.03, 0.01), view_angle=24.8, size=(600, 504))
+    plotter = new_scene((4.5, 0.95, 2.52), (0, 0.03, 0.1), view_angle=25.5, size=(600, 504))
     draw(plotter, state, LOOKS, TEXTS)
     for name, vector, color, ink in (
         ("first", "*r*", "blue", VECTOR),

@@ -33,7 +33,7 @@ def spinning_by_hand(**inputs: Any) -> dict[str, Any]:
     drawn = spinning_bodies(**inputs)
     exact = drawn["exponential"]
     return {
-        name: f"edge up to {np.linalg.norm(now, axis=0).max():.2f},"
+        name: f"edge {np.linalg.norm(now, axis=0).max():.2f},"
         f" {np.degrees(angular_distance(nearest_rotation(now), exact)):.0f}° wrong"
         for name, now in drawn.items()
     }

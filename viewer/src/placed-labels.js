@@ -4,6 +4,9 @@ import { all } from "./elements.js";
 import { apart, isHidden, project } from "./labels.js";
 import { toBox, WHOLE } from "./stack.js";
 
+// Between labels side by side, in pixels, so that two names are not one.
+const GAP = 5;
+
 export class Labels {
   /** @param {HTMLElement} box the picture */
   constructor(box) {
@@ -23,7 +26,7 @@ export class Labels {
   measure() {
     this.size = [this.box.clientWidth, this.box.clientHeight];
     for (const entry of this.entries) {
-      entry.width = entry.label.offsetWidth;
+      entry.width = entry.label.offsetWidth + GAP;
       entry.height = entry.label.offsetHeight;
     }
   }

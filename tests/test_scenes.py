@@ -281,6 +281,16 @@ def test_what_a_misprint_makes_wrong_is_red(misprints: list[str], wrong: list[in
     assert named == {plotter.actors[name].prop.color.hex_rgb for name in names}
 
 
+@pytest.mark.parametrize("degrees", [120, 295, 305])
+def test_points_behind_the_sphere_are_named_within_it(degrees: float) -> None:
+    plotter = scenes.control_points_by_hand(**construction.ahead(degrees))
+    told = [label["position"] for label in scene_labels(plotter)]
+    places = np.array([place for place in told if place])
+    behind = places @ plotter.camera.position < 0
+    assert 1 <= behind.sum() < len(behind) == 8
+    np.testing.assert_array_equal(np.linalg.norm(places, axis=1) < 1, behind)
+
+
 def test_construction_of_figures_3_to_7_is_that_of_control_points() -> None:
     points = np.random.default_rng(3).normal(size=(3, 3))
     found = construction.neighbours(points)

@@ -12,6 +12,7 @@ import sys
 import tomllib
 from collections.abc import Iterable, Iterator
 from pathlib import Path
+from string import ascii_lowercase
 from typing import Literal
 from urllib.parse import urlsplit
 
@@ -159,7 +160,7 @@ def class_names() -> dict[str, str]:
     for chapter, group in itertools.groupby(files, key=lambda name: name.partition("-")[0]):
         of_chapter = list(group)
         joined = "" if chapter.isdigit() else "-"
-        for letter, page in zip("abcdefgh", of_chapter, strict=False):
+        for letter, page in zip(ascii_lowercase, of_chapter, strict=False):
             lettered = page.replace(chapter, f"{chapter}{joined}{letter}")
             names[page] = lettered if of_chapter[1:] else page
     return names

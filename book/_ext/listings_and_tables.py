@@ -3,9 +3,9 @@
 What no style colours in a listing needs no element: each costs a phone time, and commas, brackets
 and spaces are half of a listing's. On paper, only a long listing may go over the page. A cell of a
 table says in which column it stands: on a phone, rows are cards (book.css). The first cell of a row
-is its head, for who hears the table. Of the ledger, which a cell with the tag ``ledger`` shows, the
-rows that a page adds can be told from the others. The claims, which a cell with the tag ``claims``
-shows, are folded.
+is its head, for who hears the table, unless it is a formula, which axe takes for nothing. Of the
+ledger, which a cell with the tag ``ledger`` shows, the rows that a page adds can be told from the
+others. The claims, which a cell with the tag ``claims`` shows, are folded.
 """
 
 from collections.abc import Iterable
@@ -81,11 +81,14 @@ def visit_entry(writer: HTML5Translator, cell: nodes.entry) -> None:
         head = row.parent.parent.next_node(nodes.thead)
         name = head[0][row.index(cell)].astext() if head else ""
         short = ' data-short=""' if 0 < len(cell.astext()) <= SHORT else ""
-        first = cell is row[0]
-        tag = 'th scope="row"' if first else "td"
+        words = [
+            text for text in cell.findall(nodes.Text) if not isinstance(text.parent, nodes.math)
+        ]
+        is_head = cell is row[0] and "".join(words).strip()
+        tag = 'th scope="row"' if is_head else "td"
         told = f'<{tag} data-column="{escape(name)}"{short}'
         writer.body[at] = writer.body[at].replace("<td", told, 1)
-        if first:
+        if is_head:
             writer.context[-1] = "</th>"
 
 

@@ -164,11 +164,11 @@ function chartHtml(chart, curves, values, inputs) {
   return (
     `<figure class="explorable-chart" data-chart="${name}" data-over="${over}" data-x="${x.join(" ")}"` +
     ` data-y="${y.join(" ")}"${entries.every(([, heights]) => !heights) ? " hidden" : ""} style="${room}">` +
-    `<figcaption>${written(label)} ${keys.join("")}</figcaption><div class="explorable-plot">` +
+    `<figcaption>${written(label)} ${keys.join(" ")}</figcaption><div class="explorable-plot">` +
     `<svg viewBox="0 0 ${WIDTH} ${HEIGHT}" preserveAspectRatio="none" role="img"` +
     ` aria-label="${quoted(plain(label))}">${hairlines.join("")}${lines.join("")}` +
-    // A line, and a knob at its foot.
-    `${mark(0)}${mark(HEIGHT)}</svg>` +
+    // A line, and a knob at its foot: WebKit makes an ellipse of one that has no length.
+    `${mark(0)}${mark(HEIGHT - 0.01)}</svg>` +
     `<div class="explorable-ticks">${numbers.join("")}</div>` +
     `<div class="explorable-names">${names.join("")}</div>` +
     `<div class="explorable-marks" style="color: ${colors.marks ?? "inherit"}">${begins.join("")}</div>` +

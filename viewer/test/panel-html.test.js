@@ -107,6 +107,11 @@ test("a chart has curves, names at their ends, marks for its pieces, and hairlin
   const charts = { heights: { one: null, two: null } };
   const empty = figure(panelHtml(SPEC, { ...STATE, charts }));
   assert.ok(empty.querySelector("[data-chart]").hidden);
+  const many = {
+    heights: Object.fromEntries(["a", "b", "c", "d", "e"].map((name) => [name, null])),
+  };
+  const caption = figure(panelHtml(SPEC, { ...STATE, charts: many })).querySelector("figcaption");
+  assert.equal(caption.textContent, "height a b c d e");
 });
 
 test("what to try is a sentence of links to states", () => {

@@ -154,13 +154,13 @@ SHOWN: dict[str, dict[str, dict[str, str]]] = {
     "the_balance": {
         "two points": {"matrix": "51", "quaternion": "55"},
         "ten points": {"matrix": "171", "quaternion": "247"},
-        "10,000 points": {"matrix": "150021", "quaternion": "240007", "spoon": "1000"},
+        "10,000 points": {"matrix": "150,021", "quaternion": "240,007", "spoon": "1,000"},
     },
     "the_balance_of_works": {
-        "many points": {"matrix": "15021", "quaternion": "24007"},
+        "many points": {"matrix": "15,021", "quaternion": "24,007"},
         "turns in a row": {"matrix": "390", "quaternion": "280"},
-        "one arc, 60 times": {"matrix": "2113", "quaternion": "791"},
-        "worn turns": {"matrix": "2800", "quaternion": "700"},
+        "one arc, 60 times": {"matrix": "2,113", "quaternion": "791"},
+        "worn turns": {"matrix": "2,800", "quaternion": "700"},
     },
     "figure_1_by_hand": {
         "all three arrows": {"first": "0.50", "across": "0.87"},
@@ -188,7 +188,7 @@ SHOWN: dict[str, dict[str, dict[str, str]]] = {
             "quaternion_off": "0.000060 % in length",
         },
         "… under the magnifier": {
-            "times": "100000",
+            "times": "100,000",
             "matrix_off": "0.000072 % in length",
             "quaternion_off": "0.000060 % in length",
         },

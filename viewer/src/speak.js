@@ -47,6 +47,8 @@ export function outputText(value, { digits, unit }) {
     const written = x.toFixed(digits);
     return (Number(written) === 0 ? written.replace("-", "") : written).replace("-", "\u2212");
   };
+  const thousands = (whole) => whole.replace(/\B(?=(\d{3})+$)/g, ",");
+  if (typeof value === "number") return number(value).replace(/\d+/, thousands) + unit;
   const rows = (Array.isArray(value[0]) ? value : [value]).map((row) => [row].flat().map(number));
   // The columns of a matrix are of one width; other numbers are a list.
   const [width, between] =

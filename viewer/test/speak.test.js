@@ -42,8 +42,9 @@ test("numbers, texts and matrices are written with their digits", () => {
   for (const [value, digits, unit, wanted] of [
     [-1.236, 2, "°", "−1.24°"],
     [-0.001, 2, "", "0.00"],
+    [-123456.7891, 4, "", "−123,456.7891"],
     ["no", 2, "", "no"],
-    [[1, 2], 1, "°", "1.0, 2.0°"],
+    [[1, 2000], 1, "°", "1.0, 2000.0°"],
     [points("1,-10.04 0,-0.04"), 1, "", "  1.0 −10.0\n  0.0   0.0"],
   ]) {
     assert.equal(outputText(value, { digits, unit }), wanted);

@@ -146,7 +146,7 @@ class Exploration {
    */
   show(state, drawn) {
     this.refused = false;
-    this.write("");
+    this.status.replaceChildren();
     this.scene.removeAttribute("data-refused");
     if (drawn) {
       // The start needs no correction but for rounding, by which it would no longer be the start.

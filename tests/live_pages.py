@@ -75,8 +75,8 @@ LABELS = """(element) => [...element.querySelectorAll(".scene-label")].map((labe
     const { left, top, width, height } = label.getBoundingClientRect();
     const box = element.getBoundingClientRect();
     // Labels give way to each other.
-    const push = (way) => parseFloat(label.style.getPropertyValue(way)) || 0;
-    const [dx, dy] = [push("--dx"), push("--dy")];
+    const aside = label.style.getPropertyValue("--aside") || "0 0";
+    const [dx, dy] = aside.split(" ").map(parseFloat);
     return {
         name: label.dataset.label,
         text: label.textContent,

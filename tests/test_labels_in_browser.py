@@ -19,7 +19,7 @@ FAR = 2.5
 # Sets inputs one after the other; returns for each the labels that cover each other, and the push.
 SWEEP = """async ([figure, states]) => {
     const frame = () => new Promise(requestAnimationFrame);
-    const push = ({ style }, way) => parseFloat(style.getPropertyValue(way)) || 0;
+    const aside = ({ style }) => style.getPropertyValue("--aside") || "0 0";
     const found = [];
     for (const detail of states) {
         figure.dispatchEvent(new CustomEvent("rotedu:set", { detail }));
@@ -36,7 +36,7 @@ SWEEP = """async ([figure, states]) => {
             if (Math.min(across, down) > worst[0]) worst = [Math.min(across, down), names];
         }));
         const ways = labels.map((label) =>
-            Math.hypot(push(label, "--dx"), push(label, "--dy")) / label.offsetHeight);
+            Math.hypot(...aside(label).split(" ").map(parseFloat)) / label.offsetHeight);
         found.push([...worst, Math.max(0, ...ways)]);
     }
     return found;

@@ -46,6 +46,15 @@ export function element(name, attributes, ...children) {
   return made;
 }
 
+/**
+ * Change the text of an element where it stands. A new node would let a browser match each rule with `:has()`
+ * again, all over the page.
+ */
+export function rewrite(element, text) {
+  if (element.firstChild) element.firstChild.data = text;
+  else element.append(text);
+}
+
 function button(label, icon, action) {
   const made = element("button", { type: "button", title: label, "aria-label": label });
   made.innerHTML = `<svg viewBox="0 0 24 24" aria-hidden="true"><path d="${icon}"/></svg>`;

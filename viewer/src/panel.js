@@ -1,6 +1,6 @@
 /* The controls, numbers and charts below a figure, as `panel-html.js` writes them. */
 import { Chart } from "./chart.js";
-import { all, one } from "./elements.js";
+import { all, one, rewrite } from "./elements.js";
 import { playing } from "./play.js";
 import { added } from "./points.js";
 import { numberText, outputText } from "./speak.js";
@@ -117,7 +117,7 @@ export class Panel {
     for (const output of this.outputs) {
       const { name } = output;
       if (!(name in outputs)) continue;
-      output.textContent = outputText(outputs[name], output.dataset);
+      rewrite(output, outputText(outputs[name], output.dataset));
       output.classList.toggle("explorable-loud", outputs[name] === output.dataset.loud);
     }
     for (const chart of this.charts) chart.draw(charts[chart.name] ?? {}, values[chart.over]);
@@ -126,7 +126,7 @@ export class Panel {
   /** Put a dash for each number: none holds. */
   withhold() {
     for (const output of this.outputs) {
-      output.textContent = output.textContent.replace(/\S+/g, "–");
+      rewrite(output, output.textContent.replace(/\S+/g, "–"));
     }
   }
 

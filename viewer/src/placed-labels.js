@@ -46,14 +46,12 @@ export class Labels {
       const hidden = !place?.inside || isHidden(surfaces, eye, position);
       label.toggleAttribute("data-behind", hidden);
       if (!place) continue;
-      label.style.setProperty("--x", `${100 * place.left}%`);
-      label.style.setProperty("--y", `${100 * place.top}%`);
+      label.style.setProperty("--at", `${100 * place.top}% auto auto ${100 * place.left}%`);
       if (hidden) continue;
       seen.push({ label, x: place.left * across, y: place.top * down, width, height });
     }
     apart(seen).forEach(({ x, y }, i) => {
-      seen[i].label.style.setProperty("--dx", `${x}px`);
-      seen[i].label.style.setProperty("--dy", `${y}px`);
+      seen[i].label.style.setProperty("--aside", `${x}px ${y}px`);
     });
   }
 }

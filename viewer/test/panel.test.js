@@ -102,7 +102,9 @@ test("numbers and texts are written, loud where it matters, and withheld where n
   panel.show(START, { outputs: { length: -1.236, fits: "no" } });
   assert.deepEqual([...shown(), loud()], ["−1.24°", "no", true]);
   assert.equal(panel.outcome(), "length −1.24°, fits no");
+  const node = find("output[name=fits]").firstChild;
   panel.show(START, { outputs: { fits: [1, 2] } });
+  assert.equal(find("output[name=fits]").firstChild, node);
   assert.deepEqual([...shown(), loud()], ["−1.24°", "1.00, 2.00", false]);
   panel.withhold();
   assert.deepEqual(shown(), ["–", "– –"]);

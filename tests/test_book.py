@@ -297,6 +297,13 @@ def test_figures_and_equations_show_their_links_to_mouse_and_keyboard(
     page.close()
 
 
+def test_no_word_runs_into_the_next(pages: dict[str, BeautifulSoup]) -> None:
+    for name, page in pages.items():
+        for marked in page.select("article p :is(a, em, strong, code)"):
+            before, word = str(marked.previous_sibling or " "), marked.get_text() or " "
+            assert not (before[-1].isalnum() and word[0].isalnum()), (name, before[-20:], word)
+
+
 def test_pages_say_what_they_are_about(pages: dict[str, BeautifulSoup]) -> None:
     described = [soup.select("meta[name=description]") for soup in pages.values()]
     texts = [tags[-1]["content"] for tags in described if tags]

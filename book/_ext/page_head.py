@@ -82,7 +82,7 @@ def rest(head: nodes.paragraph) -> list[nodes.Element]:
     """Return what the paragraph says besides the minutes; what a page needs is folded."""
     # MyST puts an empty text before a word in bold.
     _, first, *others = (child for child in head.children if child.astext().strip())
-    said = TIME.sub("", first.astext()).strip()
+    said = TIME.sub("", first.astext()).lstrip()
     if others and others[0].astext() == NEEDS:
         words, *others = others[1:]
         needs = words.astext().lstrip()

@@ -378,7 +378,8 @@ export function blendDualQuaternions(poses, weights) {
 
 const theta = (p, q) => 2 * Math.atan2(length(combine(1, q, -1, p)), length(combine(1, p, 1, q)));
 
-function arc(p, q, t) {
+/** A point of an arc; `pair` and j name its ends where there is none. */
+function arc(p, q, t, pair = (_j) => "p and q", j = 0) {
   const chord = combine(1, q, -1, p);
   const sum = combine(1, p, 1, q);
   // Near pi rounding tilts the short middle; put it back at a right angle.
@@ -386,7 +387,7 @@ function arc(p, q, t) {
   const across = length(chord);
   const along = length(middle);
   const half = Math.atan2(across, along);
-  refuseAntipodal(2 * half, "p and q");
+  if (2 * half >= Math.PI - ANTIPODAL) throw noArc(pair(j), "antipodal");
   const h = Math.tan((t - 1 / 2) * half);
   const cos = (1 - h * h) / (1 + h * h);
   const sin = (2 * h) / (1 + h * h);
@@ -403,14 +404,14 @@ const shares = (weights) => scaled(1 / weights.reduce((sum, x) => sum + x, 0), w
 const weighted = (vectors, weights) =>
   vectors.reduce((sum, v, i) => combine(1, sum, weights[i], v), scaled(0, vectors[0]));
 
-const nextLevel = (level, u) => level.slice(1).map((q, j) => arc(level[j], q, u));
+const nextLevel = (level, u, pair) => level.slice(1).map((q, j) => arc(level[j], q, u, pair, j));
 
 function levelsFrom(points, u) {
   const levels = [points];
-  for (let level = points; level.length > 1; level = levels.at(-1)) {
+  while (levels.at(-1).length > 1) {
     const name = levels.length > 1 ? `points of level ${levels.length - 1}` : "control";
-    refuseAntipodalAmong(level, [...level.slice(1), level.at(-1)], "{i} and {j}", name);
-    levels.push(nextLevel(level, u));
+    const pair = (j) => `${name}[${j}] and ${name}[${j + 1}]`;
+    levels.push(nextLevel(levels.at(-1), u, pair));
   }
   return levels;
 }
@@ -541,8 +542,11 @@ function refuseTwoWays(angles, tolerance, pair, sequence, apart) {
   const n = angles.length;
   const places = { h: (i + n - 1) % n, i, j: (i + 1) % n };
   const names = pair.replace(/{(.)}/g, (_, place) => `${sequence}[${places[place]}]`);
-  throw new DegenerateError(`${names} are ${apart}: no unique arc joins them`);
+  throw noArc(names, apart);
 }
+
+const noArc = (names, apart) =>
+  new DegenerateError(`${names} are ${apart}: no unique arc joins them`);
 
 /** Start a closed sequence later, or earlier by a negative number. */
 const rolled = (points, by) => points.map((_, i) => points.at((i + by) % points.length));

@@ -39,6 +39,7 @@ export function spinningByHand(
   const [first, second] = [unit(space), unit(body)];
   const exact = (t) => product(rotationMatrix(first, SPEED * t), rotationMatrix(second, SPEED * t));
   const right = exact(t);
+  const truth = times.map(exact);
   const turn = rotationMatrix(first, SPEED * t);
 
   const parts = {};
@@ -67,11 +68,10 @@ export function spinningByHand(
       name === "Euler, matrix" && !repair
         ? nearestRotation(matrix)
         : matrix.map((row) => scaled(1 / longest(matrix), row));
-    const off = (matrix, rotation) =>
-      DEGREES * axisAngle(product(transpose(turnOf(matrix)), rotation)).angle;
+    const off = (matrix, rotation) => DEGREES * apart(turnOf(matrix), rotation);
     const drawn = times.map(way);
     charts.longest[name] = drawn.map(longest);
-    charts.off[name] = drawn.map((matrix, k) => off(matrix, exact(times[k])));
+    charts.off[name] = drawn.map((matrix, k) => off(matrix, truth[k]));
     outputs[name] = `${edges}${longest(now).toFixed(2)}, ${off(now, right).toFixed(0)}${aside}`;
   });
   const grips = { space: { holds: ["space"] }, body: { turn, holds: ["body"] } };
@@ -83,6 +83,12 @@ function beside(tip, side) {
   const angle = Math.atan2(dot(tip, UPWARDS), dot(tip, ACROSS)) + side * ASLANT;
   const aside = combine(0.42 * Math.cos(angle), ACROSS, 0.3 * Math.sin(angle), UPWARDS);
   return combine(1, tip, 1, aside);
+}
+
+/** The angle between two rotations, from the chord between their matrices, sqrt(8) sin(angle / 2). */
+function apart(a, b) {
+  const chord = length(combine(1, a.flat(), -1, b.flat()));
+  return 2 * Math.asin(Math.min(chord / Math.sqrt(8), 1));
 }
 
 const longest = (matrix) => Math.max(...transpose(matrix).map(length));

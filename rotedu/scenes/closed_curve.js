@@ -32,7 +32,8 @@ const STEP = 3e-4;
 const CROWDED = 0.19;
 // How long a hair is for a curvature of 1, and at most, as an arc.
 const [HAIR, LONGEST] = [0.09, 0.5];
-const SAMPLES = 25;
+// Of the whole curve, and of each piece at least.
+const [SAMPLES, LEAST] = [96, 16];
 // Samples from one target of the camera to the next.
 const LEG = 24;
 const TIMES = Array.from({ length: LEG }, (_, i) => i / LEG);
@@ -49,15 +50,17 @@ export function closedCurveByHand({ points, u, fraction }, { most }) {
   const control = p.map((point, i) => [point, a[i], b[(i + 1) % n], p[(i + 1) % n]]);
   const segment = Math.min(Math.floor(u * n), n - 1);
   const within = u * n - segment;
-  const samples = closedCurve(p, 40, fraction);
+  const share = Math.max(Math.round(SAMPLES / n), LEAST);
+  const times = spread(share + 1);
+  const samples = closedCurve(p, share, fraction);
   const curve = [...samples, samples[0]];
   const [now] = motion(control[segment], [within]);
-  const motions = control.map((four) => motion(four, spread(SAMPLES)));
+  const motions = control.map((four) => motion(four, times));
   const shape = {
     parts: {
       curve: { paths: [curve] },
       polygon: { paths: arcs([...b, ...p, ...a], [...p, ...a, ...control.map((four) => four[2])]) },
-      ...comb(motions, now, segment, within),
+      ...comb(motions, now, segment, times.filter((x) => x < within).length),
       C: { at: now.here },
     },
     grips: { u: { path: curve, holds: ["C"] }, points: { holds: p.map((_, i) => `P_${i}`) } },
@@ -67,8 +70,7 @@ export function closedCurveByHand({ points, u, fraction }, { most }) {
 }
 
 /** Hairs on the outer side of the curve up to a place on it, as long as it is curved there. */
-function comb(motions, now, segment, within) {
-  const before = spread(SAMPLES).filter((x) => x < within).length;
+function comb(motions, now, segment, before) {
   const pieces = [...motions.slice(0, segment), [...motions[segment].slice(0, before), now]];
   const tips = pieces.map((piece) => piece.map(hairTip));
   const hairs = pieces.flatMap((piece, i) => piece.map(({ here }, k) => [here, tips[i][k]]));

@@ -3,6 +3,7 @@ import { along, cross, dot, unit } from "./vectors.js";
 
 const SIDES = 8;
 const AROUND = 20;
+const NOWHERE = [0, 0, 0];
 
 /**
  * Round lines through points.
@@ -51,13 +52,12 @@ const [ROUND_TUBE, ROUND_ARROW] = [circle(SIDES), circle(AROUND)];
 
 /** Write one line; the ring of each point is turned as little as possible from the one before. */
 function tube({ positions, normals }, path, radius, at) {
-  let n = [0, 0, 0];
+  const steps = path.slice(1).map((point, i) => unit(along(point, -1, path[i])));
+  let n = NOWHERE;
   let last = n;
   for (const [i, point] of path.entries()) {
-    const [before, after] = [path[i - 1] ?? point, path[i + 1] ?? point];
     // At a corner a ring halves the angle.
-    const [into, on] = [unit(along(point, -1, before)), unit(along(after, -1, point))];
-    const t = unit(along(into, 1, on));
+    const t = unit(along(steps[i - 1] ?? NOWHERE, 1, steps[i] ?? NOWHERE));
     n = i ? carried(n, last, t) : beside(path, t);
     n = unit(along(n, -dot(n, t), t));
     last = t;

@@ -48,7 +48,9 @@ export class Chart {
   draw(curves, value) {
     const { box, lines, marks, plot, specs, over, x, y } = this;
     for (const [curve, heights] of Object.entries(curves)) {
-      lines.get(curve)?.setAttribute("d", path(heights, y));
+      const line = lines.get(curve);
+      line?.setAttribute("d", path(heights, y));
+      line?.toggleAttribute("data-cut", isCut(heights, y));
       // A curve that is not shown has no pieces.
       const pieces = heights ? piecesOf(heights).length : 0;
       if (pieces) marks.forEach((mark, i) => (mark.hidden = i >= pieces));
@@ -122,11 +124,10 @@ export function nameTops(curves, range) {
  * @param {number[]} range of its chart
  */
 export function path(curve, range) {
-  const [low, high] = range;
   const pieces = piecesOf(curve);
   const each = WIDTH / pieces.length;
   const paths = pieces.map((heights, i) => {
-    const shares = heights.map((value) => (value - low) / (high - low));
+    const shares = sharesOf(heights, range);
     const x = (k) => (i + k / (heights.length - 1)) * each;
     const points = shares.map((share, k) => {
       const y = HEIGHT * (1 - Math.min(1.05, Math.max(-0.05, share)));
@@ -137,6 +138,13 @@ export function path(curve, range) {
   });
   return paths.join("");
 }
+
+/** Whether a curve leaves its chart and is cut off there, which takes a browser longer to draw. */
+export const isCut = (curve, range) =>
+  piecesOf(curve).some((heights) => cutOff(sharesOf(heights, range)).length > 0);
+
+/** How far up in its chart a curve is. @type {(heights: number[], range: number[]) => number[]} */
+const sharesOf = (heights, [low, high]) => heights.map((value) => (value - low) / (high - low));
 
 /** Where a curve is beyond its chart: the middle of each such stretch, and the edge, 1 or 0. */
 function cutOff(shares) {

@@ -3,7 +3,7 @@
  * which they are read and reached by Tab. The build of a page and a notebook write the same, switched
  * off until the figure is live; `panel.js` finds everything in it by name.
  */
-import { HEIGHT, nameTops, path, WIDTH } from "./chart.js";
+import { HEIGHT, isCut, nameTops, path, WIDTH } from "./chart.js";
 import { toText } from "./link.js";
 import { outputText, plain } from "./speak.js";
 
@@ -131,7 +131,7 @@ function chartHtml(chart, curves, values, inputs) {
     `style="color: ${colors[curve] ?? "inherit"}"${dashed.includes(curve) ? " data-dashed" : ""}`;
   const lines = entries.map(
     ([curve, heights]) =>
-      `<path data-curve="${quoted(curve)}" d="${path(heights, y)}" ${look(curve)}/>`,
+      `<path data-curve="${quoted(curve)}" d="${path(heights, y)}" ${look(curve)}${isCut(heights, y) ? " data-cut" : ""}/>`,
   );
   const keys =
     entries.length > NAMED ? entries.map(([curve]) => `<span ${look(curve)}>${curve}</span>`) : [];

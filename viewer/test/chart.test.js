@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { nameTops, path } from "../src/chart.js";
+import { isCut, nameTops, path } from "../src/chart.js";
 import { points } from "./near.js";
 
 const RANGE = [-1, 1];
@@ -16,7 +16,9 @@ test("an arrow stands in the middle of what a chart cuts off, at its edge", () =
   assert.equal(line, "0.0,64.0 80.0,-6.4 160.0,-6.4 240.0,64.0 320.0,134.4");
   const wanted = ["116.0,7.0 120.0,0.0 124.0,7.0", "316.0,121.0 320.0,128.0 324.0,121.0"];
   assert.deepEqual(arrows, wanted);
+  assert.ok(isCut([0, 2, 2, 0, -3], RANGE));
   // What only rounding puts beyond an edge is on it.
+  assert.ok(!isCut([-1 - 2e-16, 0, 1 + 3e-16], RANGE));
   assert.equal(path([-1 - 2e-16, 0, 1 + 3e-16], RANGE).split("M").length, 2);
 });
 

@@ -52,10 +52,11 @@ export function closedCurveByHand({ points, u, fraction }, { most }) {
   const within = u * n - segment;
   const share = Math.max(Math.round(SAMPLES / n), LEAST);
   const times = spread(share + 1);
-  const samples = closedCurve(p, share, fraction);
-  const curve = [...samples, samples[0]];
+  // Refuses a curve that could go two ways.
+  closedCurve(p, 1, fraction);
   const [now] = motion(control[segment], [within]);
   const motions = control.map((four) => motion(four, times));
+  const curve = [p[0], ...motions.flatMap(([, ...later]) => later.map(({ here }) => here))];
   const shape = {
     parts: {
       curve: { paths: [curve] },

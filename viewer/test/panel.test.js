@@ -128,6 +128,8 @@ test("a chart has its curves, names, marks and the place of its input, while it 
   const said = ["x1", "x2"].map((end) => find("[data-mark]").getAttribute(end));
   said.push(...["now", "text"].map((what) => find("svg").getAttribute(`aria-value${what}`)));
   assert.deepEqual(said, ["240", "240", "2.5", "u 2.5"]);
+  const isCut = (far) => shown([0, far], null) && find("[data-curve=one]").matches("[data-cut]");
+  assert.deepEqual([isCut(2), isCut(1)], [true, false]);
 });
 
 test("along a chart a number is dragged, and moved by keys", () => {

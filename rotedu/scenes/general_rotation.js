@@ -1,6 +1,7 @@
 /* Models of Chapter 4. */
 import {
   DEGREES,
+  degreesBetween,
   IDENTITY,
   ORIGIN,
   placing,
@@ -202,12 +203,6 @@ function twoWays(angles) {
   }
   const { axis, angle } = axisAngle(end);
   return [byAngles, (t) => rotationMatrix(axis, t * angle)];
-}
-
-/** The angle between orientations that are close together. */
-function degreesBetween(before, after) {
-  const change = before.flatMap((row, i) => combine(1, row, -1, after[i]));
-  return 2 * DEGREES * Math.asin(length(change) / Math.sqrt(8));
 }
 
 /** The Euler angles of a matrix nearest to given ones, in degrees, which stay if they fit. */

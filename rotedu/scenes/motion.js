@@ -1,5 +1,17 @@
 /* Model of page A. */
-import { box, DEGREES, IDENTITY, ORIGIN, placing, scaled, shown, spread, U, W } from "./parts.js";
+import {
+  box,
+  DEGREES,
+  degreesBetween,
+  IDENTITY,
+  ORIGIN,
+  placing,
+  scaled,
+  shown,
+  spread,
+  U,
+  W,
+} from "./parts.js";
 import {
   axisAngle,
   combine,
@@ -68,7 +80,7 @@ export function spinningByHand(
       name === "Euler, matrix" && !repair
         ? nearestRotation(matrix)
         : matrix.map((row) => scaled(1 / longest(matrix), row));
-    const off = (matrix, rotation) => DEGREES * apart(turnOf(matrix), rotation);
+    const off = (matrix, rotation) => degreesBetween(turnOf(matrix), rotation);
     const drawn = times.map(way);
     charts.longest[name] = drawn.map(longest);
     charts.off[name] = drawn.map((matrix, k) => off(matrix, truth[k]));
@@ -83,12 +95,6 @@ function beside(tip, side) {
   const angle = Math.atan2(dot(tip, UPWARDS), dot(tip, ACROSS)) + side * ASLANT;
   const aside = combine(0.42 * Math.cos(angle), ACROSS, 0.3 * Math.sin(angle), UPWARDS);
   return combine(1, tip, 1, aside);
-}
-
-/** The angle between two rotations, from the chord between their matrices, sqrt(8) sin(angle / 2). */
-function apart(a, b) {
-  const chord = length(combine(1, a.flat(), -1, b.flat()));
-  return 2 * Math.asin(Math.min(chord / Math.sqrt(8), 1));
 }
 
 const longest = (matrix) => Math.max(...transpose(matrix).map(length));

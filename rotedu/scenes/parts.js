@@ -63,6 +63,12 @@ export function facing(direction) {
   return columns([direction, left, cross(direction, left)], direction);
 }
 
+/** The angle between two rotations: the chord between their matrices is sqrt(8) sin(angle / 2). */
+export function degreesBetween(a, b) {
+  const chord = length(a.flatMap((row, i) => combine(1, row, -1, b[i])));
+  return 2 * DEGREES * Math.asin(Math.min(chord / Math.sqrt(8), 1));
+}
+
 /** Arcs from each point to another. */
 export function arcs(starts, ends) {
   const t = spread(13);

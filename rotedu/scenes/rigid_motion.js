@@ -27,7 +27,8 @@ const SKINS = {
 const HALF = 180;
 // At half a turn there are two averages: those of turns that are less or more by this, in degrees.
 const NEAR = 0.01;
-// On top of a ring.
+// A ring, and where on it is the top.
+const ROUND = turning(V, U, 2 * Math.PI, SIDES).slice(1);
 const TOP = SIDES / 4 - 1;
 // Steps of the path of the vertex, and where the hand is held.
 const [STEP, PALM] = [5, 3.9];
@@ -125,13 +126,10 @@ function poseAt(skin, { elbow, wrist, bands }, bones, x) {
 }
 
 /** Where a pose takes a point. */
-const at = (pose, point) => pose.map((row) => dot(row, [...point, 1]));
+const at = (pose, point) => pose.map((row) => dot(point, row) + row[3]);
 
 /** Points round the arm, given how far along it, how wide and how thick they are. */
-const ringOf = ([x, wide, thick]) =>
-  turning(V, U, 2 * Math.PI, SIDES)
-    .slice(1)
-    .map(([, v, w]) => [x, wide * v, thick * w]);
+const ringOf = ([x, wide, thick]) => ROUND.map(([, v, w]) => [x, wide * v, thick * w]);
 
 /** How many times as long the skin is, along the arm and where it is stretched most. */
 function stretch(rest, moved) {

@@ -210,11 +210,9 @@ export function axisAngle(matrix) {
   };
 }
 
-/** Multiply two matrices: `rotedu._vectors.product`. */
-export function product(a, b) {
-  const columns = transpose(b);
-  return a.map((row) => columns.map((column) => dot(row, column)));
-}
+/** Multiply two 3x3 matrices: `rotedu._vectors.product`. */
+export const product = (a, b) =>
+  a.map(([u, v, w]) => combine(1, combine(u, b[0], v, b[1]), w, b[2]));
 
 /** Exchange rows and columns: `rotedu._vectors.transpose`. */
 export const transpose = (a) => a[0].map((_, j) => a.map((row) => row[j]));
@@ -562,13 +560,12 @@ function rotation(matrix) {
   if (!(off <= ASKEW && dot(cross(u, v), w) > 0)) {
     throw new RangeError("the matrix is not a rotation");
   }
-  const nearest = straightened(matrix);
+  const nearest = straightened(matrix, squares);
   // One step is enough for half of the digits, and three are for what is coarser.
   return off <= 2 * ANTIPODAL ? nearest : straightened(straightened(nearest));
 }
 
 /** Take a step of Newton's method for the polar decomposition: right digits double. */
-function straightened(matrix) {
-  const squares = product(transpose(matrix), matrix);
+function straightened(matrix, squares = product(transpose(matrix), matrix)) {
   return product(matrix, squares).map((row, i) => combine(3 / 2, matrix[i], -1 / 2, row));
 }

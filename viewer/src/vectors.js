@@ -9,11 +9,14 @@ export const cross = (a, b) => [
 ];
 
 /** The point that lies so far from another in a direction. */
-export const along = (point, distance, direction) =>
-  point.map((x, i) => x + distance * direction[i]);
+export const along = (point, distance, direction) => [
+  point[0] + distance * direction[0],
+  point[1] + distance * direction[1],
+  point[2] + distance * direction[2],
+];
 
 /** A vector of length 1; one of length 0 stays. */
 export function unit(vector) {
-  const length = Math.hypot(...vector) || 1;
+  const length = Math.sqrt(vector.reduce((sum, x) => sum + x * x, 0)) || 1;
   return vector.map((x) => x / length);
 }

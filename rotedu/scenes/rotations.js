@@ -56,7 +56,7 @@ export function unit(v) {
 export const angleBetween = (p, q) => theta(...units([p, q]));
 
 /** A point of the shortest arc (5-2): `rotedu.arcs.slerp`. */
-export const slerp = (p, q, t) => arc(...units([p, q]), t);
+export const slerp = (p, q, t) => arc(...units([p, q]))(t);
 
 /** A point of the chord, projected onto the sphere: `rotedu.arcs.nlerp`. */
 export function nlerp(p, q, t) {
@@ -83,18 +83,15 @@ export function controlPoints(points, fraction = 1 / 2) {
   refuseAntipodalAmong(doubled, after, "Double({h}, {i}) and {j}");
   const middle = doubled.map((q, i) => unit(combine(1, q, 1, after[i])));
   refuseAntipodalAmong(p, middle, "{i} and Bisect(Double({h}, {i}), {j})");
-  const a = p.map((q, i) => arc(q, middle[i], fraction));
+  const a = p.map((q, i) => arc(q, middle[i])(fraction));
   return { a, b: a.map((q, i) => reflected(q, p[i])) };
 }
 
 /** All points of de Casteljau's construction: `rotedu.closed_curve.de_casteljau_levels`. */
-export const deCasteljauLevels = (control, u) => levelsFrom(units(control), u);
+export const deCasteljauLevels = (control, u) => levelsFrom(units(control))(u);
 
 /** Points of a Bezier curve on the sphere: `rotedu.closed_curve.de_casteljau`, for a list of u. */
-export function deCasteljau(control, places) {
-  const points = units(control);
-  return places.map((u) => levelsFrom(points, u).at(-1)[0]);
-}
+export const deCasteljau = (control, places) => places.map(arcsOfArcs(units(control)));
 
 /** Points of a closed curve, `samples` on each segment: `rotedu.closed_curve.closed_curve`. */
 export function closedCurve(points, samples = 100, fraction = 1 / 2) {
@@ -376,8 +373,8 @@ export function blendDualQuaternions(poses, weights) {
 
 const theta = (p, q) => 2 * Math.atan2(length(combine(1, q, -1, p)), length(combine(1, p, 1, q)));
 
-/** A point of an arc; `pair` and j name its ends where there is none. */
-function arc(p, q, t, pair = (_j) => "p and q", j = 0) {
+/** An arc: its point at t. Where there is none, `pair` and j name the ends. */
+function arc(p, q, pair = (_j) => "p and q", j = 0) {
   const chord = combine(1, q, -1, p);
   const sum = combine(1, p, 1, q);
   // Near pi rounding tilts the short middle; put it back at a right angle.
@@ -386,10 +383,12 @@ function arc(p, q, t, pair = (_j) => "p and q", j = 0) {
   const along = length(middle);
   const half = Math.atan2(across, along);
   if (2 * half >= Math.PI - ANTIPODAL) throw noArc(pair(j), "antipodal");
-  const h = Math.tan((t - 1 / 2) * half);
-  const cos = (1 - h * h) / (1 + h * h);
-  const sin = (2 * h) / (1 + h * h);
-  return combine(cos / along, middle, sin / (across || 1), chord);
+  return (t) => {
+    const h = Math.tan((t - 1 / 2) * half);
+    const cos = (1 - h * h) / (1 + h * h);
+    const sin = (2 * h) / (1 + h * h);
+    return combine(cos / along, middle, sin / (across || 1), chord);
+  };
 }
 
 const reflected = (p, q) => combine(2 * dot(p, q), q, -1, p);
@@ -402,54 +401,66 @@ const shares = (weights) => scaled(1 / weights.reduce((sum, x) => sum + x, 0), w
 const weighted = (vectors, weights) =>
   vectors.reduce((sum, v, i) => combine(1, sum, weights[i], v), scaled(0, vectors[0]));
 
-const nextLevel = (level, u, pair) => level.slice(1).map((q, j) => arc(level[j], q, u, pair, j));
+/** The arcs from each point of a level to the next. */
+function arcsOf(points, level) {
+  const name = level ? `points of level ${level}` : "control";
+  const pair = (j) => `${name}[${j}] and ${name}[${j + 1}]`;
+  return points.slice(1).map((q, j) => arc(points[j], q, pair, j));
+}
 
-function levelsFrom(points, u) {
-  const levels = [points];
-  while (levels.at(-1).length > 1) {
-    const name = levels.length > 1 ? `points of level ${levels.length - 1}` : "control";
-    const pair = (j) => `${name}[${j}] and ${name}[${j + 1}]`;
-    levels.push(nextLevel(levels.at(-1), u, pair));
-  }
-  return levels;
+/** All levels of de Casteljau's construction at u; the arcs between the given points stay. */
+function levelsFrom(points) {
+  const given = arcsOf(points, 0);
+  return (u) => {
+    const levels = [points];
+    for (let arcs = given; arcs.length; arcs = arcsOf(levels.at(-1), levels.length - 1)) {
+      levels.push(arcs.map((at) => at(u)));
+    }
+    return levels;
+  };
+}
+
+function arcsOfArcs(points) {
+  const levels = levelsFrom(points);
+  return (u) => levels(u).at(-1)[0];
 }
 
 /** Evaluate the segments of a closed curve, given their parts: `rotedu.closed_curve.sampled`. */
 function sampled(curve, parts, samples) {
   return parts[0].flatMap((_, i) => {
-    const segment = parts.map((part) => part[i]);
-    return Array.from({ length: samples }, (_, k) => curve(segment, k / samples));
+    const at = curve(parts.map((part) => part[i]));
+    return Array.from({ length: samples }, (_, k) => at(k / samples));
   });
 }
 
-function arcsOfArcs(level, u) {
-  while (level.length > 1) level = nextLevel(level, u);
-  return level[0];
+/** @param {Quaternion[]} points */
+function arcTowardsArc([q, s, nextS, nextQ]) {
+  const [along, aims] = [arc(q, nextQ), arc(s, nextS)];
+  const pair = () => "points of the arcs from q and s";
+  return (u) => arc(along(u), aims(u), pair)(2 * u * (1 - u));
 }
 
-/** @param {Quaternion[]} points @param {number} u */
-function arcTowardsArc([q, s, nextS, nextQ], u) {
-  const [onArc, aim] = [arc(q, nextQ, u), arc(s, nextS, u)];
-  refuseAntipodal(theta(onArc, aim), "points of the arcs from q and s");
-  return arc(onArc, aim, 2 * u * (1 - u));
-}
+/** @param {Vector[]} ends @returns {(u: number) => Vector} */
+const cubic =
+  ([value, rate, nextRate, nextValue]) =>
+  (u) => {
+    const begin = combine((1 - u) ** 2 * (1 + 2 * u), value, (1 - u) ** 2 * u, rate);
+    const end = combine(u ** 2 * (3 - 2 * u), nextValue, -(u ** 2) * (1 - u), nextRate);
+    return combine(1, begin, 1, end);
+  };
 
-/** @param {Vector[]} ends @param {number} u */
-function cubic([value, rate, nextRate, nextValue], u) {
-  const begin = combine((1 - u) ** 2 * (1 + 2 * u), value, (1 - u) ** 2 * u, rate);
-  const end = combine(u ** 2 * (3 - 2 * u), nextValue, -(u ** 2) * (1 - u), nextRate);
-  return combine(1, begin, 1, end);
-}
-
-function follow([start, ...route], u) {
-  let turn = scaled(u, route[0]);
-  while (route.length > 1) {
-    route = route.slice(1).map((w, i) => oneTurn(scaled(1 - u, route[i]), scaled(u, w)));
-    turn = oneTurn(turn, scaled(u, route[0]));
-  }
-  const angle = length(turn);
-  return angle ? product(start, rotationMatrix(turn, angle)) : start;
-}
+const follow =
+  ([start, ...turns]) =>
+  (u) => {
+    let route = turns;
+    let turn = scaled(u, route[0]);
+    while (route.length > 1) {
+      route = route.slice(1).map((w, i) => oneTurn(scaled(1 - u, route[i]), scaled(u, w)));
+      turn = oneTurn(turn, scaled(u, route[0]));
+    }
+    const angle = length(turn);
+    return angle ? product(start, rotationMatrix(turn, angle)) : start;
+  };
 
 /** One turn in place of two: `rotedu.orientation_curves.one_turn`. */
 function oneTurn(v, w) {

@@ -1,6 +1,7 @@
 """The figures in three dimensions: they show what their functions promise."""
 
 import gzip
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -19,6 +20,7 @@ from rotedu.figures.pages import in_two, light_poster
 from rotedu.figures.state import record_of
 from rotedu.ordinary_rotation import rotate
 from rotedu.scenes import control_points as construction
+from rotedu.scenes.balance import WORKS
 from rotedu.scenes.ordinary_rotation import VECTOR_BY_HAND
 from rotedu.scenes.room import camera
 
@@ -110,16 +112,25 @@ def test_figure_1_turns_its_vector() -> None:
         np.testing.assert_allclose(plotter.record.parts[name]["to"], turned)
 
 
-def test_figure_1_stays_in_the_picture_when_its_axis_is_tilted() -> None:
+def tilted() -> Iterator[dict[str, Any]]:
+    """Inputs of Figure 1, with its axis and its vector in any direction."""
     rng = np.random.default_rng(1)
-    plotter = scenes.figure_1_by_hand()
-    cases = []
     for vector, axis in rng.normal(size=(20, 2, 3)):
         vector *= np.linalg.norm(VECTOR_BY_HAND) / np.linalg.norm(vector)
         theta, around = rng.uniform(0, 360, 2)
-        turn = {"axis": axis, "theta": theta, "around": around}
-        cases.append({"vector": vector, "drawn": 3, **turn})
-    for state in states("figure_1_by_hand", cases):
+        yield {"vector": vector, "drawn": 3, "axis": axis, "theta": theta, "around": around}
+
+
+@pytest.mark.parametrize(
+    ("name", "cases"),
+    [
+        ("figure_1_by_hand", tilted()),
+        ("the_balance_of_works", ({"work": w, "decades": n} for w in WORKS for n in range(5))),
+    ],
+)
+def test_what_moves_far_stays_in_the_picture(name: str, cases: Iterator[dict[str, Any]]) -> None:
+    plotter = getattr(scenes, name)()
+    for state in states(name, list(cases)):
         parts = [part for part in state["parts"].values() if not part.get("hidden")]
         places = [place for part in parts for place in part.values() if np.size(place) > 1]
         points = np.vstack([np.reshape(p, (-1, 3)) for p in places if np.size(p) % 3 == 0])

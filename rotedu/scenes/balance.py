@@ -55,7 +55,7 @@ def balance(state: State, what: str) -> pyvista.Plotter:
 
     ``what`` says which number that is.
     """
-    plotter = new_scene((0, -9, 1.6), (0, 0, -0.12), view_angle=21, size=(720, 440))
+    plotter = new_scene((0, -9, 1.6), (0, 0, 0.04), view_angle=22.5, size=(720, 440))
     spoon = teaspoon(stations=17, around=8)
     spoon.points *= 0.18
     places = heap_of_spoons()

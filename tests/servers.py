@@ -48,4 +48,9 @@ def jupyterlab(
     until(lambda: answers(f"{url}/api"), f"JupyterLab in {folder}")
     yield url
     server.terminate()
-    server.wait()
+    try:
+        server.wait(30)
+    except subprocess.TimeoutExpired:
+        # Its loop has ended, but a thread at work for it may wait for ever.
+        server.kill()
+        server.wait()

@@ -124,13 +124,13 @@ def tilted() -> Iterator[dict[str, Any]]:
 @pytest.mark.parametrize(
     ("name", "cases"),
     [
-        ("figure_1_by_hand", tilted()),
-        ("the_balance_of_works", ({"work": w, "decades": n} for w in WORKS for n in range(5))),
+        ("figure_1_by_hand", [*tilted()]),
+        ("the_balance_of_works", [{"work": w, "decades": n} for w in WORKS for n in range(5)]),
     ],
 )
-def test_what_moves_far_stays_in_the_picture(name: str, cases: Iterator[dict[str, Any]]) -> None:
+def test_what_moves_far_stays_in_the_picture(name: str, cases: list[dict[str, Any]]) -> None:
     plotter = getattr(scenes, name)()
-    for state in states(name, list(cases)):
+    for state in states(name, cases):
         parts = [part for part in state["parts"].values() if not part.get("hidden")]
         places = [place for part in parts for place in part.values() if np.size(place) > 1]
         points = np.vstack([np.reshape(p, (-1, 3)) for p in places if np.size(p) % 3 == 0])

@@ -24,6 +24,7 @@ import {
   eulerAngles,
   length,
   nlerp,
+  product,
   quaternionFromAxisAngle,
   quaternionMatrix,
   quaternionProduct,
@@ -383,9 +384,8 @@ function roundArm(turned, places) {
     const [before, after] = [middle[i - 1] ?? point, middle[i + 1] ?? point];
     const tangent = unit(combine(1, after, -1, before));
     const outwards = rotateByQuaternion(turned[i], ARM);
-    const onto = rotationBetween(outwards, tangent);
-    const at = (side) => transform(onto, rotateByQuaternion(turned[i], side));
-    return sides.map((side) => combine(1, point, THICK, at(side)));
+    const turn = product(rotationBetween(outwards, tangent), quaternionMatrix(turned[i]));
+    return sides.map((side) => combine(1, point, THICK, transform(turn, side)));
   });
 }
 

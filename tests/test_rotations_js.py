@@ -68,6 +68,7 @@ PYTHON: dict[str, Callable[..., Any]] = {
     "rotationMatrix": rotation_matrix,
     "transform": transform,
     "axisAngle": lambda m: dict(zip(("axis", "angle"), axis_angle(m), strict=True)),
+    "turnBetween": lambda a, b: dict(zip(("axis", "angle"), axis_angle(a.T @ b), strict=True)),
     "product": np.matmul,
     "transpose": np.transpose,
     "slerpRotations": slerp_rotations,
@@ -207,6 +208,8 @@ def in_three_dimensions(rng: np.random.Generator) -> Iterator[Case]:
         yield Case("axisAngle", [m], allowed=1e-12 / np.sin(min(angle, np.pi / 2)))
         yield Case("quaternionFromMatrix", [m])
         yield Case("slerpRotations", [a := rotation_matrix(axis, t), a @ m, t])
+    start = rotation_matrix(axis, angle)
+    yield from calls("turnBetween", *([start, start @ rotation_matrix(v, t)] for t in (0.01, 1, 3)))
     for scale in (0.3, 1):
         sizes = scale * rng.normal(size=rng.integers(3, 9))
         given = rotation_matrix(rng.normal(size=(len(sizes), 3)), sizes)

@@ -1,14 +1,13 @@
 /* Model of page B. */
 import { DEGREES, ORIGIN, placing, scaled, shown } from "./parts.js";
 import {
-  axisAngle,
   combine,
   length,
   nearestRotation,
-  product,
   quaternionMatrix,
   singularValues,
   transpose,
+  turnBetween,
   unit,
 } from "./rotations.js";
 
@@ -81,4 +80,4 @@ function meanOfQuaternions(q) {
 const sum = (rows) => transpose(rows).map((column) => column.reduce((a, b) => a + b));
 
 /** The angle of the turn from one orientation to another, in degrees. */
-const between = (a, b) => DEGREES * axisAngle(product(transpose(a), b)).angle;
+const between = (a, b) => DEGREES * turnBetween(a, b).angle;

@@ -28,7 +28,7 @@ import {
   rotationMatrix,
   slerpRotations,
   transform,
-  transpose,
+  turnBetween,
   unit,
 } from "./rotations.js";
 
@@ -85,7 +85,7 @@ export function threeTurnsByHand({ u, v, w, order, axes }, { factors, carried })
     return { end: soFar, written: written.map((letter) => factors[letter]).join(" ") };
   });
   const [upper, lower] = rows;
-  const apart = DEGREES * axisAngle(product(transpose(upper.end), lower.end)).angle;
+  const apart = DEGREES * turnBetween(upper.end, lower.end).angle;
   return { parts, labels, grips, outputs: { apart, upper: upper.written, lower: lower.written } };
 }
 

@@ -4,11 +4,10 @@ import {
   axisAngle,
   combine,
   matrixFromEulerAngles,
-  product,
   quaternionFromAxisAngle,
   rotationMatrix,
   transform,
-  transpose,
+  turnBetween,
 } from "./rotations.js";
 
 const SHARES = spread(41);
@@ -43,7 +42,7 @@ export function onTheWay({ share }, { axis, angle, angles }) {
     parts,
     labels: {},
     grips: { share: { path: parts["mechanic's path"].paths[0], holds: ["mechanic"] } },
-    outputs: { off: DEGREES * axisAngle(product(transpose(right), missed)).angle },
+    outputs: { off: DEGREES * turnBetween(right, missed).angle },
   };
 }
 

@@ -13,7 +13,6 @@ import {
   W,
 } from "./parts.js";
 import {
-  axisAngle,
   combine,
   cross,
   dot,
@@ -25,6 +24,7 @@ import {
   rotationMatrix,
   transform,
   transpose,
+  turnBetween,
   unit,
 } from "./rotations.js";
 
@@ -151,7 +151,7 @@ export function theDrone({ time }) {
   const roll = rotationMatrix(U, (QUARTER * Math.max(time - 1, 0)) / DEGREES);
   const [flies, logged] = [product(yaw, roll), product(roll, yaw)];
   const nose = (turn) => scaled(1.1, transform(turn, U));
-  const { angle } = axisAngle(product(transpose(flies), logged));
+  const { angle } = turnBetween(flies, logged);
   const off = (place) => shown(time > 1 && place);
   return {
     parts: {

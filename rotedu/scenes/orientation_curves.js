@@ -5,15 +5,14 @@
 import { columns, DEGREES, placing, scaled, shown, spread, W } from "./parts.js";
 import {
   angleBetween,
-  axisAngle,
   closedRotationCurve,
   combine,
+  deCasteljau,
   dot,
   double,
   length,
   nearestRotation,
   periodicSpline,
-  product,
   quaternionFromAxisAngle,
   quaternionFromMatrix,
   quaternionMatrix,
@@ -22,6 +21,7 @@ import {
   slerp,
   squad,
   transpose,
+  turnBetween,
   unit,
 } from "./rotations.js";
 
@@ -281,11 +281,8 @@ function timeline(q, most) {
 /** Films of rotation matrices, from quaternions: those that are wanted, by their names. */
 function filmsThrough(q, fraction, wanted) {
   const given = q.map(quaternionMatrix);
-  const arcs = () =>
-    q.flatMap((p, i) => {
-      const next = q[(i + 1) % q.length];
-      return Array.from({ length: PICTURES }, (_, k) => slerp(p, next, k / PICTURES));
-    });
+  const times = Array.from({ length: PICTURES }, (_, k) => k / PICTURES);
+  const arcs = () => q.flatMap((p, i) => deCasteljau([p, q[(i + 1) % q.length]], times));
   const entries = given.map((matrix) => matrix.flat());
   const rows = (m) => [m.slice(0, 3), m.slice(3, 6), m.slice(6)];
   const films = {
@@ -301,7 +298,7 @@ function filmsThrough(q, fraction, wanted) {
 /** The turns from picture to picture, in degrees a second, in pieces from pose to pose. */
 function filmSteps(film) {
   const turns = film.map((rotation, k) => {
-    const { axis, angle } = axisAngle(product(transpose(rotation), film[(k + 1) % film.length]));
+    const { axis, angle } = turnBetween(rotation, film[(k + 1) % film.length]);
     return scaled(PICTURES * DEGREES * angle, axis);
   });
   const starts = turns.map((_, k) => k).filter((k) => k % PICTURES === 0);

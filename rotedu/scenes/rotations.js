@@ -191,8 +191,14 @@ export function rotationMatrix(axis, angle) {
 export const transform = (matrix, point) => matrix.map((row) => dot(row, point));
 
 /** The axis and angle of a rotation matrix: `rotedu.ordinary_rotation.axis_angle`. */
-export function axisAngle(matrix) {
-  const products = sixteenProducts(rotation(matrix), 1);
+export const axisAngle = (matrix) => turnOf(rotation(matrix));
+
+/** The axis and angle of the turn from one orientation to another, both exact, as its body sees them. */
+export const turnBetween = (r1, r2) => turnOf(product(transpose(r1), r2));
+
+/** The axis and angle of an exact rotation matrix. */
+function turnOf(matrix) {
+  const products = sixteenProducts(matrix, 1);
   const squares = products.map((row, i) => row[i]);
   const [w, ...v] = products[squares.indexOf(Math.max(...squares))];
   const sine = length(v);
@@ -217,7 +223,7 @@ export const transpose = (a) => a[0].map((_, j) => a.map((row) => row[j]));
 /** An orientation on the shortest turn: `rotedu.orientations.slerp_rotations`. */
 export function slerpRotations(r1, r2, t) {
   const start = rotation(r1);
-  const { axis, angle } = axisAngle(product(transpose(start), rotation(r2)));
+  const { axis, angle } = turnBetween(start, rotation(r2));
   refuseTwoWays([angle], 64 * Number.EPSILON, "r1 and r2", "", "half a turn apart");
   return product(start, rotationMatrix(axis, t * angle));
 }
@@ -225,7 +231,7 @@ export function slerpRotations(r1, r2, t) {
 /** Orientations of a closed curve: `rotedu.orientation_curves.closed_rotation_curve`. */
 export function closedRotationCurve(rotations, samples = 100, fraction = 1 / 2) {
   const given = rotations.map(rotation);
-  const turns = rolled(given, 1).map((after, i) => axisAngle(product(transpose(given[i]), after)));
+  const turns = rolled(given, 1).map((after, i) => turnBetween(given[i], after));
   const angles = turns.map(({ angle }) => angle);
   refuseTwoWays(angles, 64 * Number.EPSILON, "{i} and {j}", "rotations", "half a turn apart");
   const toNext = turns.map(({ axis, angle }) => scaled(angle, axis));

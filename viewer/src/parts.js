@@ -9,11 +9,14 @@ const POINT = { across: 16, down: 11 };
 const GLASS = { across: 60, down: 30, share: Math.cos(Math.PI / 60) ** 2 };
 
 /**
- * Move a part.
+ * Move a part, unless it is already so.
  * @param {Part} part
  * @param {Change} change
  */
-export function move(part, { at, color, count, from, hidden, matrix, paths, points, to }) {
+export function move(part, change) {
+  if (alike(change, part.change)) return;
+  part.change = change;
+  const { at, color, count, from, hidden, matrix, paths, points, to } = change;
   const { objects, place, surface } = part;
   const { radius = 0, tip = 0 } = place;
   if (hidden !== undefined) for (const object of objects) object.visible = !hidden;
@@ -38,6 +41,13 @@ export function castShadow({ objects, ground }) {
   for (const { material } of ground ?? []) {
     material.uniforms.lying.value.setFromMatrix4(objects[0].matrix);
   }
+}
+
+/** Whether two changes, or what is in them, are the same. */
+function alike(a, b) {
+  if (!(a instanceof Object && b instanceof Object)) return a === b;
+  const names = Object.keys(a);
+  return names.length === Object.keys(b).length && names.every((name) => alike(a[name], b[name]));
 }
 
 /** Put a ball elsewhere; its points are where the scene was made. */

@@ -92,6 +92,7 @@
  * @typedef {{positions: Float32Array, normals: Float32Array, corners: Uint32Array, size: string}} Tubes
  * @typedef {object} Part
  * @property {Drawn[]} objects what draws it
+ * @property {Change} [change] the last one
  * @property {{at?: Point, radius?: number, tip?: number}} place as `rotedu.figures.state` recorded it
  * @property {Surface & {rest: ArrayLike<number>, positions: Float32Array}} [surface]
  * @property {Tubes} [tubes] its lines, if it has been drawn anew

@@ -97,6 +97,8 @@ test("lines follow their paths; with as many points they are written over", () =
   near([Math.min(...along(part, 2)), Math.max(...along(part, 2))], [0, 2]);
   near([Math.max(...along(part, 0))], [0.1], 1e-6);
   const isTold = drawn(part);
+  follow("0,0,0 0,0,2");
+  assert.ok(!isTold(), "the same again is left as it is");
   follow("0,0,0 0,0,5");
   assert.equal(part.objects[0].geometry, geometry);
   near([Math.max(...along(part, 2))], [5]);
@@ -135,7 +137,7 @@ test("a part takes its matrix, and what hides labels goes with it", () => {
   const rest = new Float32Array(points("0,0,0 1,0,0 1,1,2").flat());
   for (const surface of [{ rest, positions: rest.slice() }, undefined]) {
     const part = { ...square(), surface };
-    for (let i = 0; i < 2; i++) move(part, { matrix });
+    for (const given of [new Matrix4().toArray(), matrix]) move(part, { matrix: given });
     for (const object of part.objects) near(object.matrix.elements, matrix);
     if (surface) near(surface.positions, points("5,6,7 5,7,7 4,7,11").flat());
   }

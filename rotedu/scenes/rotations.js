@@ -35,7 +35,7 @@ export const length = (v) => Math.sqrt(dot(v, v));
 
 /** The sum s a + t b. */
 export function combine(s, a, t, b) {
-  const sum = new Array(a.length);
+  const sum = [];
   for (let i = 0; i < a.length; i++) sum[i] = s * a[i] + t * b[i];
   return sum;
 }

@@ -32,8 +32,8 @@ const STEP = 3e-4;
 const CROWDED = 0.19;
 // How long a hair is for a curvature of 1, and at most, as an arc.
 const [HAIR, LONGEST] = [0.09, 0.5];
-// Of the whole curve, and of each piece at least.
-const [SAMPLES, LEAST] = [96, 16];
+// Of the whole curve.
+const SAMPLES = 96;
 // Samples from one target of the camera to the next.
 const LEG = 24;
 const TIMES = Array.from({ length: LEG }, (_, i) => i / LEG);
@@ -50,8 +50,7 @@ export function closedCurveByHand({ points, u, fraction }, { most }) {
   const control = p.map((point, i) => [point, a[i], b[(i + 1) % n], p[(i + 1) % n]]);
   const segment = Math.min(Math.floor(u * n), n - 1);
   const within = u * n - segment;
-  const share = Math.max(Math.round(SAMPLES / n), LEAST);
-  const times = spread(share + 1);
+  const times = spread(Math.round(SAMPLES / n) + 1);
   // Refuses a curve that could go two ways.
   closedCurve(p, 1, fraction);
   const [now] = motion(control[segment], [within]);

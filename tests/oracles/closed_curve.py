@@ -30,9 +30,7 @@ def closed_curve_by_hand(points: Any, u: float, fraction: float) -> dict[str, An
     _, velocity_here, curvature_here = motion(control[segment], n * u - segment)
     # Refuses a curve that could go two ways.
     closed_curve(points, 1, fraction)
-    _, velocity, curvature = motion(
-        control[:, np.newaxis], np.linspace(0, 1, max(round(96 / n), 16) + 1)
-    )
+    _, velocity, curvature = motion(control[:, np.newaxis], np.linspace(0, 1, round(96 / n) + 1))
     speed = np.degrees(np.linalg.norm(velocity, axis=-1))
     jump = np.linalg.norm(velocity[:, 0] - np.roll(velocity[:, -1], 1, axis=0), axis=-1)
     jumps = abs(curvature[:, 0] - np.roll(curvature[:, -1], 1))

@@ -8,6 +8,7 @@ import {
   arcAxis,
   combine,
   cross,
+  deCasteljau,
   dot,
   rotationMatrix,
   slerp,
@@ -50,7 +51,7 @@ export function carriedAroundByHand({ corners, t }, { just_inside }) {
   const nearness = 1 + p.reduce((sum, point, i) => sum + dot(point, after[i]), 0);
   const area = 2 * Math.atan2(dot(p[0], cross(p[1], p[2])), nearness);
 
-  const sides = p.map((point, i) => spread(25).map((s) => slerp(point, after[i], s)));
+  const sides = p.map((point, i) => deCasteljau([point, after[i]], spread(25)));
   const roundOnce = spread(STEPS + 1);
   const soFar = roundOnce.map((x) => carried(Math.max(t, LEAST) * x));
   const tails = soFar.map(([at]) => at);
@@ -115,5 +116,5 @@ const arrow = (here, size) => ({ from: here[0], to: head(here, size) });
  */
 function triangle([p, q, r]) {
   const s = spread(13);
-  return s.flatMap((u) => s.map((v) => slerp(p, slerp(q, r, u), v)));
+  return s.flatMap((u) => deCasteljau([p, slerp(q, r, u)], s));
 }

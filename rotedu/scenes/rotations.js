@@ -471,11 +471,11 @@ const follow =
 /** One turn in place of two: `rotedu.orientation_curves.one_turn`. */
 function oneTurn(v, w) {
   const [a, b] = [length(v) / 2, length(w) / 2];
-  const [n, m] = [scaled(1 / (2 * a || 1), v), scaled(1 / (2 * b || 1), w)];
-  const [cosA, sinA, cosB, sinB] = [Math.cos(a), Math.sin(a), Math.cos(b), Math.sin(b)];
-  const cos = cosA * cosB - sinA * sinB * dot(n, m);
-  const sum = combine(sinA * cosB, n, cosA * sinB, m);
-  const axis = combine(1, sum, sinA * sinB, cross(n, m));
+  const [cosA, cosB] = [Math.cos(a), Math.cos(b)];
+  // Of v and w, what makes them as long as the sines.
+  const [s, t] = [Math.sin(a) / (2 * a || 1), Math.sin(b) / (2 * b || 1)];
+  const cos = cosA * cosB - s * t * dot(v, w);
+  const axis = combine(1, combine(s * cosB, v, cosA * t, w), s * t, cross(v, w));
   const sin = length(axis);
   return scaled((2 * Math.atan2(sin, cos)) / (sin || 1), axis);
 }

@@ -22,8 +22,8 @@ export function move(part, change) {
   if (hidden !== undefined) for (const object of objects) object.visible = !hidden;
   if (color) paint(objects, color);
   if (at) shift(objects, at, place.at ?? [0, 0, 0]);
-  if (paths) dress(part, (part.tubes = tubes(paths, radius, part.tubes)));
-  if (from && to) dress(part, arrow(from, to, radius, tip));
+  if (paths) dress(part, tubes(paths, radius, part.skin));
+  if (from && to) dress(part, arrow(from, to, radius, tip, part.skin));
   if (points) bend(part, points);
   if (count) for (const object of objects) object.count = count;
   if (matrix) {
@@ -85,18 +85,17 @@ function wrapped({ positions, normals, corners }) {
   return geometry;
 }
 
-/** Give a part the points of a new surface. */
-function dress(part, surface) {
-  const { corners } = surface;
+/** Give a part a new surface, or its own, written over. */
+function dress(part, skin) {
   const [{ geometry }] = part.objects;
-  if (part.corners === corners) {
+  if (part.skin === skin) {
     geometry.attributes.position.needsUpdate = true;
     geometry.attributes.normal.needsUpdate = true;
     geometry.boundingSphere = null;
     return;
   }
-  part.corners = corners;
-  replace(part, wrapped(surface));
+  part.skin = skin;
+  replace(part, wrapped(skin));
   geometry.dispose();
 }
 

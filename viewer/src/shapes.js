@@ -9,7 +9,7 @@ const NOWHERE = [0, 0, 0];
  * Round lines through points.
  * @param {number[][][]} paths
  * @param {number} radius
- * @param {import("./types.js").Tubes} [old] a surface to overwrite if it has as many points
+ * @param {import("./types.js").Skin} [old] a surface to overwrite if it has as many points
  */
 export function tubes(paths, radius, old) {
   const size = paths.map((path) => path.length).join();
@@ -26,11 +26,15 @@ function emptyTubes(paths, size) {
     for (let i = 0; i + 1 < length; i++) corners.push(...band(first + i * SIDES, SIDES));
     first += length * SIDES;
   }
+  return { ...empty(first, corners), size };
+}
+
+/** A surface whose points have no place yet. */
+function empty(count, corners) {
   return {
-    positions: new Float32Array(3 * first),
-    normals: new Float32Array(3 * first),
+    positions: new Float32Array(3 * count),
+    normals: new Float32Array(3 * count),
     corners: new Uint32Array(corners),
-    size,
   };
 }
 
@@ -95,6 +99,9 @@ function carried(vector, from, to) {
     : vector;
 }
 
+/** The faces of the shaft, of the back of the head and of the head, each between two rings. */
+const ARROW_FACES = [0, 2, 4].flatMap((ring) => band(ring * AROUND, AROUND));
+
 /** An axis that is not along a direction. */
 const aside = (t) => (Math.abs(t[0]) < 0.6 ? [1, 0, 0] : [0, 1, 0]);
 
@@ -104,8 +111,9 @@ const aside = (t) => (Math.abs(t[0]) < 0.6 ? [1, 0, 0] : [0, 1, 0]);
  * @param {number[]} to
  * @param {number} radius of the shaft
  * @param {number} share
+ * @param {import("./types.js").Skin} [old] the surface of an arrow, to overwrite
  */
-export function arrow(from, to, radius, share) {
+export function arrow(from, to, radius, share, old) {
   const axis = along(to, -1, from);
   const length = Math.hypot(...axis);
   const t = unit(axis);
@@ -124,23 +132,18 @@ export function arrow(from, to, radius, share) {
     // As VTK does at rest, the faces of a tip are averaged: what is left points along the arrow.
     [length, 0, 1, 0],
   ];
-  const places = rings.flatMap(([distance, across, up, out]) =>
-    ROUND_ARROW.map(([cosine, sine]) => {
-      const outwards = n.map((x, k) => cosine * x + sine * b[k]);
-      const middle = along(from, distance, t);
-      return [
-        along(middle, across, outwards),
-        along(
-          outwards.map((x) => out * x),
-          up,
-          t,
-        ),
-      ];
-    }),
-  );
-  return {
-    positions: new Float32Array(places.flatMap(([place]) => place)),
-    normals: new Float32Array(places.flatMap(([, normal]) => normal)),
-    corners: new Uint32Array([0, 2, 4].flatMap((ring) => band(ring * AROUND, AROUND))),
-  };
+  const surface = old ?? empty(rings.length * AROUND, ARROW_FACES);
+  const { positions, normals } = surface;
+  let at = 0;
+  for (const [distance, across, up, out] of rings) {
+    const middle = along(from, distance, t);
+    for (const [cosine, sine] of ROUND_ARROW) {
+      for (let k = 0; k < 3; k++, at++) {
+        const outwards = cosine * n[k] + sine * b[k];
+        positions[at] = middle[k] + across * outwards;
+        normals[at] = out * outwards + up * t[k];
+      }
+    }
+  }
+  return surface;
 }

@@ -89,14 +89,13 @@
  * @typedef {{positions: ArrayLike<number>, corners: ArrayLike<number>, seeThrough?: boolean}} Surface
  *   that hides labels: points, and three of them for each face
  * @typedef {import("three").Mesh<import("three").BufferGeometry, any>} Drawn
- * @typedef {{positions: Float32Array, normals: Float32Array, corners: Uint32Array, size: string}} Tubes
+ * @typedef {{positions: Float32Array, normals: Float32Array, corners: Uint32Array, size?: string}} Skin
  * @typedef {object} Part
  * @property {Drawn[]} objects what draws it
  * @property {Change} [change] the last one
  * @property {{at?: Point, radius?: number, tip?: number}} place as `rotedu.figures.state` recorded it
  * @property {Surface & {rest: ArrayLike<number>, positions: Float32Array}} [surface]
- * @property {Tubes} [tubes] its lines, if it has been drawn anew
- * @property {Uint32Array} [corners] of what it was drawn anew with
+ * @property {Skin} [skin] its lines or its arrow, if it has been drawn anew
  * @property {Drawn[]} [ground] what draws its shadow
  * @property {boolean} [own] whether its points belong to no other part
  */

@@ -64,6 +64,13 @@ test("a tube with as many points is written over the old one", () => {
   assert.notEqual(made("0,0,0 1,0,0 2,0,0", old).positions, old.positions);
 });
 
+test("an arrow is written over the old one", () => {
+  const made = (to, old) => arrow([0, 0, 1], to, 0.02, 0.8, old);
+  const old = made([0, 0, 2]);
+  assert.equal(made([2, 0, 1], old), old);
+  assert.deepEqual(old, made([2, 0, 1]));
+});
+
 test("an arrow is closed, whichever way it goes, and keeps its shape if it is short", () => {
   for (const way of WAYS) {
     for (const [length, tip] of points("1,0.18 0.2,0.1")) {

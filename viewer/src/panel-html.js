@@ -11,6 +11,8 @@ import { outputText, plain } from "./speak.js";
 const NAMED = 3;
 const INDEX = /[₀-₉ᵢ₊₋]+(?:,[₀-₉ᵢ₊₋]+)*/gu;
 const LOWERED = { ᵢ: "<i>i</i>", "₊": "+", "₋": "\u2212", ",": "," };
+// No line begins with a dot.
+const BETWEEN = "\u00a0·</span> <span>";
 const MORE = '<details class="explorable-more"><summary>More numbers</summary>';
 
 /**
@@ -50,7 +52,7 @@ export function panelHtml({ name, inputs, start, outputs, charts, tries, small }
     box("charts", drawn.join("")) +
     box("outputs", numbers("panel")) +
     (folded && `${MORE}${folded}</details>`) +
-    box("tries", links.length ? `<span>Try: </span>${links.join("\u00a0· ")}` : "") +
+    box("tries", links.length ? `<span>Try: </span><span>${links.join(BETWEEN)}</span>` : "") +
     "</fieldset></form>"
   );
 }

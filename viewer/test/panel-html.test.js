@@ -40,7 +40,10 @@ const SPEC = {
       ...{ colors: { one: "#654321" }, marks: ["P₀", "P₁", "P₂"], dashed: ["two"] },
     },
   ],
-  tries: [["further & on", { u: 2, way: "short" }]],
+  tries: [
+    ["further & on", { u: 2, way: "short" }],
+    ["back", { u: 0 }],
+  ],
 };
 const STATE = {
   outputs: { length: -1.25, fits: "yes", matrix: points("1,0 0,1") },
@@ -116,6 +119,6 @@ test("a chart has curves, names at their ends, marks for its pieces, and hairlin
 
 test("what to try is a sentence of links to states", () => {
   const tries = panel().querySelector(".explorable-tries");
-  assert.equal(tries.textContent, "Try: further & on");
+  assert.equal(tries.textContent, "Try: further & on\u00a0· back");
   assert.equal(tries.querySelector("a").getAttribute("href"), "#explore-some-figure?u=2&way=short");
 });

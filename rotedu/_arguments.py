@@ -233,7 +233,7 @@ ClosedPoints = Annotated[Array, Kind((("n", "d"),), 1, at_least(3, -2, unit_vect
 ClosedValues = Annotated[Array, Kind((("n", "d"),), 1, at_least(3, -2, why=TO_CLOSE))]
 ClosedRotations = Annotated[Array, Kind((("n", 3, 3),), 2, at_least(3, -3, rotations, TO_CLOSE))]
 Motion = Annotated[Array, Kind((("n", 3, 3),), 2, at_least(2, -3, rotations))]
-# What is gone through one after another stands in the very first axis.
+# The axis of what a body goes through one after another comes first.
 Vectors = Annotated[Array, Kind((("n", 3),), 2)]
 Matrices = Annotated[Array, Kind((("n", 3, 3),), 3)]
 Quaternions = Annotated[Array, Kind((("n", 4),), 2)]
@@ -290,14 +290,14 @@ def prepared(arguments: dict[str, tuple[Any, Kind]]) -> dict[str, Array]:
         _require_finite(name, array)
         arrays[name] = array = kind.prepare(name, array)
         axes = max(axes, array.ndim - kind.components)
-    _require_broadcasting(leading, arguments)
+    require_broadcasting(leading, {name: value for name, (value, _) in arguments.items()})
     return {name: kind.inside(arrays[name], axes) for name, (_, kind) in arguments.items()}
 
 
 def kept(result: Any) -> Array:
     """Return a result as an array with the dtype of the arguments.
 
-    To NumPy 1 a single float32 times a Python number is a float64.
+    In NumPy 1 a single float32 times a Python number is a float64.
     """
     array, dtype = np.asarray(result), _dtype.get()
     return array if dtype is None else _cast(array, dtype)
@@ -371,15 +371,13 @@ def _matching(
     raise ValueError(f"{name} must have shape {wanted_shapes}; got shape {array.shape}")
 
 
-def _require_broadcasting(
-    leading: list[tuple[int, ...]], arguments: dict[str, tuple[Any, Kind]]
-) -> None:
+def require_broadcasting(leading: list[tuple[int, ...]], arguments: dict[str, Any]) -> None:
     """Refuse leading axes that do not broadcast."""
     try:
         np.broadcast_shapes(*leading)
     except ValueError:
         names = " and ".join(arguments)
-        got = " and ".join(str(np.shape(value)) for value, _ in arguments.values())
+        got = " and ".join(str(np.shape(value)) for value in arguments.values())
         raise ValueError(f"{names} must broadcast over their leading axes; got {got}") from None
 
 

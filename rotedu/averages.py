@@ -1,6 +1,6 @@
 """Beyond the paper, page B: how far rotations are apart, and their mean.
 
-To average measurements, matrices and quaternions have to answer a new question: how far two
+When measurements are averaged, matrices and quaternions have to answer a new question: how far two
 rotations are apart.
 """
 
@@ -63,7 +63,7 @@ def chordal_distance(r1: Rotation, r2: Rotation) -> Number:
     -------
     ndarray, shape (...)
         The square root of the sum of the squared entries of R1 - R2, from 0 to 2 sqrt(2). While
-        `angular_distance` is along rotations, this is straight, through matrices that are none.
+        `angular_distance` is along rotations, this is straight, through other matrices.
 
     Notes
     -----
@@ -91,7 +91,7 @@ def mean_rotation(rotations: Rotations, weights: Weights = None) -> Rotation:
     rotations : array_like, shape (..., n, 3, 3)
         At least one rotation matrix.
     weights : array_like, shape (..., n), optional
-        How much each of them counts: numbers that are not negative, nor all zero. Only their
+        How much each of them counts: numbers that are not negative and not all zero. Only their
         ratios matter. Without them, all rotations count the same.
 
     Returns

@@ -7,7 +7,7 @@ on a sphere, and a map of this sphere takes five.
 import numpy as np
 
 from rotedu._arguments import Five, Rotation, Unit3, Vector, checked, place, rounding
-from rotedu._vectors import Array, cross, dot, length, unit
+from rotedu._vectors import Array, axis_and_length, cross, dot, length, safe_length, unit
 from rotedu.errors import DegenerateError
 
 __all__ = ["five_numbers", "matrix_from_five_numbers", "matrix_from_two_columns"]
@@ -52,7 +52,7 @@ def five_numbers(rotation: Rotation) -> Vector:
 
 @checked
 def matrix_from_five_numbers(numbers: Five) -> Rotation:
-    """Return the rotation of five numbers, also of such as belong to none exactly.
+    """Return the rotation of five numbers, even of those that belong to no rotation exactly.
 
     Parameters
     ----------
@@ -69,6 +69,11 @@ def matrix_from_five_numbers(numbers: Five) -> Rotation:
     rotedu.errors.DegenerateError
         If the two columns are parallel (to half of the digits), or one of them is zero.
 
+    Notes
+    -----
+    The column a is along (abs(x)^2 - 1, 2 x_1, 2 x_2), and b along (x_3, x_4, x_5). Large numbers
+    are scaled, so that no square overflows.
+
     Examples
     --------
     >>> print(matrix_from_five_numbers([0, 0, 0, 2.4142, 0]).round(3) + 0.0)
@@ -76,12 +81,13 @@ def matrix_from_five_numbers(numbers: Five) -> Rotation:
      [0. 1. 0.]
      [0. 0. 1.]]
     """
-    far = dot(numbers, numbers)
-    first = RADIUS * (far - 1) / (far + 1)
-    rest = numbers * (RADIUS - first)
-    a, b = np.stack([first, rest[0], rest[1]]), rest[2:]
-    refuse_parallel(a, b, length(a) * length(b))
-    return matrix_from_two_columns(unit(a), unit(b))
+    share = 1 / np.maximum(1, safe_length(numbers))
+    x = share * numbers
+    a, size = axis_and_length(np.stack([dot(x, x) - share**2, *(2 * share * x[:2])]))
+    b, other = axis_and_length(x[2:])
+    # A zero vector is parallel to all.
+    refuse_parallel(a, np.where((size == 0) | (other == 0), a, b), "the two columns of numbers")
+    return matrix_from_two_columns(a, b)
 
 
 @checked
@@ -128,8 +134,8 @@ def matrix_from_two_columns(a: Unit3, b: Unit3) -> Rotation:
     return np.stack(np.broadcast_arrays(a, second, cross(a, second)), axis=1)
 
 
-def refuse_parallel(a: Array, b: Array, sizes: Array | float = 1.0) -> None:
-    """Refuse vectors, of such a product of lengths, that are parallel, to half of the digits."""
-    parallel = length(cross(a, b)) <= rounding(a) ** 0.5 * sizes
+def refuse_parallel(a: Array, b: Array, columns: str = "a and b") -> None:
+    """Refuse unit vectors that are parallel, to half of the digits."""
+    parallel = length(cross(a, b)) <= rounding(a) ** 0.5
     if np.any(parallel):
-        raise DegenerateError(f"a and b{place(parallel)} are parallel: no unique second column")
+        raise DegenerateError(f"{columns}{place(parallel)} are parallel: no unique second column")

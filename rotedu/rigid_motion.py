@@ -20,6 +20,7 @@ from rotedu._arguments import (
     Weights,
     checked,
     place,
+    require_broadcasting,
     rounding,
 )
 from rotedu._vectors import Array, axis_and_length, cross, dot, length, product, times, transpose
@@ -51,7 +52,7 @@ class DualQuaternion:
     Raises
     ------
     ValueError
-        If a part is no `rotedu.quaternions.Quaternion`.
+        If a part is not a `rotedu.quaternions.Quaternion`, or the shapes do not broadcast.
 
     Notes
     -----
@@ -82,6 +83,8 @@ class DualQuaternion:
         for name in ("real", "dual"):
             if not isinstance(getattr(self, name), Quaternion):
                 raise ValueError(f"{name} must be a Quaternion; got {getattr(self, name)!r}")
+        parts = {"real": self.real.w, "dual": self.dual.w}
+        require_broadcasting([part.shape for part in parts.values()], parts)
 
     @classmethod
     @checked
@@ -147,6 +150,12 @@ class DualQuaternion:
             return NotImplemented
         return (self.real == other.real) & (self.dual == other.dual)
 
+    def __ne__(self, other: object) -> Any:
+        """Tell for each dual quaternion whether any component differs."""
+        if not isinstance(other, DualQuaternion):
+            return NotImplemented
+        return (self.real != other.real) | (self.dual != other.dual)
+
     __hash__ = None  # type: ignore[assignment]
 
     def conjugate(self) -> DualQuaternion:
@@ -178,8 +187,8 @@ class DualQuaternion:
         2.0 5.0
         """
         size = self.real.norm()
-        inner = np.sum(self.real.components * self.dual.components, axis=-1)
-        return size, np.asarray(inner / np.where(size == 0, 1, size))
+        direction = self.real.components / np.where(size == 0, 1, size)[..., np.newaxis]
+        return size, np.sum(direction * self.dual.components, axis=-1)
 
 
 @checked
@@ -317,6 +326,8 @@ def straight_motion(m1: Pose, m2: Pose, t: Number) -> HomogeneousMatrix:
     >>> print(straight_motion(a, b, 1 / 2).round(6)[:3, 3])
     [1.  0.  2.5]
     """
+    _, theta = axis_angle(product(transpose(m1[:3, :3]), m2[:3, :3]))
+    refuse_half_turn(theta, "m1 and m2")
     turned = slerp_rotations(m1[:3, :3], m2[:3, :3], t)
     return pose(turned, (1 - t) * m1[:3, 3] + t * m2[:3, 3])
 
@@ -330,7 +341,7 @@ def blend_matrices(matrices: Poses, weights: Weights, repair: bool = False) -> H
     matrices : array_like, shape (..., n, 4, 4)
         Rigid motions, those of the bones.
     weights : array_like, shape (..., n)
-        How much each of them counts: numbers that are not negative, nor all zero.
+        How much each of them counts: numbers that are not negative and not all zero.
     repair : bool, optional
         Whether to replace the mean of the rotations with the nearest rotation.
 
@@ -342,7 +353,8 @@ def blend_matrices(matrices: Poses, weights: Weights, repair: bool = False) -> H
     Raises
     ------
     rotedu.errors.DegenerateError
-        If several rotations are nearest, as for two that are half a turn apart.
+        If `repair` is true and several rotations are nearest to the mean of the matrices, as for
+        two that are half a turn apart.
 
     References
     ----------
@@ -369,7 +381,7 @@ def blend_dual_quaternions(matrices: Poses, weights: Weights) -> HomogeneousMatr
     matrices : array_like, shape (..., n, 4, 4)
         Rigid motions, those of the bones.
     weights : array_like, shape (..., n)
-        How much each of them counts: numbers that are not negative, nor all zero.
+        How much each of them counts: numbers that are not negative and not all zero.
 
     Returns
     -------

@@ -76,5 +76,13 @@ class TestFiveNumbers:
         numbers = RNG.normal(size=(1000, 5))
         found = matrix_from_five_numbers(numbers)
         close(found.swapaxes(1, 2) @ found, np.broadcast_to(np.eye(3), (1000, 3, 3)), 1e-12)
-        refuses("a and b are parallel: no unique second", matrix_from_five_numbers, np.zeros(5))
-        refuses("a and b at index (1,) are", matrix_from_five_numbers, [[0, 0, 0, 2.4, 0], [0] * 5])
+        two = "the two columns of numbers"
+        for columns in ([0] * 5, [0, 0, 1, 0, 0], [0, 0, 0, 1, 0], [2, 0, 0, 0, 0]):
+            refuses(f"{two} are parallel: no unique second", matrix_from_five_numbers, columns)
+        refuses(f"{two} at index (1,) are", matrix_from_five_numbers, [[0, 0, 0, 2.4, 0], [0] * 5])
+
+    @pytest.mark.parametrize("size", [1e9, 1e200])
+    def test_large_numbers_stand_near_the_pole(self, size: float) -> None:
+        numbers = RNG.normal(size=(1000, 5))
+        a, b = np.broadcast_to(E1, (1000, 3)), numbers[:, 2:]
+        close(matrix_from_five_numbers(size * numbers), matrix_from_two_columns(a, b), 1e-6)

@@ -85,6 +85,8 @@ class TestDualQuaternion:
         close(longer.norm(), [np.full(N, 3), np.full(N, -0.7)], 1e-13)
         assert (d == d).all()
         assert not (d == longer).any()
+        assert list(d != longer) == [True] * N
+        assert not (d != d).any()
 
     def test_parts_are_quaternions_and_not_zero(self) -> None:
         q, zero = Quaternion(1, [0, 0, 0]), Quaternion(0, [0, 0, 0])
@@ -92,6 +94,11 @@ class TestDualQuaternion:
             DualQuaternion(q, 0)  # type: ignore[arg-type]
         refuses("the zero quaternion has no inverse", DualQuaternion(zero, q).matrix)
         assert DualQuaternion(zero, q).norm() == (0, 0)
+        for size in (1e-200, 1e200):
+            assert DualQuaternion(size * q, size * q).norm() == (size, size)
+        several = (Quaternion(np.ones(n), np.ones((n, 3))) for n in (2, 3))
+        with pytest.raises(ValueError, match=r"^real and dual must broadcast .*\(2,\) and \(3,\)"):
+            DualQuaternion(*several)
         with pytest.raises(TypeError):
             DualQuaternion(q, q) * 2  # type: ignore[operator]
 
@@ -216,6 +223,7 @@ class TestBlends:
         message = "matrices at index (1,) are half a turn from"
         refuses(message, blend_dual_quaternions, opposite, [1, 1])
         close(blend_dual_quaternions(opposite, [1, 0]), ONE)
+        refuses("m1 and m2 are half a turn apart", straight_motion, *opposite, 0.5)
         with pytest.raises(ValueError, match=r"^matrix has several nearest rotations"):
             blend_matrices(opposite, [1, 1], True)
 

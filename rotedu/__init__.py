@@ -19,6 +19,7 @@ Conventions, the same everywhere:
   precision and four decimals leave less. An argument that is zero where it must not be, not finite,
   of the wrong shape or not a rotation raises a `ValueError` that names it. A geometry without an
   answer raises `rotedu.errors.DegenerateError`, which is a `ValueError` too.
+- *To half of the digits* is to within 1.5e-8, or 3.5e-4 in float32.
 - Arrays of dtype object may hold something other than numbers, such as the counting scalars of
   `rotedu.cost` or symbols. Their shapes are checked and their values are not. Where a unit vector
   is expected, they must already be one.

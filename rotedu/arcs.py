@@ -184,7 +184,8 @@ def nlerp(p: Unit, q: Unit, t: Number) -> Vector:
     p, q : array_like, shape (..., d)
         Unit vectors of any dimension.
     t : array_like, shape (...)
-        Fraction of the chord: 0 gives p, 1 gives q. Beyond them the line goes on.
+        Fraction of the chord: 0 gives p, 1 gives q. Beyond them the line goes on, and the result
+        loses as many digits as t has.
 
     Returns
     -------

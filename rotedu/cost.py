@@ -57,9 +57,10 @@ def count(function: Callable[..., object], *args: Any) -> OperationCount:
     ----------
     function : callable
         Function of numbers and arrays, written with operators and NumPy.
-    *args : float, array_like or any
-        Its arguments. Numbers, and the numbers in arrays, lists and tuples, are replaced by
-        counting scalars of the same value; other arguments are passed on as they are.
+    *args : float or array_like
+        Its arguments. Numbers, and the numbers in arrays, are replaced by counting scalars of the
+        same value; lists and tuples become arrays. What needs a plain number, such as an exponent,
+        is a constant of the function.
 
     Returns
     -------

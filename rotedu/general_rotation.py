@@ -476,8 +476,8 @@ def perspective(distance: NotZero) -> HomogeneousMatrix:
     Notes
     -----
     Of the transforms in this module, only this one gives a fourth coordinate other than 1. The
-    division is left to `rotedu.ordinary_rotation.transform`, which refuses points at the depth of
-    the eye.
+    division is left to `rotedu.ordinary_rotation.transform`, which refuses points whose
+    fourth coordinate is zero; at the depth of the eye rounding may leave a tiny one.
 
     Examples
     --------

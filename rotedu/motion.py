@@ -167,7 +167,8 @@ def integrate(rotation: Rotation, velocities: Vectors, dt: Step) -> Matrices:
     Returns
     -------
     ndarray, shape (..., n + 1, 3, 3)
-        The orientations, beginning with R_0. The inverse is `angular_velocity`.
+        The orientations, beginning with R_0. The inverse is `angular_velocity`, as long as
+        no step turns by pi or more.
 
     Notes
     -----

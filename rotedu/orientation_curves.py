@@ -174,7 +174,7 @@ def periodic_spline(values: ClosedValues, samples: Count = 100) -> Vector:
     -------
     ndarray, shape (..., n * samples, d)
         Points, starting with the first given one. Those between unit quaternions are not quite of
-        norm 1, and those between rotation matrices are no rotations: divide by the norm, or take
+        norm 1, and those between rotation matrices are not rotations: divide by the norm, or take
         the `rotedu.orientations.nearest_rotation`.
 
     Notes

@@ -153,7 +153,8 @@ class Quaternion:
         Returns
         -------
         Quaternion, shape (...)
-            At a half turn, where w = 0, the first nonzero component of v is positive.
+            At a half turn, where w is 0 to within rounding, the first nonzero component of v is
+            positive.
 
         Examples
         --------
@@ -361,7 +362,7 @@ class Quaternion:
             [xy + wz, 1 - (xx + zz), yz - wx],
             [xz - wy, yz + wx, 1 - (xx + yy)],
         ]
-        # To NumPy 1 a single float32 times a Python number is a float64.
+        # In NumPy 1 a single float32 times a Python number is a float64.
         return np.asarray(MATRIX.outside(rows), self.components.dtype)
 
 

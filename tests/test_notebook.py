@@ -1,7 +1,8 @@
 import numpy as np
 import pytest
 
-from rotedu.edition.notebook import agree
+from rotedu.edition.notebook import agree, source
+from rotedu.quaternions import Quaternion
 
 
 @pytest.mark.parametrize(
@@ -15,3 +16,12 @@ def test_agree_fails_beyond_the_bound(found: float, said: str) -> None:
 def test_agree_wants_one_shape() -> None:
     with pytest.raises(ValueError, match=r"\(2,\) and \(1, 2\)"):
         agree([1.0, 2.0], [[1.0, 2.0]], within=1)
+
+
+def test_nothing_agrees_with_nothing() -> None:
+    assert str(agree([], [], within=1)).startswith("0 numbers agree")
+
+
+def test_only_a_function_defined_by_def_has_a_listing() -> None:
+    with pytest.raises(ValueError, match=r"^function: expected one defined by `def`"):
+        source(Quaternion)

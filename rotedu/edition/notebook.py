@@ -70,6 +70,11 @@ def source(function: Callable[..., Any]) -> Source:
     function : callable
         A function of the package.
 
+    Raises
+    ------
+    ValueError
+        If it was not defined by ``def``.
+
     Returns
     -------
     Source
@@ -84,7 +89,8 @@ def source(function: Callable[..., Any]) -> Source:
     """
     code = textwrap.dedent(inspect.getsource(function))
     first = ast.parse(code).body[0]
-    assert isinstance(first, ast.FunctionDef)
+    if not isinstance(first, ast.FunctionDef):
+        raise ValueError(f"function: expected one defined by `def`, got {function!r}")
     lines = code.splitlines()
     if ast.get_docstring(first) is not None:
         docstring = first.body[0]
@@ -167,7 +173,7 @@ def agree(found: npt.ArrayLike, expected: npt.ArrayLike, within: float) -> State
         raise ValueError(
             f"found and expected must have one shape; got {found.shape} and {expected.shape}"
         )
-    residual = np.abs(found - expected).max()
+    residual = np.abs(found - expected).max(initial=0)
     # A comparison that NaN fails, too.
     if not residual <= within:
         raise AssertionError(f"expected a residual of at most {within:.0e}, got {residual:.1e}")

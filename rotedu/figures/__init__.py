@@ -38,7 +38,7 @@ Use in another book
 A label may hold a formula between dollar signs; in a panel, ``*t*`` is a quantity. Meshes added
 with ``pickable=False`` never hide the labels behind them. A scene raises a `ValueError` on a page,
 and is a still picture in a notebook, if the viewer could not show it like the poster: if it has
-lines that are no tubes, colours by point or lights that stay in place, for example.
+lines that are not tubes, colours by point or lights that stay in place, for example.
 """
 
 from rotedu.figures.announce import announce_backend

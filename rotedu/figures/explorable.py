@@ -105,7 +105,7 @@ def refuse_what_is_not_shown(name: str, state: State, plotter: pyvista.Plotter) 
         ("grips", state["inputs"]),
     ):
         if missing := state.get(kind, {}).keys() - shown.keys():
-            raise ValueError(f"{name}: expected all {kind} of the model, without {sorted(missing)}")
+            raise ValueError(f"{name}: the scene has no {kind} for {sorted(missing)} of its model")
 
 
 def explore(scene: Scene) -> "Explorable":
@@ -124,7 +124,7 @@ def explore(scene: Scene) -> "Explorable":
     Raises
     ------
     ValueError
-        If the scene is no explorable.
+        If the scene is not an explorable.
 
     Examples
     --------
@@ -145,7 +145,7 @@ class Explorable:
 
     def __init__(self, scene: Any) -> None:
         start = {name: kind.value(name, kind.start) for name, kind in scene.inputs.items()}
-        # These are no inputs, so they go past __setattr__.
+        # These are not inputs, so they go past __setattr__.
         vars(self).update(
             scene=scene,
             title=scene.__name__.replace("_", "-"),

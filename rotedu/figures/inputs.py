@@ -36,7 +36,7 @@ def unit_vectors(
     if not (np.isfinite(lengths) & (lengths > 0)).all():
         origin = "the origin" if size == 3 else "0"
         raise ValueError(f"{name}: expected finite {what} other than {origin}, got {given}")
-    # What has the length already stays exactly as it is.
+    # Vectors that already have the length are left exactly as they are.
     wanted = np.where(abs(lengths - length) < SAME, lengths, length or lengths)
     scaled: list[Any] = (vectors * (wanted / lengths)).tolist()
     return scaled

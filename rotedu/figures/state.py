@@ -224,7 +224,7 @@ def draw_chart(
     marks : sequence of str
         What stands where each piece begins; there may be more names than pieces.
     dashed : sequence of str
-        Curves that let see what is below them.
+        Curves that let what is below them show through.
     ticks : mapping of float to str, optional
         Heights that have a hairline, and what stands beside it; else round numbers.
     """
@@ -233,7 +233,7 @@ def draw_chart(
 
 
 def limit_turning(plotter: pyvista.Plotter, degrees: float) -> None:
-    """Let the reader turn a scene by so many degrees only: parts in a row then stay apart."""
+    """Let the reader turn a scene by only so many degrees: parts in a row then stay apart."""
     record_of(plotter).swing = degrees
 
 

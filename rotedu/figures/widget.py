@@ -49,7 +49,7 @@ class Figure(anywidget.AnyWidget):
     Parameters
     ----------
     scene : dict
-        The text for those who cannot see it (``alt``), its size in pixels (``width``, ``height``)
+        The text for those who cannot see it (``alt``), its size in pixels (``width``, ``height``),
         its ``labels`` and its other ``views``, as `rotedu.figures.backend` finds them.
     gltf : bytes
         What to draw, as ``rotedu.figures.gltf.scene_gltf`` writes it.

@@ -131,6 +131,9 @@ KINDS = {
     [
         ("u", 2, "u: expected 0 to 1, got 2"),
         ("u", float("nan"), "u: expected 0 to 1, got nan"),
+        ("u", [0, 1], "u: expected 0 to 1, got"),
+        ("u", "half", "u: expected numbers, got 'half'"),
+        ("one", ["half"] * 3, "one: expected numbers, got"),
         ("one", [1, 2], r"one: expected shape \(3,\), got \(2,\)"),
         ("one", [0, 0, 0], "one: expected finite points other than the origin"),
         ("one", [0, np.inf, 0], "one: expected finite points other than the origin"),

@@ -13,6 +13,14 @@ import numpy as np
 SAME = 1e-12
 
 
+def numbers(name: str, given: Any) -> Any:
+    """Turn what is given into an array of numbers."""
+    try:
+        return np.asarray(given, float)
+    except (TypeError, ValueError):
+        raise ValueError(f"{name}: expected numbers, got {given!r}") from None
+
+
 def unit_vectors(
     name: str,
     given: Any,
@@ -23,7 +31,7 @@ def unit_vectors(
     length: float = 1.0,
 ) -> list[Any]:
     """Check one vector, shape (size,), or several, shape (n, size), and scale them to a length."""
-    vectors = np.asarray(given, float)
+    vectors = numbers(name, given)
     several = not isinstance(names, str)
     least, most = least or len(names), most or len(names)
     if vectors.shape[-1:] != (size,) or vectors.ndim != 1 + several:
@@ -91,10 +99,10 @@ class Slider(Kind):
 
     def value(self, name: str, given: Any) -> float:
         """Check a number."""
-        number = float(given)
-        if not self.low <= number <= self.high:
-            raise ValueError(f"{name}: expected {self.low:g} to {self.high:g}, got {number:g}")
-        return number
+        number = numbers(name, given)
+        if number.ndim or not self.low <= number <= self.high:
+            raise ValueError(f"{name}: expected {self.low:g} to {self.high:g}, got {given}")
+        return float(number)
 
     def spec(self) -> dict[str, Any]:
         """Describe the slider to the viewer."""

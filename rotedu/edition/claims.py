@@ -180,7 +180,7 @@ ON_PAGE = {
             "For one point the matrix costs 33 + 16, more than the quaternion of (2-6)",
             "33 + 16, or 19 + 17 by the leanest formula, against the quaternion's 18 + 12",
         ),
-        (5, "1, 6"): holds_if(
+        (5, "1, 3, 6"): holds_if(
             "For many points the matrix is cheaper than the quaternion",
             "each point is turned by the quaternion itself, not by its matrix",
         ),
@@ -271,8 +271,8 @@ ON_PAGE = {
             "Slerp has no form as a matrix times a vector like (5-3)",
             "*slerp* is that of quaternions, and *like (5-3)* means that a cross product finds the"
             " axis, an axis in space",
-            "as a matrix times a vector it has two forms, E7; with three components, one of them is"
-            " (5-3)",
+            "as a matrix times a vector it has a form in four dimensions, E7, which with three"
+            " components is (5-3)",
         ),
         (49, "5"): holds(
             "The axis of the arc is (5-1)",
@@ -394,9 +394,9 @@ ON_PAGE = {
         ),
         (17, "folklore"): holds_if(
             "Rounding harms products of quaternions less",
-            "the harm that counts is to shapes, which a quaternion never bends, or memory is what"
-            " is equal and not digits, or a turn of a few degrees is repeated and the matrix"
-            " composed by two columns, or repaired by Gram and Schmidt's method, usually",
+            "the harm that counts is to shapes, which a quaternion never bends; or memory is what"
+            " is equal, and not digits; or, mostly, a turn of a few degrees is repeated and the"
+            " matrix is composed by two columns or repaired by Gram and Schmidt's method",
             "otherwise the matrix, repaired once, mostly ends closer to the truth",
         ),
         (26, "1"): does_not_hold(

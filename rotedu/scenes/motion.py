@@ -125,7 +125,7 @@ def the_drone(state: State) -> pyvista.Plotter:
     draw(plotter, state, looks)
     add_line(plotter, [0.5 * U, 1.5 * U], NEUTRAL)
     add_label(plotter, 1.62 * U, "$U$")
-    read_out(plotter, "apart", "the log is off by", 1, "°", where="picture")
+    read_out(plotter, "apart", "the program is off by", 1, "°", where="picture")
     describe(
         plotter,
         "A green drone with an arrow from its nose, and a red one, see-through: where it is by a"

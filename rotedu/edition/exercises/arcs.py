@@ -65,7 +65,7 @@ def ends_exchanged() -> Iterator[Part]:
     hints = {
         "The ends are exchanged, but is t?": when(
             [slerp(there, here, t)] * 2,
-            "Your points have covered 0.3 of the way. How much is left after 1 - t?",
+            "Your points have covered 0.3 of the way from the new start. How far should they go?",
         ),
         "One of the points is not right yet.": otherwise(
             "How far is the old point from each end? And the new one?"
@@ -269,7 +269,9 @@ def arc_in_two_lines() -> Iterator[Part]:
         "Your points are not on the sphere.": when(
             rows(lambda p, q, t: np.sin(np.arccos(p @ q)) * slerp(p, q, t)),
             "By what does (5-2) divide?",
-            also=chord,
+        ),
+        "Your points are on the chord.": when(
+            chord, "The weights of (5-2) are sines. Which angles do they belong to?"
         ),
         "That is the share of the chord.": when(
             normalised(chord), "A third of the chord is not a third of the angle."

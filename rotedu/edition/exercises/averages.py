@@ -27,7 +27,7 @@ def three_chords() -> Iterator[Part]:
     right = np.array([2 * 2**0.5 * np.sin(theta / 2), 2 * np.sin(theta / 4), 2 * np.cos(theta / 4)])
     matrices, quaternions, other = right
     hints = {
-        "You take the sine of twice the angle that belongs into it.": when(
+        "You take the sine of twice the angle that belongs in it.": when(
             [2 * 2**0.5 * np.sin(theta), 2 * np.sin(theta / 2), 2 * np.cos(theta / 2)],
             "A chord of a circle is twice the sine of half the arc.",
         ),
@@ -53,7 +53,7 @@ def three_chords() -> Iterator[Part]:
         ),
         "These are angles, in degrees.": when(
             [60, 30, 150],
-            "A chord has a length. What does an arc of such an angle have for a chord?",
+            "A chord has a length. How long is the chord of such an arc?",
         ),
         "Have you given degrees to a function that wants radians?": when(
             [2 * 2**0.5 * np.sin(30), 2 * np.sin(15), 2 * np.cos(15)],

@@ -138,7 +138,7 @@ def curve_without_jumps() -> Iterator[Part]:
     hints = {
         "Your points are not on the sphere.": when(
             lambda points: (np.abs(np.linalg.norm(points, axis=1) - 1) >= 2e-3).any(),
-            "Have you lost a sign or a digit? The cell prints x, y and z of each point.",
+            "Have you lost a digit or a decimal point? The cell prints x, y and z of each point.",
             example=2 * square,
         ),
         "One of your points is more than 60° from the middle of all.": when(
@@ -180,7 +180,7 @@ def one_row_of_points() -> Iterator[Part]:
         "Your loop reads a point of the new level where it needs one of the old.": when(
             row[3], "When Q[k] is computed, has Q[k-1] been overwritten already?"
         ),
-        "Your point is as far from the other end.": when(
+        "Your point is the one at this fraction from the other end.": when(
             de_casteljau(wide, 0.6), "At u = 0 the curve is at the first control point. Is yours?"
         ),
         "Your point is not on the sphere.": when(
@@ -212,7 +212,7 @@ def an_error_that_hides() -> Iterator[Part]:
         ),
         "These are the points of step two.": when(middle, "One more Bisect leads to a_i."),
         "You went a third of the way to the points of step two.": when(
-            slerp(FIGURE_8, middle, 1 / 3), "Bisect goes half of it, and so does the paper."
+            slerp(FIGURE_8, middle, 1 / 3), "Bisect goes half the way, and so does the paper."
         ),
         "Your a_i do not have the error of the paper.": otherwise(
             "Only the axis of step two is reversed; the angle and the point to be turned stay."

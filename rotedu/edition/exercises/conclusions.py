@@ -145,11 +145,12 @@ def hours_of_a_game() -> Iterator[Part]:
         "Are your first times in hours?": when(
             np.log(minutes / 60), "The exercise asks for minutes."
         ),
-        "Is your bound on the square of the length?": when(
-            np.log(2 * minutes), "The length itself is to be wrong by one part in a thousand."
+        "Is your bound a square?": when(
+            np.log(2 * minutes), "The length itself is to reach 0.999 or 1.001, not their squares."
         ),
-        "Is your length a square?": when(
-            np.log(minutes / 2), "The length of a quaternion is the root of the sum of its squares."
+        "Is this the time for the square of the length?": when(
+            np.log(minutes / 2),
+            "It is the length, the root of the sum of squares, that is to be wrong by so much.",
         ),
         "The first time is right. Each step has an error of its own.": when(
             lambda times: close(times[0], np.log(minutes[0]), 0.03),

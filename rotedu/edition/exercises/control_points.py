@@ -260,7 +260,9 @@ def rule_for_two_gaps() -> Iterator[Part]:
             follow,
             example=lambda before, after: (before + after) / 4 * (abs(before - after) < 180),
         ),
-        "Your rule is not even right for gaps that differ by less than 180°.": otherwise(follow),
+        "Your rule is not even right for gaps that differ by less than 180°.": otherwise(
+            "Start from the rule of Exercise 5.11, which holds where nothing jumps."
+        ),
     }
     yield Part(right, hints, within=0.01)
 
@@ -279,7 +281,8 @@ def going_on() -> Iterator[Part]:
     """The point and its reflection add up to twice the shadow on the middle."""
     hints = {
         "You went back beyond p.": when(
-            of_pairs(lambda p, q: double(q, p)), "Which of the two is halfway between the others?"
+            of_pairs(lambda p, q: double(q, p)),
+            "Which of p and q should be halfway between the other one and your point?",
         ),
         "That is the shadow of p on q.": when(
             of_pairs(lambda p, q: (p @ q) * q), "You need a point on the other side of it."

@@ -35,7 +35,9 @@ def five_on_a_map() -> Iterator[Part]:
             "The radius of the sphere is √2: two columns of length 1.",
             also=six[:, 1:] / (2**0.5 + six[:, :1]),
         ),
-        "These are other numbers.": otherwise("Five numbers, divided by √2 less the sixth."),
+        "These are other numbers.": otherwise(
+            "Five numbers, divided by √2 less the one that is left out, a₁."
+        ),
     }
     yield Part(five_numbers(SOME), hints)
 

@@ -48,7 +48,8 @@ def end_of_v() -> Iterator[Part]:
             u @ w @ v, "In a product that acts on a column, which factor acts first?"
         ),
         "You turned clockwise.": when(
-            w.T @ u.T @ v, "Seen from the tip of U, the shortest way from V goes to which axis?"
+            w.T @ u.T @ v,
+            "Seen from the tip of U, which axis is a quarter turn anticlockwise of V?",
         ),
         "V ends elsewhere.": otherwise(
             "Follow V through the first turn alone, then go on from there."
@@ -216,12 +217,13 @@ def angles_of_a_matrix() -> Iterator[Part]:
         ),
         "The triple at gimbal lock gives another matrix.": when(
             lambda found: reaches(found, 2),
-            "Where the cosine of the second angle is 0, which four entries are left?",
+            "Where the cosine of the second angle is 0, which entries depend on the other two?",
             example=[*found[:2], (0, np.pi / 2, 0)],
         ),
         "The second triple gives another matrix.": when(
             lambda found: reaches(found, 1),
-            "Your second angle lies between -90° and 90°. Does its cosine have the right sign?",
+            "A second angle between -90° and 90° has a positive cosine. In which quadrants do the"
+            " entries put the other two, then?",
             example=found[[0, 0, 2]],
         ),
         "Your angles belong to the transposed matrices.": when(
@@ -470,7 +472,9 @@ def three_turns_in_order() -> Iterator[Part]:
             rows("wvu"), "A product of matrices acts from right to left."
         ),
         "Your turns come in another order.": when(
-            rows("vuw"), "First about U, then about V.", also=rows("uwv")
+            rows("vuw"),
+            "About U, then V, then W. Which of yours stands elsewhere?",
+            also=rows("uwv"),
         ),
         "That is another turn.": otherwise("Multiply three matrices, with `@` between them."),
     }

@@ -80,7 +80,7 @@ def quaternion_of_a_friend() -> Iterator[Part]:
     yield Part(lambda *turn: same_turn(turn, friend, 2e-3), hints, item=slice(2))
     hints = {
         "You are wrong about the second quaternion.": otherwise(
-            "Find its axis and its angle as well, and turn a point by both.",
+            "Find its axis and its angle as well, and turn a point by each quaternion.",
             example=([0, 0, -1], 106.26, "inverse"),
         )
     }

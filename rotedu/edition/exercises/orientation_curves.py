@@ -19,8 +19,10 @@ def two_middles_of_a_gate() -> Iterator[Part]:
         "You have exchanged the two.": when(
             [300, 120], "From 220° back to 20° it is 200°. Is that the shorter way?"
         ),
-        "Those are no two ways.": when(
-            [120, 120], "The other way goes on from 220°, through 360°.", also=[300, 300]
+        "You have the same middle twice.": when(
+            [120, 120],
+            "One way leads from 220° back to 20°; the other goes on, through 360°.",
+            also=[300, 300],
         ),
         "One of them is not in the middle.": otherwise(
             "Walk from 220° to 20° both ways round, and stop halfway."

@@ -21,20 +21,20 @@ def turn_between_cameras() -> Iterator[Part]:
     hints = {
         "Your turn leads from the first to the second if it stands on the left.": when(
             r2 @ r1.T,
-            "Here it stands on the right: R1 T = R2. From which side do you multiply by the inverse"
+            "Here it stands on the right: R1 D = R2. From which side do you multiply by the inverse"
             " of R1?",
         ),
         "Your turn leads from the second to the first.": when(
             r2.T @ r1, "Multiply R1 by your matrix. Which of the two has to be undone?"
         ),
         "You do both turns and undo neither.": when(
-            r1 @ r2, "T has to take back the first turn before it does the second."
+            r1 @ r2, "D has to take back the first turn before it does the second."
         ),
         "You undo the second turn in place of the first.": when(
-            r1 @ r2.T, "Solve R1 T = R2 for T. The inverse of a rotation is its transpose."
+            r1 @ r2.T, "Solve R1 D = R2 for D. The inverse of a rotation is its transpose."
         ),
         "R1 times your turn is not R2.": otherwise(
-            "Solve R1 T = R2 for T. The inverse of a rotation is its transpose."
+            "Solve R1 D = R2 for D. The inverse of a rotation is its transpose."
         ),
     }
     yield Part(r1.T @ r2, hints, within=2e-3)

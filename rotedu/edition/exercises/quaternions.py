@@ -76,7 +76,7 @@ def unit_quaternion_of_a_turn() -> Iterator[Part]:
             "The rotation has the quaternion on both sides. How much does each of them turn?",
         ),
         "This turns in the opposite sense.": when(
-            right.conjugate().components, "Compare the signs of both sines."
+            right.conjugate().components, "Which of the two factors, q or q*, has the minus sign?"
         ),
         "Your cosine and sine took degrees for radians.": when(
             lambda q: close(np.sign(q[0]) * q, in_degrees, 1e-2),
@@ -147,9 +147,11 @@ def axis_and_angle_at_sight() -> Iterator[Part]:
     hints = {
         "U went the wrong way round.": when(
             four[-1].conjugate().rotate(u),
-            "Look from the tip of the axis (1, 1, 1): which axis comes anticlockwise?",
+            "Look from the tip of (1, 1, 1): which axis comes next after U, anticlockwise?",
         ),
-        "The fourth rotation sends U elsewhere.": otherwise("It exchanges the three axes in turn."),
+        "The fourth rotation sends U elsewhere.": otherwise(
+            "It takes each axis to the next, all three in a ring."
+        ),
     }
     yield Part(four[-1].rotate(u), hints, item=1)
 

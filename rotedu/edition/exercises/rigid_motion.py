@@ -50,9 +50,10 @@ def a_corkscrew() -> Iterator[Part]:
         "Your point is on the wrong side.": when(
             [1, -root, -1], "Turn your point by 60° and add the step: is it back?"
         ),
-        "Half of it is missing.": when(
+        "A factor of one half, or half of the formula, is missing.": when(
             [2, 2 * root, -1],
-            "The point, its image and the middle of the step make a triangle: use half the step.",
+            "The origin, your point and the middle between it and its image make a right-angled"
+            " triangle: one side is half the step.",
             also=[1, 0, -1],
         ),
         "You took the tangent for the cotangent.": when(
@@ -138,7 +139,7 @@ def a_wrong_sign() -> Iterator[Part]:
         "The second sign turns nothing by itself: but in the sum?": when(
             [50, 50], "Add the four numbers of both, and look at the angle of the sum."
         ),
-        "Your hand is turned past the middle by 50°.": when(
+        "The second has the right size, and the wrong sense.": when(
             [50, 130], "Half of 260° the other way round: what sign has it?"
         ),
         "Take the sum of the two quaternions.": otherwise(

@@ -238,7 +238,7 @@ WRONG: list[tuple[str, Any, str]] = [
     ("C.1", (0, -2, 2, 0), "the other way round"),
     ("C.1", (0, 2, 0, 2), "same"),
     ("C.2", (1, -1.732, -1), "wrong side"),
-    ("C.2", (2, 3.464, -1), "Half of it"),
+    ("C.2", (2, 3.464, -1), "one half, or half"),
     ("C.2", (1, 0.577, -1), "cotangent"),
     ("C.2", (1, 1.732, 2.236), "slide"),
     ("C.3", lambda p, c, q, d: (q * p, q * c + d * p), "other order"),

@@ -323,7 +323,7 @@ def test_words_of_the_glossary_are_links_where_they_are_first_used(
     pages: dict[str, BeautifulSoup],
 ) -> None:
     explained = {term["id"] for term in pages["book/glossary.html"].select("dl.glossary dt[id]")}
-    assert {"term-cross-product", "term-SO-3", "term-degrees-of-freedom"} <= explained
+    assert {"term-cross-product", "term-Bezier-curve", "term-degrees-of-freedom"} <= explained
     for name, soup in pages.items():
         links = [urlsplit(link["href"]).fragment for link in soup.select("article a.first-use")]
         assert len(links) == len(set(links)), name

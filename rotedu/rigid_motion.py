@@ -27,7 +27,7 @@ from rotedu._vectors import Array, axis_and_length, cross, dot, length, product,
 from rotedu.errors import DegenerateError
 from rotedu.general_rotation import from_rows
 from rotedu.ordinary_rotation import axis_angle, rotate, rotation_matrix
-from rotedu.orientations import nearest_rotation, refuse_half_turn, slerp_rotations
+from rotedu.orientations import nearest_rotation, refuse_half_turn
 from rotedu.quaternions import Quaternion, joined
 
 __all__ = [
@@ -152,9 +152,7 @@ class DualQuaternion:
 
     def __ne__(self, other: object) -> Any:
         """Tell for each dual quaternion whether any component differs."""
-        if not isinstance(other, DualQuaternion):
-            return NotImplemented
-        return (self.real != other.real) | (self.dual != other.dual)
+        return np.logical_not(self == other)
 
     __hash__ = None  # type: ignore[assignment]
 
@@ -326,9 +324,9 @@ def straight_motion(m1: Pose, m2: Pose, t: Number) -> HomogeneousMatrix:
     >>> print(straight_motion(a, b, 1 / 2).round(6)[:3, 3])
     [1.  0.  2.5]
     """
-    _, theta = axis_angle(product(transpose(m1[:3, :3]), m2[:3, :3]))
+    axis, theta = axis_angle(product(transpose(m1[:3, :3]), m2[:3, :3]))
     refuse_half_turn(theta, "m1 and m2")
-    turned = slerp_rotations(m1[:3, :3], m2[:3, :3], t)
+    turned = product(m1[:3, :3], rotation_matrix(axis, t * theta))
     return pose(turned, (1 - t) * m1[:3, 3] + t * m2[:3, 3])
 
 

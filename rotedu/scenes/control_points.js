@@ -92,7 +92,7 @@ export function controlPointsByHand(
     // The ring stays on the point that it holds.
     inputs: one_circle ? { points: [before, here, after] } : {},
     grips: { points: { holds: ["$P_{i-1}$", "$P_i$", "$P_{i+1}$"] } },
-    trails: { "way of a": step < 3 ? null : above(a), "way of P": above(after) },
+    trails: step < 3 ? undefined : { "way of a": above(a), "way of P": above(after) },
     outputs: {
       now: steps[Math.ceil(step)],
       tests: step < 4 ? "" : verdicts[failed],

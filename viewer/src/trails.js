@@ -1,7 +1,7 @@
 /* The ways that parts of a figure have gone under the hand. */
 
 // A longer step is a jump, and the way begins anew.
-const JUMP = 0.35;
+const JUMP = 1;
 // A shorter one does not show.
 const LEAST = 0.004;
 // How many points a way keeps.

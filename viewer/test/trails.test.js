@@ -7,9 +7,9 @@ test("a way grows with its point, breaks where it jumps, and can be forgotten", 
   const ways = trails();
   assert.deepEqual(ways.follow({ way: [0, 0, 0] }), { way: { hidden: true } });
   // The second is too near to be seen.
-  for (const place of points("0.1,0,0 0.101,0,0 0.9,0,0")) ways.follow({ way: place });
-  const { way } = ways.follow({ way: [1, 0, 0] });
-  const pieces = [points("0,0,0 0.1,0,0"), points("0.9,0,0 1,0,0")];
+  for (const place of points("0.1,0,0 0.101,0,0 1.2,0,0")) ways.follow({ way: place });
+  const { way } = ways.follow({ way: [2, 0, 0] });
+  const pieces = [points("0,0,0 0.1,0,0"), points("1.2,0,0 2,0,0")];
   assert.deepEqual(way, { paths: pieces, hidden: false });
   assert.deepEqual(ways.clear(), { way: { hidden: true } });
   assert.deepEqual(ways.clear(), {});

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from explorables import EXPLORABLES
 from live_pages import PHONE, Open, come_to, live, open_figure, open_page, pages, values
+from spheres import random_units
 
 from rotedu.figures import Choice, Slider, Switch
 
@@ -38,6 +39,21 @@ SWEEP = """async ([figure, states]) => {
         const ways = labels.map((label) =>
             Math.hypot(...aside(label).split(" ").map(parseFloat)) / label.offsetHeight);
         found.push([...worst, Math.max(0, ...ways)]);
+    }
+    return found;
+}"""
+
+
+# Sets the spoon; returns how far down the name of its axis is then, as a share of the height.
+NAMED = """async ([figure, spoons]) => {
+    const [scene, label] = [".scene", "[data-label='axis']"].map((s) => figure.querySelector(s));
+    const found = [];
+    for (const spoon of spoons) {
+        figure.dispatchEvent(new CustomEvent("rotedu:set", { detail: { spoon, way: "by hand" } }));
+        await new Promise(requestAnimationFrame);
+        await new Promise(requestAnimationFrame);
+        const [all, name] = [scene, label].map((element) => element.getBoundingClientRect());
+        found.push((name.top - all.top) / all.height);
     }
     return found;
 }"""
@@ -89,3 +105,10 @@ def test_no_label_lies_on_another(name: str, width: str, open_figure: Open) -> N
 )
 def test_labels_that_met_give_way(name: str, states: list[Any], open_figure: Open) -> None:
     check_sweep(live(open_figure(name, **PHONE)), name, states)
+
+
+def test_on_a_phone_the_axis_is_named_beside_the_spoon(open_figure: Open) -> None:
+    figure = live(open_figure("grab_the_spoon", **PHONE))
+    spoons = random_units(40, 4).tolist()
+    found = figure.page.evaluate(NAMED, [figure.element_handle(), spoons])
+    assert max(found) < 0.45

@@ -47,7 +47,7 @@ def one_name(state: State) -> pyvista.Plotter:
     angle : float
         The angle in degrees.
     """
-    plotter = new_scene((2.2, -9, 2.6), (0.1, 0, 0), view_angle=15, size=LITTLE)
+    plotter = new_scene((2.2, -9, 2.48), (0.1, 0, -0.12), view_angle=16.5, size=LITTLE)
     add_sphere(plotter, (1.3, 0, 0))
     spoon = Mesh(teaspoon(stations=61, around=20), VECTOR, {"smooth_shading": True})
     looks: dict[str, Look] = {

@@ -33,8 +33,11 @@ export function onTheWay({ share }, { axis, angle, angles }) {
       IDENTITY.map((row, i) => combine(1 - t, row, t, rotationMatrix(axis, angle)[i])),
   };
   const parts = {};
+  // Where all three lie in one place, one is drawn.
+  const together = share === 0 || share === 1;
   for (const [name, turn] of Object.entries(turns)) {
-    parts[name] = { matrix: placing(turn(share), ORIGIN) };
+    const hidden = together && name !== "mechanic";
+    parts[name] = { matrix: placing(turn(share), ORIGIN), hidden };
     parts[`${name}'s path`] = { paths: [SHARES.map((t) => transform(turn(t), U))] };
   }
   const [right, missed] = [turns.mechanic(share), turns.pilot(share)];

@@ -86,7 +86,7 @@ def the_roll(state: State) -> pyvista.Plotter:
     roll : float
         How far it has rolled, in degrees.
     """
-    plotter = new_scene((3.2, -4.6, 2.6), (0.05, 0, 0), view_angle=12.5, size=LITTLE)
+    plotter = new_scene((3.2, -4.6, 2.6), (0.05, 0, 0), view_angle=12.5, size=LITTLE, swing=20)
     spoon = teaspoon(stations=61, around=20)
     # Wider, and its tip stays on the axis.
     spoon.points = spoon.points * [1, 1.25, 1.25]

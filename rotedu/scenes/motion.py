@@ -30,7 +30,7 @@ IN_BODY = (-0.73, -0.53, 0.43)
         "both arrows alike": {"t": SECONDS, "body": IN_SPACE},
         "the opposite arrow": {"t": SECONDS, "body": tuple(-x for x in IN_SPACE)},
     },
-    constants={"seconds": SECONDS, "edge": EDGE, "longest": "edge ", "aside": "° wrong"},
+    constants={"seconds": SECONDS, "edge": EDGE, "longest": "edge ", "aside": "° off"},
     space=Handles("arrow fixed in space", reach=0.85, through=True, start=IN_SPACE),
     body=Handles("arrow fixed in the body", reach=0.85, through=True, start=IN_BODY),
     h=Slider(0.01, 0.1, "step in seconds", step=0.01, start=0.1),

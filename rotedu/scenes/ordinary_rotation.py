@@ -69,7 +69,7 @@ def every_point(state: State) -> pyvista.Plotter:
     theta : float
         The rotation angle in degrees.
     """
-    plotter = new_scene((3.2, -3.6, 2.6), (0, 0, 0.06), view_angle=18, size=LITTLE)
+    plotter = new_scene((3.2, -3.6, 2.6), (0, 0, 0.06), view_angle=18, size=LITTLE, swing=20)
     looks: dict[str, Look] = {
         "circles": Lines(NEUTRAL, 0.006),
         "spoon": Mesh(teaspoon(stations=61, around=20), VECTOR, {"smooth_shading": True}),

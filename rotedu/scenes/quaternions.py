@@ -266,7 +266,7 @@ def grab_the_spoon(state: State) -> pyvista.Plotter:
         The quaternion with which a way home begins.
     """
     between = -1.02 * ACROSS
-    stack = (8, 22, 320, 326, 0.66), (318, 18, 410, 332, 1)
+    stack = (-2, 22, 340, 326, 0.7), (340, 18, 366, 332, 0.89)
     plotter = new_scene(
         between + EYE, between, view_angle=14.78, size=(720, 368), swing=20, stack=stack
     )

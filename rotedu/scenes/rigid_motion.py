@@ -95,7 +95,7 @@ def the_wrist(state: State) -> pyvista.Plotter:
     twist : float
         How far the hand is turned about the forearm, in degrees.
     """
-    plotter = new_scene((3.3, -6, 2.2), (3.3, 0, 0), view_angle=10.5, size=LITTLE)
+    plotter = new_scene((3.3, -6, 2.2), (3.3, 0, 0), view_angle=10.5, size=LITTLE, swing=20)
     draw(plotter, state, LOOKS)
     add_label(plotter, [2.45, 0, -0.42], "forearm")
     add_label(plotter, [3.95, 0, -0.42], "hand")
@@ -112,7 +112,7 @@ def the_wrist(state: State) -> pyvista.Plotter:
 @explorable(
     tries={
         "a door handle": {"skin": SKINS[0], "twist": 170, "bend": 20},
-        "the same, repaired": {"skin": SKINS[1], "twist": 170, "bend": 80},
+        "repaired, and the elbow bent": {"skin": SKINS[1], "twist": 170, "bend": 80},
         "an elbow that bulges": {"skin": SKINS[2], "twist": 0, "bend": 120},
         "past half a turn": {"skin": SKINS[2], "twist": 200, "bend": 20},
     },
@@ -165,7 +165,7 @@ def from_a_to_b(state: State) -> pyvista.Plotter:
     a, b : array_like, shape (3,)
         The directions.
     """
-    stack = (55, 15, 348, 370, 1), (385, 110, 300, 180, 0.66)
+    stack = (55, 15, 348, 370, 1), (385, 70, 300, 260, 0.6)
     plotter = new_scene(
         (1, -9, 3), (1, 0, 0), view_angle=18, size=(720, 400), swing=30, stack=stack
     )

@@ -34,7 +34,7 @@ def spinning_by_hand(**inputs: Any) -> dict[str, Any]:
     exact = drawn["exponential"]
     return {
         name: f"edge {np.linalg.norm(now, axis=0).max():.2f},"
-        f" {np.degrees(angular_distance(nearest_rotation(now), exact)):.0f}° wrong"
+        f" {np.degrees(angular_distance(nearest_rotation(now), exact)):.0f}° off"
         for name, now in drawn.items()
     }
 

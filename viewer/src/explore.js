@@ -294,6 +294,8 @@ class Exploration {
   follow({ hash, textContent: words }) {
     const wanted = fromText(hash, this.data);
     if (!this.python) history.pushState(null, "", hash);
+    // What the link shows may have been scrolled away.
+    this.scene.scrollIntoView({ block: "nearest", behavior: isCalm() ? "instant" : "smooth" });
     this.lead(wanted, () => `${words}. ${this.panel.outcome()}`);
   }
 

@@ -8,6 +8,7 @@ import { alongSphere, rolling, spun, turned } from "./drag-geometry.js";
 import { element } from "./elements.js";
 import { PathHandle } from "./path-handle.js";
 import { drag, keys, put2d } from "./pointer.js";
+import { outputText } from "./speak.js";
 import { dot } from "./vectors.js";
 
 /** @import { Grip, Inputs, Specs } from "./types.js" */
@@ -149,7 +150,7 @@ class Handle {
   said() {
     const { names } = this.spec;
     const name = Array.isArray(names) ? names[this.i] : names;
-    const coordinates = this.value.map((x) => x.toFixed(2).replace("-", "\u2212"));
+    const coordinates = this.value.map((x) => outputText(x, { digits: 2, unit: "" }));
     return `${name} at ${coordinates.join(", ")}`;
   }
 

@@ -6,6 +6,8 @@ import { toBox, WHOLE } from "./stack.js";
 
 // Between labels side by side, in pixels, so that two names are not one.
 const GAP = 5;
+// What is empty below a paragraph. Into the rest of what is empty in a picture its text reaches.
+const BELOW_TEXT = 12;
 
 export class Labels {
   /** @param {HTMLElement} box the picture */
@@ -20,11 +22,14 @@ export class Labels {
       height: 0,
     }));
     this.size = [0, 0];
+    this.above = 0;
   }
 
   /** Read how large all are: seldom, because the browser has to lay out the page. */
   measure() {
     this.size = [this.box.clientWidth, this.box.clientHeight];
+    const pulled = -Number.parseFloat(getComputedStyle(this.box).marginTop) || 0;
+    this.above = Math.max(0, pulled - BELOW_TEXT);
     for (const entry of this.entries) {
       entry.width = entry.label.offsetWidth + GAP;
       entry.height = entry.label.offsetHeight;
@@ -50,8 +55,11 @@ export class Labels {
       if (hidden) continue;
       seen.push({ label, x: place.left * across, y: place.top * down, width, height });
     }
-    apart(seen).forEach(({ x, y }, i) => {
-      seen[i].label.style.setProperty("--aside", `${x}px ${y}px`);
+    apart(seen).forEach((moved, i) => {
+      const { label, y, height } = seen[i];
+      const [highest, lowest] = [this.above + height / 2, down - height / 2];
+      const within = Math.max(highest, Math.min(lowest, y + moved.y));
+      label.style.setProperty("--aside", `${moved.x}px ${within - y}px`);
     });
   }
 }

@@ -94,7 +94,7 @@ test("a geometry without an answer leaves the picture pale and says why; a bug i
 });
 
 test("reset and chips go to a state as a whole, and say so once the hand rests", () => {
-  const { view, find, press, write, values, status } = shown();
+  const { view, scene, find, press, write, values, status } = shown();
   const said = () => {
     assert.equal(status(), "");
     mock.timers.tick(500);
@@ -108,7 +108,9 @@ test("reset and chips go to a state as a whole, and say so once the hand rests",
   press("reset");
   write("v", "0.5");
   assert.equal(said(), "v 0.5. sum 0.75");
+  scene.scrollIntoView = mock.fn();
   find(".try").click();
+  assert.equal(scene.scrollIntoView.mock.callCount(), 1);
   assert.deepEqual(values(), { u: 1, v: 1, sum: 2 });
   assert.equal(location.hash, `${HASH}u=1`);
   assert.equal(said(), "all of u. sum 2.00");

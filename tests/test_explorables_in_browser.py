@@ -326,3 +326,22 @@ def test_axe_finds_nothing_in_the_middle_of_a_drag(name: str, open_figure: Open)
         figure.page.mouse.down()
         figure.page.mouse.move(400, 300)
     assert complaints_of_axe(figure.page, ".explorable") == []
+
+
+# Whether a scene and the numbers below it are in sight, and neither covers the other.
+SHOWN = """figure => {
+    const [scene, numbers] = [".scene", ".explorable-numbers"]
+        .map((kind) => figure.querySelector(kind).getBoundingClientRect());
+    return scene.top >= 0 && scene.bottom < numbers.top && numbers.bottom < innerHeight;
+}"""
+
+
+@pytest.mark.parametrize("name", ["worn_spoons_by_hand", "slerp_by_hand"])
+def test_a_link_brings_into_sight_what_it_changes(name: str, open_figure: Open) -> None:
+    """One picture stays above its panel, the other goes."""
+    figure = live(open_figure(name, **PHONE))
+    link = figure.locator("a.try").first
+    link.evaluate("link => scrollBy(0, link.getBoundingClientRect().bottom - innerHeight)")
+    assert not figure.evaluate(SHOWN)
+    link.tap()
+    figure.page.wait_for_function(SHOWN, arg=figure.element_handle())

@@ -3,7 +3,7 @@
  * The names in the page are those of the inputs and outputs; `dataset.values` of the figure holds
  * all of their values after each state. A model may correct inputs: a state's `inputs` take their place.
  */
-import { element as create, one } from "./elements.js";
+import { all, element as create, one } from "./elements.js";
 import { addHandles } from "./handles.js";
 import { Held } from "./held.js";
 import { address, found, fromText, keep } from "./link.js";
@@ -16,6 +16,8 @@ import { beginning, between, duration, glide, isCalm } from "./travel.js";
 
 // How long a hand rests when it has come to an end, in milliseconds.
 const QUIET = 500;
+// How far the paper below a picture that stays in sight reaches, in pixels.
+const FADE = 28;
 // What the hand takes hold of.
 const HELD = "[data-handle], .scene-path, input";
 
@@ -294,9 +296,20 @@ class Exploration {
   follow({ hash, textContent: words }) {
     const wanted = fromText(hash, this.data);
     if (!this.python) history.pushState(null, "", hash);
-    // What the link shows may have been scrolled away.
-    this.scene.scrollIntoView({ block: "nearest", behavior: isCalm() ? "instant" : "smooth" });
+    this.reveal();
     this.lead(wanted, () => `${words}. ${this.panel.outcome()}`);
+  }
+
+  /** Bring into sight what a link shows: the picture, and the numbers on which one that stays may lie. */
+  reveal() {
+    const behavior = isCalm() ? "instant" : "smooth";
+    this.scene.scrollIntoView({ block: "nearest", behavior });
+    const [panel, ...pictures] = [".explorable-panel", ".scene", ".scene-view"]
+      .flatMap((kind) => all(this.element, kind))
+      .map((box) => box.getBoundingClientRect());
+    const above = pictures.filter(({ right }) => right > panel.left);
+    const covered = Math.max(0, ...above.map(({ bottom }) => bottom - panel.top));
+    if (covered) scrollBy({ top: -covered - FADE, behavior });
   }
 
   /** Copy the address of this state; where that is refused, the reader can. */

@@ -16,8 +16,6 @@ import { beginning, between, duration, glide, isCalm } from "./travel.js";
 
 // How long a hand rests when it has come to an end, in milliseconds.
 const QUIET = 500;
-// How far the paper below a picture that stays in sight reaches, in pixels.
-const FADE = 28;
 // What the hand takes hold of.
 const HELD = "[data-handle], .scene-path, input";
 
@@ -304,12 +302,11 @@ class Exploration {
   reveal() {
     const behavior = isCalm() ? "instant" : "smooth";
     this.scene.scrollIntoView({ block: "nearest", behavior });
-    const [panel, ...pictures] = [".explorable-panel", ".scene", ".scene-view"]
-      .flatMap((kind) => all(this.element, kind))
-      .map((box) => box.getBoundingClientRect());
-    const above = pictures.filter(({ right }) => right > panel.left);
-    const covered = Math.max(0, ...above.map(({ bottom }) => bottom - panel.top));
-    if (covered) scrollBy({ top: -covered - FADE, behavior });
+    const boxes = (kinds) => all(this.element, kinds).map((box) => box.getBoundingClientRect());
+    const [status, panel] = boxes(".explorable-status, .explorable-panel");
+    const above = boxes(".scene, .scene-view").filter(({ right }) => right > panel.left);
+    const lowest = Math.max(...above.map(({ bottom }) => bottom));
+    if (lowest > panel.top) scrollBy({ top: status.top - lowest, behavior });
   }
 
   /** Copy the address of this state; where that is refused, the reader can. */

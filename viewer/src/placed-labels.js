@@ -53,13 +53,13 @@ export class Labels {
       if (!place) continue;
       label.style.setProperty("--at", `${100 * place.top}% auto auto ${100 * place.left}%`);
       if (hidden) continue;
-      seen.push({ label, x: place.left * across, y: place.top * down, width, height });
+      const at = place.top * down;
+      const y = Math.max(this.above + height / 2, Math.min(down - height / 2, at));
+      seen.push({ label, x: place.left * across, y, at, width, height });
     }
     apart(seen).forEach((moved, i) => {
-      const { label, y, height } = seen[i];
-      const [highest, lowest] = [this.above + height / 2, down - height / 2];
-      const within = Math.max(highest, Math.min(lowest, y + moved.y));
-      label.style.setProperty("--aside", `${moved.x}px ${within - y}px`);
+      const { label, y, at } = seen[i];
+      label.style.setProperty("--aside", `${moved.x}px ${y + moved.y - at}px`);
     });
   }
 }

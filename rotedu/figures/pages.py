@@ -170,7 +170,7 @@ def light_poster(png: bytes) -> bytes:
     poster = Image.open(io.BytesIO(png)).convert("RGBA")
     poster.putalpha(poster.getchannel("A").point(NEAREST.tolist()))
     file = io.BytesIO()
-    poster.save(file, "WEBP", quality=70, method=5)
+    poster.save(file, "WEBP", quality=77, method=5)
     return file.getvalue()
 
 

@@ -1,8 +1,9 @@
 """Measure what figures that answer the hand cost, for `tools/audit.py`.
 
-Blocks of frames in which the first handle of a figure is dragged alternate with blocks in which the
-same scene is turned. Their means are compared, since frames come in steps of a screen's 16.7 ms,
-and medians would jump by them. Of what a drag takes at once the median is taken.
+Blocks of frames in which the first handle of a figure is dragged, or its slider where it has no
+handle, alternate with blocks in which the same scene is turned. Their means are compared, since
+frames come in steps of a screen's 16.7 ms, and medians would jump by them. Of what a drag takes at
+once the median is taken.
 """
 
 import gzip
@@ -22,20 +23,29 @@ BLOCKS, FRAMES = 4, 20
 # Frame after frame does one thing; the intervals between frames and the work in them are returned.
 RUN = """async ([figure, kind, frames]) => {
     const canvas = figure.querySelector('canvas');
-    const middle = ({ left, top, width, height }) => [left + width / 2, top + height / 2];
-    const first = (figure.querySelector('.scene [data-handle]') ?? canvas).getBoundingClientRect();
+    const middle = (element) => {
+        const { left, top, width, height } = element.getBoundingClientRect();
+        return [left + width / 2, top + height / 2];
+    };
+    const turn = (i) => {
+        const key = i % 2 ? "ArrowLeft" : "ArrowRight";
+        canvas.dispatchEvent(new KeyboardEvent("keydown", { key }));
+    };
+    const slide = (i) => {
+        const slider = figure.querySelector("input[type=range]");
+        slider.value = Number(slider.min) + ((slider.max - slider.min) * i) / frames;
+        slider.dispatchEvent(new InputEvent("input", { bubbles: true }));
+    };
+    const first = figure.querySelector(".scene [data-handle]");
     // What the mouse holds may lie over the first handle.
-    const held = (figure.held ??= document.elementFromPoint(...middle(first)));
-    const [x, y] = middle(held.getBoundingClientRect());
-    const act = (i) => {
+    const held = first && (figure.held ??= document.elementFromPoint(...middle(first)));
+    const [x, y] = held ? middle(held) : [];
+    const move = (i) => {
         const angle = i / 4;
         const place = { clientX: x + 9 * Math.cos(angle) - 9, clientY: y + 9 * Math.sin(angle) };
-        if (kind === "drag") held.dispatchEvent(new PointerEvent("pointermove", place));
-        else {
-            const key = i % 2 ? "ArrowLeft" : "ArrowRight";
-            canvas.dispatchEvent(new KeyboardEvent("keydown", { key }));
-        }
+        held.dispatchEvent(new PointerEvent("pointermove", place));
     };
+    const act = kind === "turn" ? turn : held ? move : slide;
     const next = () => new Promise(requestAnimationFrame);
     // A browser hands over what a mouse does once the last frame is drawn, and its layout known.
     const drawn = () => new Promise((done) => setTimeout(done));

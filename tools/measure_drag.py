@@ -36,7 +36,7 @@ RUN = """async ([figure, kind, frames]) => {
         slider.value = Number(slider.min) + ((slider.max - slider.min) * i) / frames;
         slider.dispatchEvent(new InputEvent("input", { bubbles: true }));
     };
-    const first = figure.querySelector(".scene [data-handle]");
+    const first = figure.querySelector(".scene [data-handle]:not([data-behind])");
     // What the mouse holds may lie over the first handle.
     const held = first && (figure.held ??= document.elementFromPoint(...middle(first)));
     const [x, y] = held ? middle(held) : [];
@@ -115,7 +115,7 @@ def frames(page: Page, figure: Locator) -> tuple[float, float, float]:
     add = figure.locator("[data-action=add]")
     while add.count() and add.is_enabled():
         add.click()
-    handle = figure.locator(".scene [data-handle]").first
+    handle = figure.locator(".scene [data-handle]:not([data-behind])").first
     if handle.count():
         handle.hover(force=True)
         page.mouse.down()

@@ -21,7 +21,7 @@ RATIO, WORK = 1.5, 8
 BLOCKS, FRAMES = 4, 20
 
 # Frame after frame does one thing; the intervals between frames and the work in them are returned.
-RUN = """async ([figure, kind, frames]) => {
+RUN = """async ([figure, held, kind, frames]) => {
     const canvas = figure.querySelector('canvas');
     const middle = (element) => {
         const { left, top, width, height } = element.getBoundingClientRect();
@@ -36,9 +36,6 @@ RUN = """async ([figure, kind, frames]) => {
         slider.value = Number(slider.min) + ((slider.max - slider.min) * i) / frames;
         slider.dispatchEvent(new InputEvent("input", { bubbles: true }));
     };
-    const first = figure.querySelector(".scene [data-handle]:not([data-behind])");
-    // What the mouse holds may lie over the first handle.
-    const held = first && (figure.held ??= document.elementFromPoint(...middle(first)));
     const [x, y] = held ? middle(held) : [];
     const move = (i) => {
         const angle = i / 4;
@@ -116,13 +113,17 @@ def frames(page: Page, figure: Locator) -> tuple[float, float, float]:
     while add.count() and add.is_enabled():
         add.click()
     handle = figure.locator(".scene [data-handle]:not([data-behind])").first
+    held = None
     if handle.count():
         handle.hover(force=True)
+        # What the mouse holds may lie over the handle.
+        held = page.evaluate_handle("[...document.querySelectorAll(':hover')].at(-1)")
         page.mouse.down()
+    element = figure.element_handle()
     turns, drags, works = [], [], []
     for _ in range(BLOCKS):
-        turns += page.evaluate(RUN, [figure.element_handle(), "turn", FRAMES])[0]
-        intervals, handlers = page.evaluate(RUN, [figure.element_handle(), "drag", FRAMES])
+        turns += page.evaluate(RUN, [element, held, "turn", FRAMES])[0]
+        intervals, handlers = page.evaluate(RUN, [element, held, "drag", FRAMES])
         drags += intervals
         works += handlers
     page.mouse.up()

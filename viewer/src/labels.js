@@ -28,15 +28,17 @@ const face = [new Vector3(), new Vector3(), new Vector3()];
 const place = new Vector3();
 
 /**
- * Count how often the segment from one point to another crosses a surface, up to a limit.
+ * Count how often the segment from one point to another crosses a surface, up to a limit. Most miss the
+ * sphere around it, and none of its faces is looked at.
  * @param {import("./types.js").Surface} surface
  * @param {number[]} from
  * @param {number[]} to
  */
-export function crossings({ positions, corners }, from, to, limit = Infinity) {
+export function crossings({ positions, corners, around }, from, to, limit = Infinity) {
   ray.origin.fromArray(from);
   const length = ray.direction.fromArray(to).sub(ray.origin).length();
   ray.direction.divideScalar(length);
+  if (!ray.intersectsSphere(around)) return 0;
   const [a, b, c] = face;
   const found = [];
   for (let i = 0; i < corners.length && found.length < limit; i += 3) {

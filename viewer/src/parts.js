@@ -28,7 +28,7 @@ export function move(part, change) {
   if (count) for (const object of objects) object.count = count;
   if (matrix) {
     for (const object of objects) object.matrix.fromArray(matrix);
-    if (surface) carry(surface, objects[0].matrix);
+    if (surface) carry(surface, objects[0]);
     castShadow(part);
   }
 }
@@ -130,9 +130,10 @@ function replace({ objects }, geometry) {
 }
 
 /** Move the surface that hides labels along with its part. */
-function carry(surface, matrix) {
+function carry(surface, { geometry, matrix }) {
   const m = matrix.elements;
-  const { rest, positions } = surface;
+  const { rest, positions, around } = surface;
+  around.copy(geometry.boundingSphere).applyMatrix4(matrix);
   for (let i = 0; i < rest.length; i += 3) {
     const [x, y, z] = [rest[i], rest[i + 1], rest[i + 2]];
     for (let k = 0; k < 3; k++) {

@@ -54,11 +54,12 @@ export async function read(file) {
 }
 
 /** The faces of a part, with positions in the coordinates of the scene. */
-function surface({ geometry, material }, positions) {
+function surface({ geometry, material, matrixWorld }, positions) {
   return {
     positions,
     rest: geometry.attributes.position.array,
     corners: geometry.index.array,
+    around: geometry.boundingSphere.clone().applyMatrix4(matrixWorld),
     seeThrough: material.opacity < 1,
   };
 }

@@ -86,8 +86,9 @@
  * A scene as glTF brings it.
  * @typedef {{position: Point, target: Point, up: Point, viewAngle: number, aspect: number,
  *   swing?: number}} PosterCamera
- * @typedef {{positions: ArrayLike<number>, corners: ArrayLike<number>, seeThrough?: boolean}} Surface
- *   that hides labels: points, and three of them for each face
+ * @typedef {{positions: ArrayLike<number>, corners: ArrayLike<number>, around: import("three").Sphere,
+ *   seeThrough?: boolean}} Surface that hides labels: points, three of them for each face, and a sphere
+ *   around all
  * @typedef {import("three").Mesh<import("three").BufferGeometry, any>} Drawn
  * @typedef {{positions: Float32Array, normals: Float32Array, corners: Uint32Array, size?: string}} Skin
  * @typedef {object} Part

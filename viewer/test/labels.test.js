@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { PerspectiveCamera, SphereGeometry, Vector3 } from "three";
+import { PerspectiveCamera, Sphere, SphereGeometry, Vector3 } from "three";
 import { lens } from "../src/aim.js";
 import { apart, crossings, isHidden, project } from "../src/labels.js";
 import { Labels } from "../src/placed-labels.js";
@@ -9,12 +9,14 @@ import { near, points } from "./near.js";
 
 function ball(seeThrough = false) {
   const { attributes, index } = new SphereGeometry(1, 48, 32);
-  return { positions: attributes.position.array, corners: index.array, seeThrough };
+  const around = new Sphere(new Vector3(), 1);
+  return { positions: attributes.position.array, corners: index.array, around, seeThrough };
 }
 
 const square = {
   positions: points("-1,-1,0 1,-1,0 1,1,0 -1,1,0").flat(),
   corners: [0, 1, 2, 0, 2, 3],
+  around: new Sphere(new Vector3(), Math.SQRT2),
 };
 
 test("labels are where three's camera sees their points", () => {

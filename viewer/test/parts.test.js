@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { BufferAttribute, BufferGeometry, Color, Matrix4, Mesh, Vector3 } from "three";
+import { BufferAttribute, BufferGeometry, Color, Matrix4, Mesh, Sphere, Vector3 } from "three";
 import { drawn as anew, move } from "../src/parts.js";
 import { near, points } from "./near.js";
 
@@ -135,11 +135,14 @@ test("a part without normals gets none", () => {
 test("a part takes its matrix, and what hides labels goes with it", () => {
   const matrix = new Matrix4().set(0, -1, 0, 5, 1, 0, 0, 6, 0, 0, 2, 7, 0, 0, 0, 1).toArray();
   const rest = new Float32Array(points("0,0,0 1,0,0 1,1,2").flat());
-  for (const surface of [{ rest, positions: rest.slice() }, undefined]) {
+  const around = new Sphere();
+  for (const surface of [{ rest, positions: rest.slice(), around }, undefined]) {
     const part = { ...square(), surface };
+    part.objects[0].geometry.boundingSphere = new Sphere(new Vector3(1, 2, 3), 4);
     for (const given of [new Matrix4().toArray(), matrix]) move(part, { matrix: given });
     for (const object of part.objects) near(object.matrix.elements, matrix);
     if (surface) near(surface.positions, points("5,6,7 5,7,7 4,7,11").flat());
+    if (surface) near([...around.center, around.radius], [3, 7, 13, 8]);
   }
 });
 

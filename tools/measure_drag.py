@@ -20,6 +20,8 @@ FETCHED = 160
 RATIO, WORK = 1.5, 8
 BLOCKS, FRAMES = 4, 20
 
+# What figures keep of their inputs for Back.
+STATE = "JSON.stringify(history.state)"
 # Frame after frame does one thing; the intervals between frames and the work in them are returned.
 RUN = """async ([figure, held, kind, frames]) => {
     const canvas = figure.querySelector('canvas');
@@ -86,7 +88,7 @@ def figures(browser: Browser, host: str, html: Path, path: str) -> Iterator[str]
         told = figure.get_attribute("data-explore")
         files = (told, *map(scene.get_attribute, ("data-scene", "data-shared")))
         fetched = sum(packed((html / path).parent / file) for file in files if file)
-        turn, drag, work = frames(page, figure)
+        turn, drag, work, moved = frames(page, figure)
         print(
             f"  {name}: fetches {fetched:.0f} kB gzipped; a frame of a drag takes {drag:.1f} ms, of"
             f" turning {turn:.1f} ms, ratio {drag / turn:.2f}; work {work:.1f} ms"
@@ -100,11 +102,13 @@ def figures(browser: Browser, host: str, html: Path, path: str) -> Iterator[str]
             )
             if value > limit
         )
+        if not moved:
+            yield f"{name}: a drag moves nothing"
     page.close()
 
 
-def frames(page: Page, figure: Locator) -> tuple[float, float, float]:
-    """Return milliseconds: a frame of turning, a frame of a drag, and the work for a drag."""
+def frames(page: Page, figure: Locator) -> tuple[float, float, float, bool]:
+    """Return milliseconds: a frame of turning, of a drag, its work; and if it moved anything."""
     figure.locator(".scene").scroll_into_view_if_needed()
     page.mouse.move(3, 3)
     page.mouse.move(9, 9)
@@ -115,11 +119,14 @@ def frames(page: Page, figure: Locator) -> tuple[float, float, float]:
     handle = figure.locator(".scene [data-handle]:not([data-behind])").first
     held = None
     if handle.count():
+        # Bodies move together to make room for those that were added.
+        handle.element_handle().wait_for_element_state("stable")
         handle.hover(force=True)
         # What the mouse holds may lie over the handle.
         held = page.evaluate_handle("[...document.querySelectorAll(':hover')].at(-1)")
         page.mouse.down()
     element = figure.element_handle()
+    state = page.evaluate(STATE)
     turns, drags, works = [], [], []
     for _ in range(BLOCKS):
         turns += page.evaluate(RUN, [element, held, "turn", FRAMES])[0]
@@ -127,4 +134,5 @@ def frames(page: Page, figure: Locator) -> tuple[float, float, float]:
         drags += intervals
         works += handlers
     page.mouse.up()
-    return fmean(turns), fmean(drags), median(works)
+    moved = page.evaluate(STATE) != state
+    return fmean(turns), fmean(drags), median(works), moved

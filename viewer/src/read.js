@@ -32,13 +32,13 @@ export async function read(file) {
     const positions = geometry.attributes.position.clone().applyMatrix4(matrixWorld).array;
     clouds.push(positions);
     geometry.computeBoundingSphere();
-    if (geometry.boundingSphere)
-      around.union(geometry.boundingSphere.clone().applyMatrix4(matrixWorld));
+    const sphere = geometry.boundingSphere?.clone().applyMatrix4(matrixWorld);
+    if (sphere) around.union(sphere);
     const { userData } = part;
     const { userData: looks } = part.material;
     const { name, pickable, hidden, ...place } = userData;
     const dressed = dress(part);
-    const hides = part.isMesh && pickable ? surface(part, positions) : undefined;
+    const hides = part.isMesh && pickable ? surface(part, positions, sphere) : undefined;
     if (hides) surfaces.push(hides);
     for (const object of dressed) object.visible = !hidden;
     parts.set(name, { objects: dressed, place, surface: hides });
@@ -54,12 +54,12 @@ export async function read(file) {
 }
 
 /** The faces of a part, with positions in the coordinates of the scene. */
-function surface({ geometry, material, matrixWorld }, positions) {
+function surface({ geometry, material }, positions, around) {
   return {
     positions,
     rest: geometry.attributes.position.array,
     corners: geometry.index.array,
-    around: geometry.boundingSphere.clone().applyMatrix4(matrixWorld),
+    around,
     seeThrough: material.opacity < 1,
   };
 }
